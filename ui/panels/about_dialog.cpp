@@ -10,7 +10,7 @@
 namespace myo::ui::panels {
 namespace {
 
-/// As the packages' own copyright files have it.
+/// Summary of the packages' own copyright files.
 constexpr const char* bound_by =
     "Myoloop's own source is under the MIT licence. A binary that is passed on is bound by more: CHOLMOD's supernodal "
     "module and SPQR are under the GPL 2 or later, METIS's Apache "
@@ -40,7 +40,7 @@ void draw_about(PanelContext& context, bool& open) {
     const platform::Theme& theme = context.theme;
     if (!begin_dialog(theme, "About Myoloop", 560.0f)) return;
     heading(theme, "Myoloop " + context.backend.version());
-    // The list scrolls where the window is low; the button stays in sight.
+    // The list scrolls in a low window, so that the button stays visible.
     ImGui::BeginChild("about",
                       {0.0f, std::min(460.0f * theme.scale, ImGui::GetIO().DisplaySize.y - 170.0f * theme.scale)});
     muted_text(theme, "A workbench for soft robots. It stands on these libraries and fonts:");

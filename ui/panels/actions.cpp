@@ -13,6 +13,7 @@ namespace {
 
 using Enabled = std::function<bool(const commands::WorkbenchState&)>;
 
+// Conditions that several actions share.
 Enabled with_scene() {
     return [](const commands::WorkbenchState& s) { return s.scene != nullptr; };
 }
@@ -20,12 +21,13 @@ Enabled working() {
     return [](const commands::WorkbenchState& s) { return s.busy(); };
 }
 
-/// An action that is a command.
+/// Action that only emits a command.
 template <class Asked>
 std::function<void(PanelContext&, viewport::ViewportState&)> emits(Asked asked) {
     return [asked](PanelContext& context, viewport::ViewportState&) { context.emit(asked); };
 }
 
+/// Multiplies the scale of text and controls, within the limits of the preferences.
 void rescale(PanelContext& context, float factor) {
     context.emit(commands::SetTheme{
         context.state.preferences.theme,
@@ -88,11 +90,13 @@ void add_edit_actions(std::vector<Action>& all) {
                    {ImGuiKey_Y, true, false, "Ctrl+Y"},
                    emits(commands::Redo{}),
                    [](const commands::WorkbenchState& s) { return s.can_redo; }});
+    // Pressing the shortcut of the active tool again returns to the camera.
     const auto toggle = [](commands::BrushTool tool) {
         return [tool](PanelContext& context, viewport::ViewportState&) {
             commands::BrushSettings brush = context.state.brush;
             brush.tool = brush.tool == tool ? commands::BrushTool::none : tool;
             context.emit(commands::ChangeBrush{brush});
+            // The brush settings are in the task Fibres, so that task is shown.
             if (brush.tool != commands::BrushTool::none) context.window.step = commands::Step::fibres;
         };
     };
@@ -124,6 +128,7 @@ void add_view_actions(std::vector<Action>& all) {
                    {platform::key_f, false, false, "F"},
                    [](PanelContext&, viewport::ViewportState& view) { view.fit_requested = true; },
                    with_scene()});
+    // The same directions as the buttons in the view, with their shortcuts.
     struct Look {
         const char* id;
         const char* label;
@@ -178,6 +183,7 @@ void add_view_actions(std::vector<Action>& all) {
                    [](PanelContext& context, viewport::ViewportState& view) {
                        view.measuring = !view.measuring;
                        commands::BrushSettings brush = context.state.brush;
+                       // A click can either measure or paint.
                        brush.tool = commands::BrushTool::none;
                        if (view.measuring) context.emit(commands::ChangeBrush{brush});
                    },
@@ -295,6 +301,7 @@ void add_help_actions(std::vector<Action>& all) {
 }  // namespace
 
 const std::vector<Action>& all_actions() {
+    // Built once: actions hold no state, only functions of the context.
     static const std::vector<Action> actions = [] {
         std::vector<Action> all;
         add_file_actions(all);
@@ -310,16 +317,18 @@ const std::vector<Action>& all_actions() {
 
 void react_to_shortcuts(PanelContext& context, viewport::ViewportState& viewport) {
     const ImGuiIO& io = ImGui::GetIO();
+    // Keys belong to a text field or an open dialog first.
     if (io.WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId)) return;
     for (const Action& action : all_actions()) {
         const Shortcut& keys = action.shortcut;
+        // On many keyboards + requires Shift, so Shift is ignored for this key.
         if (keys.key < 0 || keys.ctrl != io.KeyCtrl || (keys.shift != io.KeyShift && keys.key != platform::key_plus) ||
             !ImGui::IsKeyPressed(keys.key, false))
             continue;
         if (!action.enabled || action.enabled(context.state)) action.perform(context, viewport);
     }
     if (io.KeyCtrl && io.KeyShift && ImGui::IsKeyPressed(ImGuiKey_Z, false))
-        context.emit(commands::Redo{});  // as many know it
+        context.emit(commands::Redo{});  // the second common shortcut for redo
 }
 
 }  // namespace myo::ui::panels

@@ -14,7 +14,7 @@ namespace myo::ui::panels {
 void BodyPanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
-    // What was opened from elsewhere (dropped, command line) stands in the field too.
+    // The field also shows what was opened elsewhere: dropped, from the start page, or by the command line.
     if (scene_ != state.scene && state.scene)
         path_ = (state.project.empty() ? state.scene->path : state.project).string();
     scene_ = state.scene;

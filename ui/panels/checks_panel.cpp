@@ -19,13 +19,14 @@ void draw_state(PanelContext& context, const commands::CheckRow& row, const std:
     context.items.mark("checks/state/" + number);
 }
 
-/// The question, and below it of what.
+/// The question and, below it, the subject of the check.
 void draw_question(const platform::Theme& theme, const commands::CheckRow& row) {
     wrapped_text(row.question);
     tooltip(theme, row.source.empty() ? row.id : row.id + "\nThreshold: " + row.source);
     if (!row.subject.empty()) muted_text(theme, row.subject);
 }
 
+/// The finding and, with an arrow, what the user can do.
 void draw_sentence(const platform::Theme& theme, const commands::CheckRow& row) {
     wrapped_text(row.sentence);
     if (row.way_out.empty()) return;
@@ -34,6 +35,7 @@ void draw_sentence(const platform::Theme& theme, const commands::CheckRow& row) 
     wrapped_text(row.way_out);
 }
 
+// Two layouts: with room the value and its threshold have columns of their own, otherwise they follow the text.
 void draw_wide_row(const platform::Theme& theme, const commands::CheckRow& row) {
     ImGui::TableNextColumn();
     draw_question(theme, row);
@@ -95,6 +97,7 @@ void ChecksPanel::draw_head(PanelContext& context) {
 void ChecksPanel::draw_rows(PanelContext& context) {
     const platform::Theme& theme = context.theme;
     const commands::CheckRows& rows = context.state.checks->rows;
+    // Width [pixels at scale 1] below which five columns would break the texts into single words.
     const bool wide = ImGui::GetContentRegionAvail().x > 720.0f * theme.scale;
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
                                       ImGuiTableFlags_BordersOuterH;

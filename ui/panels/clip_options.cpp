@@ -10,12 +10,14 @@
 namespace myo::ui::panels {
 namespace {
 
-/// Of the body at rest along the normal [m].
+/// Least and greatest position of the body at rest along the normal [m].
 std::array<double, 2> extent_along(const commands::MeshedBody& body, const Eigen::Vector3d& normal) {
     const Eigen::RowVectorXd along = normal.transpose() * body.mesh.nodes;
     return {along.minCoeff(), along.maxCoeff()};
 }
 
+/// Changes the direction of the plane and moves it to the middle of the body. A position along another direction means
+/// nothing.
 void turn(const commands::MeshedBody& body, commands::ClipPlane& plane, const Eigen::Vector3d& normal) {
     plane.normal = normal;
     const auto [lowest, highest] = extent_along(body, normal);

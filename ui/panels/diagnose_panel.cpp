@@ -19,22 +19,25 @@ namespace {
 
 constexpr const char* times = "\xc3\x97";
 
+/// Percentage with three digits; a dash if unknown, "0" below 0.05 %.
 std::string percent(double share) {
     return !std::isfinite(share) ? dash : std::abs(share) < 5e-4 ? "0" : plot::value_label(100.0 * share, 3);
 }
 
+// Nothing missing is good news only if the checks are green too.
 ImVec4 verdict_color(const platform::Theme& theme, const commands::DiagnosisView& d) {
     if (!d.complete) return theme.text;
     if (d.verdict == commands::DiagnosisVerdict::none) return check_color(theme, commands::worst_state(d.checks));
     return d.verdict == commands::DiagnosisVerdict::effects ? theme.accent : theme.warning;
 }
 
+/// Progress of the diagnosis: its present part, what is counted, and the times.
 std::string stage_words(const commands::JobView& job) {
     std::string words = job.progress.task.empty() ? "Starting" : job.progress.task;
     words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
     if (const std::string counted = counted_words(job); !counted.empty()) words += ", " + counted;
     if (!job.progress.message.empty()) words += " \xc2\xb7 " + job.progress.message;
-    std::replace(words.begin(), words.end(), '_', ' ');  // ids of effects
+    std::replace(words.begin(), words.end(), '_', ' ');  // ids of effects contain underscores
     if (job.remaining_s) words += " \xc2\xb7 " + time_words(job);
     return words + " \xc2\xb7 " + duration_label(job.elapsed_s) + " so far";
 }
@@ -47,7 +50,7 @@ bool is_in_model(const commands::WorkbenchState& state, const commands::Diagnosi
     return row.settings.effects == state.settings.effects;
 }
 
-/// The fitted value as far as a cell has room for it: what is left out is told on hovering.
+/// Fitted value as far as the cell has room; the tooltip shows all of it.
 std::string value_words(const commands::DiagnosisRow& row, float width) {
     const bool fits = ImGui::CalcTextSize(row.value.c_str()).x <= width;
     return row.one_number || (!fits && !row.brief.empty()) ? row.brief : row.value;
@@ -84,7 +87,8 @@ void DiagnosePanel::draw(PanelContext& context) {
         return;
     }
     const float width = ImGui::GetContentRegionAvail().x;
-    const bool narrow = width < 560.0f * context.theme.scale;  // then one at a time
+    // not enough room for both: ranking and plot become alternatives
+    const bool narrow = width < 560.0f * context.theme.scale;
     if (!narrow) {
         ImGui::BeginChild("ranking", {std::floor(0.55f * width), 0.0f});
         draw_ranking(context);
@@ -112,9 +116,11 @@ void DiagnosePanel::draw(PanelContext& context) {
     ImGui::EndChild();
 }
 
+/// Resets zoom and axis if another curve is shown.
 void DiagnosePanel::follow(const commands::WorkbenchState& state) {
     if (scene_ != state.scene) axis_chosen_ = false;
     scene_ = state.scene;
+    // Until the user selects an axis, the one with the largest error is shown.
     if (!axis_chosen_ && state.diagnosis) axis_ = std::clamp(state.diagnosis->worst_axis, 0, 2);
     const commands::DiagnosisRow* const row = state.diagnosis_row();
     const std::string shown = state.scene->path.string() +
@@ -122,7 +128,7 @@ void DiagnosePanel::follow(const commands::WorkbenchState& state) {
                               std::to_string(state.trial) + " " + std::to_string(state.marker) + " " +
                               std::to_string(axis_);
     if (shown == followed_) return;
-    // Another curve: the old zoom means nothing.
+    // A different curve: the old zoom has no meaning for it.
     followed_ = shown;
     time_.range.reset();
     plot_ = {};
@@ -133,6 +139,7 @@ void DiagnosePanel::draw_head(PanelContext& context) {
     const platform::Theme& theme = context.theme;
     const float s = theme.scale;
     const ImVec2 button{132.0f * s, 0.0f};
+    // While a diagnosis runs, the head shows its progress instead of the verdict.
     if (state.diagnosing()) {
         ImGui::BeginDisabled(state.job->cancelling);
         if (ImGui::Button((std::string(platform::icon::stop) + "  Cancel").c_str(), button))
@@ -160,13 +167,14 @@ void DiagnosePanel::draw_head(PanelContext& context) {
     if (can_be_added(row))
         add = is_in_model(state, *row) ? std::string(platform::icon::done) + "  Added to the model"
                                        : std::string(platform::icon::plus) + "  Add " + lower_first(row->name);
+    // The verdict takes the room that the button on the right leaves.
     const float add_width = add.empty() ? 0.0f
                                         : ImGui::CalcTextSize(add.c_str()).x + 4.0f * ImGui::GetStyle().FramePadding.x;
     ImGui::SameLine(0.0f, 12.0f * s);
     ImGui::AlignTextToFramePadding();
     ImGui::PushFont(theme.strong);
     const float confidence_width = 140.0f * s, all = ImGui::GetContentRegionAvail().x - add_width - 16.0f * s;
-    const bool with_confidence = d.complete && all > confidence_width + 160.0f * s;  // else it is told on hovering
+    const bool with_confidence = d.complete && all > confidence_width + 160.0f * s;  // otherwise in the tooltip
     const float room = all - (with_confidence ? confidence_width : 0.0f);
     const std::string confidence = "confidence " + plot::value_label(100.0 * d.confidence, 2) + " %";
     const std::string headline = d.complete ? d.headline : "Cancelled before a verdict: this is what was known by then";
@@ -196,7 +204,7 @@ void DiagnosePanel::draw_head(PanelContext& context) {
     }
     if (words.empty()) return;
     const ImVec2 below = ImGui::GetContentRegionAvail();
-    if (below.y < 160.0f * s) return;  // the plot needs the room; the verdict tells it on hovering
+    if (below.y < 160.0f * s) return;  // the plot needs the room; the tooltip of the verdict has the text
     muted_text(theme, elided_lines(words, below.x, below.y > 180.0f * s ? 2 : 1));
     context.items.mark("diagnose/because");
     tooltip(theme, words);
@@ -212,7 +220,7 @@ void DiagnosePanel::draw_ranking(PanelContext& context) {
                                ImGuiTableFlags_BordersOuterH))
         return;
     ImGui::TableSetupScrollFreeze(0, 1);
-    // In a narrow window the value is told on hovering, and the weight gives way to the name.
+    // In a narrow window the value is in the tooltip, and the weight makes room for the name.
     const float width = ImGui::GetWindowWidth() / theme.scale;
     const bool narrow = width < 480.0f, tight = width < 420.0f;
     const std::vector<Heading> headings{
@@ -235,6 +243,7 @@ void DiagnosePanel::draw_ranking(PanelContext& context) {
     for (const commands::DiagnosisRow& row : d.rows) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
+        // Rows that were not fitted are dimmed.
         const ImVec4& color = row.fitted ? theme.text : theme.muted;
         const std::string label = row.kind == commands::DiagnosisRow::Kind::effects ? std::to_string(++rank) : " ";
         ImGui::PushStyleColor(ImGuiCol_Text, color);
@@ -244,7 +253,7 @@ void DiagnosePanel::draw_ranking(PanelContext& context) {
         context.items.mark("diagnose/row/" + row.key);
         const std::string like = row.like.empty() ? "" : "This experiment cannot tell it from " + row.like + ".";
         std::string words = row.name +
-                            (row.value.empty() ? "" : ": " + row.value);  // whole, however narrow the table is
+                            (row.value.empty() ? "" : ": " + row.value);  // complete, however narrow the table is
         for (const std::string& more : {like, row.no_force})
             if (!more.empty()) words += (words.empty() ? "" : "\n") + more;
         tooltip(theme, words);
@@ -280,7 +289,7 @@ void DiagnosePanel::draw_choices(PanelContext& context, bool none) {
     if (none || errors_ || row->kind == commands::DiagnosisRow::Kind::missing_force) return;
     const auto& markers = state.scene->markers;
     const std::size_t current = std::min(static_cast<std::size_t>(state.marker), markers.size() - 1);
-    // In a narrow window on a line of their own.
+    // In a narrow window these controls get a line of their own.
     const float axis_width = 56.0f * s, least = 72.0f * s;
     ImGui::SameLine(0.0f, 16.0f * s);
     const float room = ImGui::GetContentRegionAvail().x - axis_width - ImGui::GetStyle().ItemSpacing.x;
@@ -326,7 +335,7 @@ void DiagnosePanel::draw_residual(PanelContext& context, const commands::Diagnos
     }
     plot::Plot plot;
     plot.id = "diagnose/plot";
-    // The legend needs the room more than the title.
+    // The legend needs the room more than the title does.
     const std::string axis = axis_names[static_cast<std::size_t>(axis_)];
     plot.title = ImGui::GetContentRegionAvail().x > 440.0f * theme.scale
                      ? axis + " \xe2\x88\x92 that of the declared model [mm]"
@@ -338,6 +347,7 @@ void DiagnosePanel::draw_residual(PanelContext& context, const commands::Diagnos
     const Eigen::VectorXd& time = state.scene_trial()->time_s;
     plot.series.push_back(
         {"measured", time, 1e3 * d.trials[trial].residual_m[marker].row(axis_).transpose(), theme.measured, true});
+    // A row that was not predicted for this trial shows the measurement only.
     const bool predicted = trial < row.predicted_m.size() && marker < row.predicted_m[trial].size();
     if (predicted)
         plot.series.push_back({"with " + lower_first(row.name), time,
@@ -354,6 +364,7 @@ void DiagnosePanel::draw_force(PanelContext& context) {
     double largest = 0.0;
     for (const Eigen::VectorXd& amplitude : force.amplitude_N)
         if (amplitude.size() > 0) largest = std::max(largest, amplitude.cwiseAbs().maxCoeff());
+    // Millinewtons below 0.1 N, so that tick labels stay short.
     const bool small = largest < 0.1;
     plot::Plot plot;
     plot.id = "diagnose/plot";
@@ -393,7 +404,7 @@ void DiagnosePanel::draw_errors(PanelContext& context, const commands::Diagnosis
                                         {"Before" + of_noise, before, true},
                                         {"After" + of_noise, after, true}};
     ImGui::TableSetupColumn("trial", ImGuiTableColumnFlags_WidthStretch);
-    // In a narrow window the role is told on hovering, and what the error was in noise levels can be worked out.
+    // In a narrow window the role is in the tooltip, and the columns in noise levels are left out.
     const int where_wide = ImGui::GetWindowWidth() < 480.0f * theme.scale ? ImGuiTableColumnFlags_Disabled : 0;
     ImGui::TableSetupColumn("role", ImGuiTableColumnFlags_WidthFixed | where_wide,
                             ImGui::CalcTextSize("predicted").x + 2.0f);
@@ -412,6 +423,7 @@ void DiagnosePanel::draw_errors(PanelContext& context, const commands::Diagnosis
         ImGui::PopID();
         text_cell(theme, trial.fitted ? "fit" : "predicted", theme.text);
         const double after_m = t < row.after_m.size() ? row.after_m[t] : std::nan("");
+        // The same error twice: in millimetres and in noise levels.
         for (const double factor : {1e3, 1.0 / d.noise_m}) {
             number_cell(theme, plot::value_label(factor * trial.before_m, 3));
             number_cell(theme, plot::value_label(factor * after_m, 3),

@@ -14,6 +14,7 @@
 namespace myo::ui::panels {
 namespace {
 
+// Names are unique, because they are columns in signal files and refer to other muscles.
 bool is_taken(const commands::Settings& settings, const std::string& name) {
     return std::any_of(settings.muscles.begin(), settings.muscles.end(),
                        [&](const commands::Muscle& muscle) { return muscle.name == name; });
@@ -24,6 +25,7 @@ std::string amount_label(const fibre::PaintedAmount& amount) {
            plot::value_label(1e6 * amount.volume_m3, 3) + " cm\xc2\xb3";
 }
 
+/// Edits the selected muscle and emits the changed settings.
 void change(PanelContext& context, const std::string& what, bool goes_on,
             const std::function<void(commands::Muscle&)>& edit) {
     commands::Settings settings = context.state.settings;
@@ -58,6 +60,7 @@ const std::vector<commands::Choice>& mirror_choices() {
     return choices;
 }
 
+/// Draws a list for an enumeration whose values have the order of `choices`. Returns true if it changed.
 template <class Kind>
 bool choose(PanelContext& context, const char* label, const char* name, const char* tip,
             const std::vector<commands::Choice>& choices, Kind& kind) {
@@ -77,9 +80,11 @@ commands::Muscle new_muscle(const commands::Settings& settings) {
         muscle.name = "muscle " + std::to_string(i);
         if (!is_taken(settings, muscle.name)) break;
     }
+    // The first colour that no other muscle has; beyond eight muscles the theme repeats its colours.
     const auto used = [&](const commands::Muscle& other) { return other.color == muscle.color; };
     while (std::any_of(settings.muscles.begin(), settings.muscles.end(), used)) ++muscle.color;
     muscle.stiffness_Pa = settings.youngs_modulus_Pa;
+    // a contraction of a fifth within half a second, so that the first run shows motion
     muscle.signal = fibre::Signal{{0.0, 0.5}, {1.0, 0.8}};
     return muscle;
 }
@@ -110,6 +115,7 @@ void FibrePanel::draw_list(PanelContext& context) {
         ImGui::GetWindowDrawList()->AddRectFilled({at.x + 2.0f * theme.scale, at.y + 1.0f},
                                                   {at.x + 2.0f * theme.scale + box, at.y + 1.0f + box - 2.0f},
                                                   platform::packed(theme.muscle(muscle.color)), 3.0f * theme.scale);
+        // During a stroke the amount follows the paint under the brush.
         if (static_cast<std::size_t>(m) < state.paint.size() && state.ground) {
             const fibre::CellPaint& paint = m == state.muscle && context.live_paint
                                                 ? *context.live_paint
@@ -137,16 +143,19 @@ void FibrePanel::draw_name(PanelContext& context) {
     const commands::Muscle& muscle = *context.state.chosen_muscle();
     row_label(context.theme, "Name", "Heads the muscle's column in files of signals.");
     if (!typing_) typed_name_ = muscle.name;
+    // A declared muscle keeps the name that it has in the experiment.
     ImGui::BeginDisabled(!muscle.declared.empty());
     ImGui::InputText("##name", &typed_name_);
     context.items.mark("fibres/name");
     ImGui::EndDisabled();
     typing_ = ImGui::IsItemActive();
     if (!ImGui::IsItemDeactivatedAfterEdit() || typed_name_ == muscle.name) return;
+    // A name that would break signal files or clash with another muscle is rejected.
     const bool fits = !typed_name_.empty() && typed_name_ != "time_s" && typed_name_.find(',') == std::string::npos &&
                       !is_taken(context.state.settings, typed_name_);
     if (!fits) return;
     commands::Settings settings = context.state.settings;
+    // Followers refer to the muscle by its name.
     for (commands::Muscle& other : settings.muscles)
         if (other.follows == muscle.name) other.follows = typed_name_;
     settings.muscles[static_cast<std::size_t>(context.state.muscle)].name = typed_name_;
@@ -156,6 +165,7 @@ void FibrePanel::draw_name(PanelContext& context) {
 void FibrePanel::draw_link(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const commands::Muscle& muscle = *state.chosen_muscle();
+    // A muscle that others follow needs its own signal, so it can have no partner itself.
     const bool leads = std::any_of(state.settings.muscles.begin(), state.settings.muscles.end(),
                                    [&](const commands::Muscle& other) { return other.follows == muscle.name; });
     std::vector<commands::Choice> partners{{"", "None", "It has a signal of its own."}};
@@ -170,6 +180,7 @@ void FibrePanel::draw_link(PanelContext& context) {
                    partners, partner))
         change(context, "antagonist", false, [&](commands::Muscle& m) {
             m.follows = partner;
+            // Without a partner the muscle needs a signal of its own.
             if (partner.empty() && !m.signal && m.declared.empty()) m.signal = fibre::Signal::constant(1.0);
         });
     if (muscle.follows.empty()) return;
@@ -227,6 +238,7 @@ void FibrePanel::draw_muscle(PanelContext& context) {
                                              "What the muscle does; turns its signal over.", action_choices(), action))
         change(context, "action of a muscle", false, [&](commands::Muscle& m) {
             m.extends = action == "extends";
+            // Mirrored at a = 1: a contraction becomes the extension of the same size.
             if (m.signal)
                 for (double& a : m.signal->values) a = 2.0 - a;
         });
@@ -275,6 +287,7 @@ void FibrePanel::draw_paint_actions(PanelContext& context) {
     if (button("Remove", "fibres/remove", "Take the muscle out of the model")) {
         commands::Settings settings = state.settings;
         settings.muscles.erase(settings.muscles.begin() + state.muscle);
+        // Followers of the removed muscle become passive.
         for (commands::Muscle& other : settings.muscles)
             if (other.follows == muscle.name) other.follows.clear(), other.signal = fibre::Signal::constant(1.0);
         context.emit(commands::ChangeSettings{std::move(settings), "remove muscle", false});
@@ -316,6 +329,7 @@ void FibrePanel::draw_brush(PanelContext& context) {
         tooltip(theme, tool.tip);
     }
     ImGui::EndDisabled();
+    // Ranges of the sliders follow the size of the body.
     const double reach = state.body ? mesh::bounding_box(state.body->mesh.nodes).size().norm() : 1.0;
     bool ignored = false;
     const auto number = [&](const NumberField& field, double& value) {

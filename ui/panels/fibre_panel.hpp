@@ -4,7 +4,7 @@
 
 namespace myo::ui::panels {
 
-/// The muscles of the body, and the brush that paints them.
+/// Edits the muscles of the body and the settings of the brush that paints them.
 class FibrePanel : public Panel {
 public:
     std::string name() const override { return "fibres"; }
@@ -22,12 +22,12 @@ private:
     void draw_brush(PanelContext& context);
 
     OpenEdit edit_;
-    std::string typed_name_;
-    bool typing_ = false;
+    std::string typed_name_;  // text in the name field
+    bool typing_ = false;     // the name field has the keyboard
 };
 
-/// A muscle that is not painted yet: a free name and colour, as stiff as the body, with a contraction of a fifth in
-/// half a second to begin with.
+/// Returns an unpainted muscle with a free name and colour and the body's stiffness. Its signal contracts by a fifth
+/// within half a second.
 commands::Muscle new_muscle(const commands::Settings& settings);
 
 }  // namespace myo::ui::panels

@@ -22,12 +22,13 @@ bool has_ending(const fs::path& file, const std::vector<std::string>& endings) {
     return endings.empty() || std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
-/// Outside of any text that is being typed, whose own business the key would be.
+/// Enter outside text fields, which handle the key themselves.
 bool enter_pressed() {
     return !ImGui::GetIO().WantTextInput &&
            (ImGui::IsKeyPressed(ImGuiKey_Enter, false) || ImGui::IsKeyPressed(ImGuiKey_KeyPadEnter, false));
 }
 
+// The root folder has no file name.
 std::string folder_name(const fs::path& folder) {
     return folder.filename().empty() ? folder.string() : folder.filename().string();
 }
@@ -43,9 +44,11 @@ std::string with_ending(const std::string& name, const std::vector<std::string>&
 std::vector<FolderEntry> list_folder(const fs::path& folder, const std::vector<std::string>& endings) {
     std::vector<FolderEntry> entries;
     std::error_code problem;
+    // Errors only shorten the list: a folder without permission must not end the program.
     for (fs::directory_iterator it(folder, problem), end; !problem && it != end; it.increment(problem)) {
         FolderEntry entry;
         entry.name = it->path().filename().string();
+        // Hidden files are of no use here and would crowd the list.
         if (entry.name.empty() || entry.name[0] == '.') continue;
         std::error_code ignored;
         entry.folder = it->is_directory(ignored);
@@ -72,6 +75,7 @@ void FileBrowser::open(FileDialog dialog) {
     dialog_ = std::move(dialog);
     name_ = dialog_->new_name;
     fs::path folder = fs::absolute(dialog_->start, ignored);
+    // `start` may be a file or may no longer exist: use its folder, otherwise the working folder.
     if (!fs::is_directory(folder, ignored)) folder = folder.parent_path();
     if (dialog_->start.empty() || !fs::is_directory(folder, ignored)) folder = fs::current_path(ignored);
     go_to(folder);
@@ -85,6 +89,7 @@ fs::path FileBrowser::target() const {
 }
 
 void FileBrowser::choose(PanelContext& context, const fs::path& path) {
+    // A copy, as the callback may open another dialog.
     const FileDialog dialog = *dialog_;
     dialog_.reset();
     ImGui::CloseCurrentPopup();
@@ -98,6 +103,7 @@ void FileBrowser::give_up(PanelContext& context) {
     if (dialog.given_up) dialog.given_up(context);
 }
 
+// Bookmarks and fixed places on the left.
 void FileBrowser::draw_places(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -125,6 +131,7 @@ void FileBrowser::draw_places(PanelContext& context) {
     }
 }
 
+// A double click enters a folder, but chooses an experiment folder.
 void FileBrowser::draw_entries(PanelContext& context) {
     const platform::Theme& theme = context.theme;
     if (entries_.empty()) muted_text(theme, "Nothing here that can be chosen.");
@@ -153,6 +160,7 @@ void FileBrowser::draw_entries(PanelContext& context) {
         ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(tag).x - 4.0f * theme.scale);
         ImGui::TextColored(theme.muted, "%s", tag);
     }
+    // After the loop: go_to() replaces the list that the loop reads.
     if (enter)
         go_to(*enter);
     else if (chosen && !writes())
@@ -163,6 +171,7 @@ void FileBrowser::draw_preview(PanelContext& context) {
     const platform::Theme& theme = context.theme;
     if (selected_.empty()) return muted_text(theme, "What is selected is described here.");
     const fs::path path = folder_ / selected_;
+    // Reading the file takes time, so the preview is computed once per selection.
     if (path != previewed_) {
         previewed_ = path;
         preview_ = context.backend.preview(path);
@@ -201,7 +210,7 @@ bool FileBrowser::draw_name(PanelContext& context, const fs::path& target, bool 
     ImGui::SameLine();
     if (!entered) return false;
     typing_name_ = true;
-    // One key is too little to lose a file by.
+    // Replacing a file requires Enter twice: a single key press must not destroy a file.
     const bool may = !replaces || target == replaced_;
     replaced_ = target;
     return may;
@@ -228,6 +237,7 @@ void FileBrowser::draw_foot(PanelContext& context) {
     if (!pressed && !(entered && has_choice)) return;
     const auto entry = std::find_if(entries_.begin(), entries_.end(),
                                     [&](const FolderEntry& e) { return e.name == selected_; });
+    // A folder that cannot be chosen is entered.
     const bool plain_folder = !writes() && entry != entries_.end() && entry->folder &&
                               !(entry->experiment && dialog_->experiments) && !dialog_->folders;
     if (plain_folder)
@@ -262,6 +272,7 @@ void FileBrowser::draw_new_folder(PanelContext& context) {
         std::error_code failed;
         const fs::path made = folder_ / new_folder_;
         const bool is_new = fs::create_directories(made, failed);
+        // An existing folder of this name is opened, as that is what the user wants.
         if (is_new || fs::is_directory(made)) {
             go_to(made);
             typing_name_ = true;
@@ -286,6 +297,7 @@ void FileBrowser::draw(PanelContext& context) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSize({std::min(860.0f * s, display.x - 40.0f), std::min(560.0f * s, display.y - 40.0f)});
+    // If ImGui does not show the dialog any more, it counts as cancelled.
     if (!ImGui::BeginPopupModal(title.c_str(), nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
         const FileDialog dialog = *dialog_;
         dialog_.reset();

@@ -48,6 +48,7 @@ FileDialog save_dialog(const commands::WorkbenchState& state) {
 FileDialog picture_dialog(const PictureRequest& request, const std::string& name) {
     FileDialog dialog;
     dialog.title = request.moves ? "Save the motion in the 3D view" : "Save the 3D view as a picture";
+    // The extension determines what is written, so another one must not be typed by accident.
     dialog.button = "Save";
     const std::string ending = std::filesystem::path(name).extension().string();
     if (!ending.empty()) dialog.endings = {ending};
@@ -78,6 +79,7 @@ FileDialog table_dialog(std::string title, const std::string& name, std::string 
     dialog.button = "Save";
     dialog.endings = {ending};
     dialog.new_name = name + ending;
+    // The text is stored now, so that the file contains what was shown when the dialog was opened.
     dialog.chosen = [table = std::move(table)](PanelContext& context, const std::filesystem::path& path) {
         const Result<void> written = write_file(path, table);
         context.emit(written ? commands::Tell{commands::LogLevel::done, "Wrote " + path.string()}

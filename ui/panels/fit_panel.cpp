@@ -14,6 +14,7 @@ namespace myo::ui::panels {
 void FitPanel::draw(PanelContext& context) {
     if (!context.state.scene)
         return muted_text(context.theme,
+                          // Each part explains what is missing if it cannot be used.
                           "Values and signals are fitted to measured motion here. Open an experiment folder first.");
     draw_calibrate(context);
     draw_optimize(context);
@@ -80,6 +81,7 @@ void FitPanel::draw_optimize(PanelContext& context) {
                 {1.0, 4.0},
                 0.005},
                edit_, request.highest, ignored);
+    // Number fields edit doubles; the request has an integer.
     double evaluations = request.max_evaluations;
     if (number_row(
             context,
@@ -108,6 +110,7 @@ void FitPanel::draw_found(PanelContext& context) {
     if (!found) return;
     heading(theme, found->title + (found->stopped ? ", stopped" : ""));
     context.items.mark("fit/found");
+    // Start values are shown below the results, so that a change can be judged.
     for (const commands::ParameterRow& row : found->parameters)
         text_row(theme, row.name,
                  plot::label_with_deviation(row.value, row.deviation) + " " + row.unit + "\nfrom " +

@@ -4,7 +4,8 @@
 
 namespace myo::ui::panels {
 
-/// Searches: values of the model from measured motion, and signals of muscles that make the markers follow a trial.
+/// Starts searches: calibration of parameters, and optimisation of muscle signals with which the markers follow a
+/// trial. Shows the values found.
 class FitPanel : public Panel {
 public:
     std::string name() const override { return "fit"; }

@@ -16,19 +16,19 @@ namespace myo::ui::panels {
 namespace {
 
 const std::vector<commands::Choice> units{{"mm", "mm", ""}, {"cm", "cm", ""}, {"m", "m", ""}, {"inch", "inch", ""}};
-constexpr std::array<double, 4> unit_lengths{1e-3, 1e-2, 1.0, 0.0254};
+constexpr std::array<double, 4> unit_lengths{1e-3, 1e-2, 1.0, 0.0254};  // metres per unit, in the order of `units`
 
-/// "+x" of an axis.
+/// An axis with its sign: "+x". `axis` is 1, 2 or 3, negative for the opposite direction.
 std::string axis_label(int axis) { return std::string(axis > 0 ? "+" : "\xe2\x88\x92") + "xyz"[std::abs(axis) - 1]; }
 
-/// To the hundredth: nobody places a marker better.
+/// Millimetres with two decimals: markers are not placed more accurately than that.
 std::string fixed_mm(double metres) {
     char text[40];
     std::snprintf(text, sizeof text, "%.2f", 1e3 * metres);
     return text;
 }
 
-/// Two to choose from; true when the other one was chosen.
+/// Draws a row with two alternatives. Returns true if the other one was selected.
 bool either_row(PanelContext& context, const char* label, const std::string& name, const char* tip, const char* first,
                 const char* second, bool& is_first) {
     row_label(context.theme, label, tip);
@@ -50,7 +50,7 @@ FileDialog new_folder_dialog(const commands::ImportChoices& choices, const std::
     dialog.start = choices.folder.empty() ? scene.parent_path() : choices.folder;
     dialog.new_name = choices.folder.empty() ? choices.trial + "_experiment" : choices.folder.filename().string();
     dialog.chosen = [](PanelContext& context, const std::filesystem::path& path) {
-        if (!context.state.import) return;
+        if (!context.state.import) return;  // the import was closed while the dialog was open
         commands::ImportChoices chosen = context.state.import->choices;
         chosen.folder = path;
         context.emit(commands::ChangeImport{chosen});
@@ -85,6 +85,7 @@ void ImportPanel::draw_file(PanelContext& context) {
                   recording.time_s[recording.time_s.size() - 1] - recording.time_s[0]);
     text_row(context.theme, "Content", text);
     commands::ReadingOptions reading = file.reading;
+    // The unit is a property of the file, so changing it reads the file again.
     if (file.asks_unit) {
         std::string unit = "mm";
         for (std::size_t u = 0; u < units.size(); ++u)
@@ -104,6 +105,7 @@ void ImportPanel::draw_file(PanelContext& context) {
         ImGui::Checkbox("is a gap##import", &reading.zero_is_occluded);
         context.items.mark("import/zero");
     }
+    // Reading is a job: while another one runs, the change is offered again in the next frame.
     if (!(reading == file.reading) && !context.state.busy()) context.emit(commands::ReadRecording{file.path, reading});
 }
 
@@ -122,7 +124,7 @@ void ImportPanel::draw_placing(PanelContext& context, commands::ImportChoices& c
         if (!open) continue;
         for (const int axis : {1, -1, 2, -2, 3, -3}) {
             if (ImGui::Selectable(axis_label(axis).c_str(), choices.axes[k] == axis) && choices.axes[k] != axis) {
-                // The axis that was here goes where this one was, so that they stay three different ones.
+                // The axis that was selected here moves to where the new one was, so that the three stay different.
                 for (int& other : choices.axes)
                     if (std::abs(other) == std::abs(axis)) other = std::abs(choices.axes[k]) * (other > 0 ? 1 : -1);
                 choices.axes[k] = axis;
@@ -149,6 +151,7 @@ void ImportPanel::draw_name(PanelContext& context, std::size_t label, commands::
     const std::vector<commands::SceneMarker>& declared = context.state.import->declared;
     const std::string item = "import/marker/" + context.state.import->file.recording->labels[label];
     ImGui::SetNextItemWidth(-1.0f);
+    // A plain mesh has no declared markers, so their names are free.
     if (declared.empty()) {
         if (ImGui::InputTextWithHint("##name", "left out", &marker.name))
             marker.name = commands::marker_name(marker.name);
@@ -195,7 +198,7 @@ void ImportPanel::draw_markers(PanelContext& context, commands::ImportChoices& c
                 context.emit(commands::ChooseLabel{static_cast<int>(i), import.placing});
                 context.window.panel = "recording";
             }
-            // Of the whole row another column may hold the middle.
+            // Another column may cover the middle of the row, so tests get only its first cell.
             context.items.add(
                 "import/label/" + label,
                 {ImGui::GetItemRectMin(), {ImGui::GetItemRectMin().x + own_width, ImGui::GetItemRectMax().y}});
@@ -203,6 +206,7 @@ void ImportPanel::draw_markers(PanelContext& context, commands::ImportChoices& c
             ImGui::TableNextColumn();
             draw_name(context, i, choices);
             const double seen = 100.0 * import.file.seen[i], off = import.view.residual_m[static_cast<Eigen::Index>(i)];
+            // below 80 % the marker is occluded often
             number_cell(theme, plot::value_label(seen, 3), seen < 80.0 ? &theme.warning : nullptr);
             number_cell(theme, std::isfinite(off) ? fixed_mm(off) : dash);
             ImGui::PopID();
@@ -244,6 +248,7 @@ void ImportPanel::draw_start(PanelContext& context, commands::ImportChoices& cho
                 1e-3},
                edit_, choices.start_s, goes_on);
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+    // Disabled if the recording shows no motion that stands out.
     ImGui::BeginDisabled(!import.file.start_s);
     if (ImGui::Button("First motion", {width, 0.0f})) choices.start_s = *import.file.start_s;
     ImGui::EndDisabled();

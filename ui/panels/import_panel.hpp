@@ -5,8 +5,8 @@
 
 namespace myo::ui::panels {
 
-/// A recording on its way to become a trial: how it is read, how it lies on the body, which label is which marker,
-/// where it starts.
+/// Edits the import of a recording: how the file is read, its placement on the body, which label is which marker, and
+/// the start of the trial. Shown only during an import.
 class ImportPanel : public Panel {
 public:
     std::string name() const override { return "import"; }
@@ -17,6 +17,7 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    // Parts of the panel in the order of the work. They change a copy of the choices; draw() emits it once.
     void draw_file(PanelContext& context);
     void draw_placing(PanelContext& context, commands::ImportChoices& choices);
     void draw_markers(PanelContext& context, commands::ImportChoices& choices);
@@ -27,7 +28,7 @@ private:
     OpenEdit edit_;
 };
 
-/// What is still missing, and the buttons that end it; for the foot of the side.
+/// Draws what is missing, and the buttons that finish or cancel the import. Shown at the foot of the side panel.
 void draw_import_controls(PanelContext& context);
 
 }  // namespace myo::ui::panels

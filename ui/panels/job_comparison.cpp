@@ -12,13 +12,14 @@
 namespace myo::ui::panels {
 namespace {
 
-/// A column: an ended job, or the present.
+/// A column of the table: an ended job, or the present settings.
 struct Compared {
     std::string title, tip;
-    const commands::Settings* settings = nullptr;
-    const commands::RunResult* run = nullptr;
+    const commands::Settings* settings = nullptr;  // owned by the state
+    const commands::RunResult* run = nullptr;      // owned by the state; null: no error is known
 };
 
+/// The compared jobs in order, then the present.
 std::vector<Compared> columns_of(const commands::WorkbenchState& state) {
     std::vector<Compared> columns;
     for (const commands::JobRecord& record : state.history)
@@ -26,6 +27,7 @@ std::vector<Compared> columns_of(const commands::WorkbenchState& state) {
             columns.push_back(
                 {record.clock, record.name + ", begun " + record.clock, &record.settings, record.run.get()});
     columns.push_back({"Now", "The present settings, and the error of the run with them", &state.settings,
+                       // An outdated run does not belong to the present settings.
                        state.run_is_current() ? state.run.get() : nullptr});
     return columns;
 }
@@ -62,6 +64,7 @@ void draw_job_comparison(PanelContext& context) {
     ImGui::TableNextRow();
     text_cell(theme, "rms error", theme.muted);
     for (const Compared& column : columns) number_cell(theme, error_of(column.run));
+    // The table lists only settings that differ, so that a comparison stays short.
     const std::vector<commands::SettingDifference> differences = commands::settings_differences(
         settings, state.materials, state.integrators);
     for (const commands::SettingDifference& row : differences) {

@@ -6,6 +6,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Small counts exactly, large ones with separators.
 std::string count_label(double count) { return count < 1000.0 ? plot::plain_label(count, 3) : with_separators(count); }
 
 }  // namespace

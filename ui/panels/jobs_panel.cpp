@@ -15,11 +15,12 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Worst check of a job; green if it has none.
 commands::CheckState state_of(const commands::JobRecord& record) {
     return record.checks ? commands::worst_state(record.checks->rows) : commands::CheckState::green;
 }
 
-/// What is done has a tick only where its checks are green.
+/// A job that is done gets a tick only if its checks are green.
 const char* record_icon(const commands::JobRecord& record) {
     if (record.outcome == commands::JobOutcome::failed) return platform::icon::failure;
     if (record.outcome == commands::JobOutcome::stopped) return platform::icon::stop;
@@ -31,13 +32,14 @@ ImVec4 record_color(const platform::Theme& theme, const commands::JobRecord& rec
     return record.outcome == commands::JobOutcome::stopped ? theme.warning : check_color(theme, state_of(record));
 }
 
-/// "rms error 1.32 mm; checks: 1 amber"
+/// "rms error 1.32 mm; checks: 1 amber".
 std::string result_words(const commands::JobRecord& record) {
     if (state_of(record) == commands::CheckState::green) return record.summary;
     return record.summary + (record.summary.empty() ? "" : "; ") +
            "checks: " + commands::doubt_words(record.checks->rows);
 }
 
+// Icon buttons in narrow rows need a tooltip, so all buttons get one.
 bool small_button(PanelContext& context, const char* label, const std::string& item, const std::string& tip) {
     const bool pressed = ImGui::SmallButton(label);
     context.items.mark(item);
@@ -54,9 +56,10 @@ void running_row(PanelContext& context, const commands::JobView& job, bool wide)
     ImGui::TableNextColumn();
     const std::string counted = counted_words(job),
                       told = (counted.empty() ? "" : counted + " \xc2\xb7 ") + time_words(job);
+    // The bar contains as much of the text as fits; its tooltip has all of it.
     const float room = ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetStyle().ItemSpacing.x;
     const std::string inside = ImGui::CalcTextSize(told.c_str()).x <= room ? told : elided(time_words(job), room);
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0f, 0.0f));  // on the line of the other cells
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0f, 0.0f));  // aligned with the text of the other cells
     ImGui::ProgressBar(static_cast<float>(job.fraction()), {-1.0f, ImGui::GetTextLineHeight()}, inside.c_str());
     ImGui::PopStyleVar();
     context.items.mark("jobs/progress");
@@ -81,6 +84,7 @@ void waiting_row(PanelContext& context, const commands::QueuedJob& job, bool wid
     ImGui::TableNextRow();
     text_cell(theme, platform::icon::clock, theme.muted);
     text_cell(theme, job.name, theme.text);
+    // Columns that exist only in the wide layout get empty cells here.
     if (wide) text_cell(theme, "", theme.muted), number_cell(theme, "");
     text_cell(theme, "waits", theme.muted);
     ImGui::TableNextColumn();
@@ -98,6 +102,7 @@ void record_row(PanelContext& context, const commands::JobRecord& record, bool w
     context.items.mark("jobs/icon/" + id);
     text_cell(theme, record.name, theme.text);
     const std::string time = record.seconds > 0.0 ? plot::value_label(record.seconds, 3) + " s" : "";
+    // In the narrow layout start time and duration are in the tooltip of the name.
     if (wide)
         text_cell(theme, record.clock, theme.muted), number_cell(theme, time);
     else
@@ -140,7 +145,7 @@ void JobsPanel::draw(PanelContext& context) {
                    "others can be asked for: they wait their turn.");
         return;
     }
-    // Beside the list where there is room, else below it.
+    // The comparison is drawn next to the list if there is room, otherwise below it.
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const bool compares = compares_jobs(state), beside = room.x > 900.0f * theme.scale;
     ImVec2 size{0.0f, 0.0f};
@@ -158,11 +163,11 @@ void JobsPanel::draw_list(PanelContext& context, const ImVec2& size) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
     const bool wide = (size.x > 0.0f ? size.x : ImGui::GetContentRegionAvail().x) >
-                      620.0f * theme.scale;  // else the times stand in tooltips and the buttons are signs
+                      620.0f * theme.scale;  // otherwise times are in tooltips and buttons are icons
     struct Column {
         Heading heading;
         float width;
-    };  // width 0: the rest
+    };  // width [pixels at scale 1]; 0: the remaining width
     std::vector<Column> columns{
         {{"", ""}, 20.0f},
         {{"Job", ""}, 110.0f},
@@ -185,6 +190,7 @@ void JobsPanel::draw_list(PanelContext& context, const ImVec2& size) {
         ImGui::TableSetupColumn(std::to_string(k).c_str(), flags, columns[k].width * theme.scale);
     }
     heading_row(theme, headings);
+    // Running first, then waiting, then ended jobs with the newest on top.
     if (state.job) running_row(context, *state.job, wide);
     for (const commands::QueuedJob& job : state.queue) {
         ImGui::PushID(job.id);

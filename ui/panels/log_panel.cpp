@@ -17,7 +17,8 @@ void LogPanel::draw(PanelContext& context) {
     if (width != width_ || context.theme.scale != scale_) heights_.clear();
     width_ = width;
     scale_ = context.theme.scale;
-    // Wrapped lines are of many heights: each is measured once, and after that drawn only where it is seen.
+    // Wrapped lines differ in height. Each is measured once and afterwards drawn only if it is visible; thousands of
+    // lines would slow down every frame.
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const std::size_t number = logged - lines.size() + i;
         const auto known = heights_.find(number);
@@ -31,7 +32,9 @@ void LogPanel::draw(PanelContext& context) {
         context.items.mark("messages/line/" + std::to_string(i));
         heights_[number] = ImGui::GetItemRectSize().y;
     }
+    // Heights of messages that have left the log.
     heights_.erase(heights_.begin(), heights_.lower_bound(logged - lines.size()));
+    // Scroll to the end only when a message arrives, so that the user can read earlier ones.
     if (logged != seen_) ImGui::SetScrollHereY(1.0f);
     seen_ = logged;
 }

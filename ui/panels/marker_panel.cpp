@@ -23,20 +23,21 @@ constexpr const char* plot_help =
     "Shift and drag: choose a time range, whose rms error is told; Shift and click: none\n"
     "A name in the legend: hide or show the curve";
 
-/// Far in hue from measured, simulated and residual in both themes.
+/// Colour of another trial, chosen far in hue from measured, simulated and residual in both themes.
 const ImVec4& overlay_color(const platform::Theme& theme, std::size_t trial) {
     constexpr std::array<int, 4> colors{3, 2, 7, 6};
     return theme.muscle(colors[trial % colors.size()]);
 }
 
-/// Whether the panel has no room for words on its buttons; the legend of several trials is then in their menu.
+/// Whether there is no room for text on the buttons. The legend of several trials is then in their menu.
 bool is_narrow(const platform::Theme& theme) { return ImGui::GetContentRegionAvail().x < 460.0f * theme.scale; }
 
-/// All curves of one trial in x, y or z.
+/// The curves of one trial for one coordinate.
 struct TrialCurves {
-    plot::PlotSeries measured, simulated, residual;  // the latter two NaN without a run
+    plot::PlotSeries measured, simulated, residual;  // simulated and residual are NaN without a run
 };
 
+/// The curves of another trial [mm], in its own colour.
 TrialCurves overlaid_curves(const commands::OverlaidMarker& other, std::size_t marker, int axis,
                             const platform::Theme& theme) {
     const commands::SceneTrial& trial = *other.measured;
@@ -45,7 +46,7 @@ TrialCurves overlaid_curves(const commands::OverlaidMarker& other, std::size_t m
     Eigen::VectorXd simulated = Eigen::VectorXd::Constant(measured.size(), std::numeric_limits<double>::quiet_NaN());
     if (other.simulated_m) simulated = 1e3 * other.simulated_m->row(axis).transpose();
     const ImVec4 color = faint;
-    faint.w = 0.7f;  // the line stays in sight where the dots lie on it
+    faint.w = 0.7f;  // keeps the line visible where dots cover it
     return {{trial.name + ", measured", trial.time_s, measured, faint, true},
             {trial.name + ", simulated", trial.time_s, simulated, color, false},
             {trial.name, trial.time_s, simulated - measured, color, false}};
@@ -62,7 +63,7 @@ void MarkerPanel::draw(PanelContext& context) {
         return;
     }
     if (scene_ != state.scene || trial_ != state.trial || marker_ != state.marker) {
-        // Another curve: the old zoom means nothing.
+        // A different curve: the old zoom has no meaning for it.
         if (scene_ != state.scene || trial_ != state.trial) time_ = {};
         if (scene_ != state.scene) overlaid_.clear();
         main_ = {};
@@ -73,6 +74,7 @@ void MarkerPanel::draw(PanelContext& context) {
     }
     draw_choice(context);
     if (!is_narrow(context.theme) && !commands::overlaid_markers(state, overlaid_).empty()) draw_legend(context);
+    // Collected while drawing, for export as SVG.
     seen_.clear();
     const ImVec2 space = ImGui::GetContentRegionAvail(), corner = ImGui::GetCursorScreenPos();
     plots_ = {corner, {corner.x + space.x, corner.y + space.y}};
@@ -96,7 +98,7 @@ void MarkerPanel::draw_choice(PanelContext& context) {
     const float s = context.theme.scale;
     const auto& markers = state.scene->markers;
     const std::size_t current = std::min(static_cast<std::size_t>(state.marker), markers.size() - 1);
-    const bool narrow = is_narrow(context.theme);  // then the buttons are signs
+    const bool narrow = is_narrow(context.theme);  // buttons then show icons
     const float gap = narrow ? 4.0f * s : 8.0f * s;
     ImGui::SetNextItemWidth(narrow ? 80.0f * s : std::min(200.0f * s, 0.34f * ImGui::GetContentRegionAvail().x));
     const bool open = ImGui::BeginCombo("##marker", markers[current].name.c_str());
@@ -119,6 +121,7 @@ void MarkerPanel::draw_choice(PanelContext& context) {
     ImGui::SameLine(0.0f, 2.0f * gap);
     draw_trials(context, narrow);
     ImGui::SameLine(0.0f, gap);
+    // A default value of the plot state means "all data".
     if (ImGui::Button(narrow ? platform::icon::expand : "Fit")) {
         time_.range.reset();
         main_ = {};
@@ -144,6 +147,7 @@ void MarkerPanel::draw_error(PanelContext& context) {
     const commands::SimulatedTrial* simulated = state.simulated_trial();
     const auto m = static_cast<std::size_t>(state.marker);
     std::string text;
+    // A selected time range has its own error; otherwise that of the whole trial is shown.
     if (time_.chosen) {
         const double rms = commands::marker_rms_m(*state.scene_trial(), simulated, m, time_.chosen->lowest,
                                                   time_.chosen->highest);
@@ -159,7 +163,7 @@ void MarkerPanel::draw_error(PanelContext& context) {
     ImGui::SameLine(0.0f, 16.0f * context.theme.scale);
     if (ImGui::CalcTextSize(text.c_str()).x > ImGui::GetContentRegionAvail().x) {
         ImGui::NewLine();
-        if (!time_.chosen) return;  // the table of errors has it; a range was asked for here
+        if (!time_.chosen) return;  // the table of errors has it; the error of a range is shown only here
     }
     ImGui::AlignTextToFramePadding();
     ImGui::TextColored(time_.chosen ? context.theme.text : context.theme.muted, "%s", text.c_str());
@@ -180,6 +184,7 @@ void MarkerPanel::draw_trials(PanelContext& context, bool narrow) {
         const commands::SceneTrial& trial = state.scene->trials[t];
         const int index = static_cast<int>(t);
         bool drawn = index == state.trial || overlaid_.count(index) > 0;
+        // The shown trial is always drawn.
         ImGui::BeginDisabled(index == state.trial);
         ImGui::PushID(index);
         if (ImGui::Checkbox("##drawn", &drawn)) {
@@ -206,7 +211,7 @@ void MarkerPanel::draw_trials(PanelContext& context, bool narrow) {
     ImGui::EndPopup();
 }
 
-/// One legend for all axes: over each plot there is no room for the names of several trials.
+/// One legend for all coordinates: above a single plot there is no room for the names of several trials.
 void MarkerPanel::draw_legend(PanelContext& context) {
     const platform::Theme& theme = context.theme;
     std::vector<plot::LegendEntry> entries{{"measured", theme.measured, true}};
@@ -238,6 +243,7 @@ void MarkerPanel::draw_legend(PanelContext& context) {
 void MarkerPanel::draw_export(PanelContext& context, const std::string& name) {
     if (!ImGui::BeginPopup("markers export")) return;
     if (ImGui::MenuItem("Table (CSV)\xe2\x80\xa6")) {
+        // Without a zoom the whole trial is exported.
         constexpr double infinite = std::numeric_limits<double>::infinity();
         const plot::Range range = time_.range.value_or(plot::Range{-infinite, infinite});
         context.window.file = table_dialog(
@@ -261,6 +267,7 @@ void MarkerPanel::draw_export(PanelContext& context, const std::string& name) {
     ImGui::EndPopup();
 }
 
+/// Keeps what is visible of a plot, for export as SVG.
 void MarkerPanel::see(const plot::Plot& plot, const plot::PlotResult& drawn, const plot::HiddenSeries& hidden) {
     plot::SeenPlot seen{plot, drawn.area.x, drawn.area.y};
     std::erase_if(seen.plot.series, [&](const plot::PlotSeries& series) { return hidden.count(series.name) > 0; });
@@ -287,14 +294,15 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
     plot.legend = others.empty();
     plot.selectable = true;
     plot::Plot strip;
-    for (const commands::OverlaidMarker& other : others) {  // first: the shown trial lies over them
+    for (const commands::OverlaidMarker& other : others) {  // first, so that the shown trial is drawn over them
         TrialCurves curves = overlaid_curves(other, m, axis, theme);
+        // The residual has no legend of its own; hiding the simulated curve hides its residual, too.
         if (hidden_.count(curves.simulated.name) > 0)
             curves.residual.y.setConstant(std::numeric_limits<double>::quiet_NaN());
         plot.series.push_back(std::move(curves.measured));
         if (other.simulated_m) plot.series.push_back(std::move(curves.simulated));
         strip.series.push_back(
-            std::move(curves.residual));  // also without values: the time axes of both plots stay equal
+            std::move(curves.residual));  // also without values, so that both plots get the same time range
     }
     const Eigen::VectorXd measured = 1e3 * trial.measured[m].row(axis).transpose();
     plot.series.push_back({"measured", trial.time_s, measured, theme.measured, true});
@@ -307,7 +315,7 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
     for (const commands::ComparedMarker& other : commands::compared_markers(state))
         plot.series.push_back({other.name, trial.time_s, 1e3 * other.position_m->row(axis).transpose(),
                                theme.muscle(static_cast<int>(other.record)), false});
-    // In a low strip the motion itself keeps the room.
+    // In a low strip the motion keeps all the room.
     const bool residual = compare && size.y > 110.0f * theme.scale;
     plot.x_axis = !residual;
     const float residual_height = residual ? std::max(76.0f * theme.scale, 0.42f * size.y) : 0.0f;
@@ -316,6 +324,7 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
     see(plot, main, hidden_);
     if (main.cursor) context.emit(commands::SetTime{*main.cursor});
     if (!residual) return;
+    // Both plots share the time axis, so they are drawn without a gap.
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
     strip.id = "residual/" + axis_name;
     strip.title = size.x > 240.0f * theme.scale ? "simulated \xe2\x88\x92 measured [mm]" : "difference [mm]";
