@@ -45,6 +45,7 @@ void MeshPanel::draw_mesh_settings(PanelContext& context) {
         settings.element = cell_type(element);
         context.emit(commands::ChangeSettings{settings, "element", false});
     }
+    // The range follows the body: 3 to 120 elements along its longest side.
     const double longest = std::max(commands::body_size(state).maxCoeff(), 1e-3);
     const commands::Limits range{longest / 120.0, longest / 3.0};
     const NumberField field{
@@ -66,12 +67,12 @@ void MeshPanel::draw_mesh_settings(PanelContext& context) {
         settings.resolution_m = 1e-3 * shown;
         context.emit(commands::ChangeSettings{settings, "resolution", goes_on});
     }
-    // Counted once the mesh is there, estimated before.
+    // Counted if the mesh exists, otherwise estimated.
     const bool built = state.mesh_is_current();
     const double elements = built ? static_cast<double>(state.body->mesh.cell_count()) : state.prediction.elements;
     const double dofs = built ? state.body->dofs : state.prediction.dofs;
     const std::string about = built || state.prediction.exact ? "" : "\xe2\x89\x88 ";
-    const ImVec4* color = dofs > 3e5 ? &theme.warning : nullptr;
+    const ImVec4* color = dofs > 3e5 ? &theme.warning : nullptr;  // a step takes seconds beyond this size
     text_row(theme, "Elements, DOF", about + with_separators(elements) + ", " + about + with_separators(dofs), color);
     tooltip(theme,
             "Degrees of freedom: three displacements for each node. Orange above 300,000, where a step takes seconds.");
@@ -88,6 +89,7 @@ void MeshPanel::draw_step_cost(PanelContext& context, double dofs) {
     const auto milliseconds = [](double seconds) { return plot::value_label(1e3 * seconds, 3) + " ms"; };
     const commands::StepPrediction predicted = commands::predict_step(state.preferences.step_costs,
                                                                       state.settings.element, dofs);
+    // A run of exactly this mesh needs no extrapolation.
     const bool same = predicted.measured && predicted.from.dofs == dofs &&
                       predicted.from.element == state.settings.element;
     const std::string source = predicted.measured ? milliseconds(predicted.from.seconds) + " measured at " +

@@ -11,14 +11,15 @@
 namespace myo::ui::panels {
 namespace {
 
-constexpr int least_side = 64, greatest_side = 8192;
-constexpr int most_pictures = 20000;
+constexpr int least_side = 64, greatest_side = 8192;  // of an image [pixels]
+constexpr int most_pictures = 20000;                  // limit for a sequence
 
 }  // namespace
 
 void PictureDialog::open(const commands::WorkbenchState& state, const viewport::ViewSize& view) {
     open_ = true;
     view_ = view;
+    // The dialog starts with the present trial; other choices are kept from the last time.
     const std::array<double, 2> span = commands::time_span(state);
     request_.from_s = std::max(0.0, span[0]);
     request_.to_s = span[1];
@@ -38,6 +39,7 @@ void PictureDialog::draw_size(PanelContext& context) {
         if (size_ == "view")
             request_.width = view_.width, request_.height = view_.height;
         else if (size_ != "other")
+            // The ids of the fixed sizes contain them.
             std::sscanf(size_.c_str(), "%dx%d", &request_.width, &request_.height);
     }
     ImGui::BeginDisabled(size_ != "other");
@@ -93,6 +95,7 @@ void PictureDialog::draw_motion(PanelContext& context) {
     number_row(context,
                {"Speed", "picture/speed", "\xc3\x97", "Of the film against real time", 1.0, {0.01, 10.0}, 0.01}, edit_,
                request_.speed, goes_on);
+    // A copy: the number of images depends on what is selected now.
     PictureRequest moving = request_;
     moving.moves = true;
     const int count = picture_count(moving);
@@ -108,6 +111,7 @@ void PictureDialog::draw(PanelContext& context) {
         const char* label;
         const char* item;
     };
+    // Checked in each frame, so that a newly installed ffmpeg is found.
     const bool films = platform::can_write_films();
     for (const Tab& t :
          {Tab{Kind::picture, "Picture", "picture/one"}, Tab{Kind::frames, "Numbered pictures", "picture/frames"},
@@ -131,7 +135,7 @@ void PictureDialog::draw(PanelContext& context) {
     ImGui::BeginDisabled(picture_count(request_) > most_pictures);
     if (primary_button(context.theme, "Where\xe2\x80\xa6", {width, 0.0f})) {
         PictureRequest asked = request_;
-        // H.264 wants even sides.
+        // H.264 requires even sides.
         if (kind_ == Kind::film) asked.width -= asked.width % 2, asked.height -= asked.height % 2;
         context.window.file = picture_dialog(asked, kind_ == Kind::picture  ? "picture.png"
                                                     : kind_ == Kind::frames ? "frames"

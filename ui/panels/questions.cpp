@@ -8,7 +8,7 @@
 namespace myo::ui::panels {
 namespace {
 
-/// One of several buttons side by side.
+/// Buttons of equal width next to each other.
 class ButtonRow {
 public:
     ButtonRow(PanelContext& context, int count)
@@ -31,6 +31,7 @@ private:
     bool first_ = true;
 };
 
+// Each question: a dialog whose answer is emitted as a command; the state then no longer asks.
 void ask_unit(PanelContext& context) {
     if (!begin_dialog(context.theme, "Unit of the file", 400.0f)) return;
     wrapped_text(context.state.unit_question->filename().string() +
@@ -66,6 +67,7 @@ void ask_unsaved(PanelContext& context) {
     ImGui::EndPopup();
 }
 
+// Also used to find out whether the dialog is open.
 constexpr const char* stop_title = "A job is still running";
 
 void ask_to_stop(PanelContext& context) {
@@ -79,7 +81,7 @@ void ask_to_stop(PanelContext& context) {
     if (row.add("Stop it and quit", "stop/quit")) stops = true;
     if (row.add("Keep running", "stop/keep", true)) stops = false;
     if (stops) context.emit(commands::AnswerStop{*stops});
-    // It may have ended meanwhile.
+    // The job may have ended while the dialog was open.
     if (stops || !context.state.asks_to_stop) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
@@ -111,6 +113,7 @@ void ask_recovery(PanelContext& context) {
 }  // namespace
 
 void draw_questions(PanelContext& context) {
+    // One question at a time. Recovered work comes first, as it decides whether anything else is opened.
     const commands::WorkbenchState& state = context.state;
     if (!state.recovered.empty())
         ask_recovery(context);

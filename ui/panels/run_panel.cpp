@@ -35,6 +35,7 @@ void RunPanel::draw(PanelContext& context) {
 
 namespace {
 
+/// Name, progress and time of the running job, with buttons to pause and cancel it.
 void draw_progress(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -52,7 +53,7 @@ void draw_progress(PanelContext& context) {
     const std::string text = counted + between + job.progress.message;
     muted_text(theme, text.empty() ? " "
                                    : elided_lines(text, ImGui::GetContentRegionAvail().x,
-                                                  1));  // the buttons below stay where they are
+                                                  1));  // the buttons below must not move
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - spacing);
     ImGui::BeginDisabled(job.cancelling);
     if (ImGui::Button((std::string(job.paused ? platform::icon::play : platform::icon::pause) +
@@ -75,6 +76,7 @@ void draw_run_controls(PanelContext& context) {
     const platform::Theme& theme = context.theme;
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
     if (state.job) draw_progress(context);
+    // Shown before the run is started: the motion would grow without end.
     if (state.is_unstable()) {
         const std::string scheme = state.integrator()->label, first = state.integrators.front().label;
         notice(theme, commands::LogLevel::warning,
@@ -90,6 +92,7 @@ void draw_run_controls(PanelContext& context) {
     const std::string later = state.job ? "Waits until " + state.job->name + " has ended." : "";
     ImGui::BeginDisabled(!state.scene);
     const std::string run_label = std::string(platform::icon::play) + "  Run";
+    // While a job runs, Run queues another one; then it is not the main action.
     if (state.job ? ImGui::Button(run_label.c_str(), {width, 0.0f}) : primary_button(theme, run_label, {width, 0.0f}))
         context.emit(commands::Run{});
     context.items.mark("run/run");
@@ -113,6 +116,7 @@ void RunPanel::draw_errors(PanelContext& context) {
     if (!state.run->problem.empty()) notice(theme, commands::LogLevel::warning, state.run->problem);
     for (const std::string& warning : state.run->warnings) notice(theme, commands::LogLevel::warning, warning);
     checks_line(context, state.run->checks, "run/checks");
+    // Without markers there is no error to show.
     if (!std::isfinite(state.run->rms_m)) {
         text_row(theme, "Time taken", duration_label(state.run->seconds));
         return;

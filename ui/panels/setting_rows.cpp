@@ -4,6 +4,7 @@ namespace myo::ui::panels {
 
 void setting_rows(PanelContext& context, const std::vector<SettingField>& fields, OpenEdit& edit) {
     for (const SettingField& entry : fields) {
+        // A copy per row: it differs from the state in this one number only.
         commands::Settings settings = context.state.settings;
         bool goes_on = false;
         if (number_row(context, entry.field, edit, settings.*entry.value, goes_on))

@@ -11,9 +11,9 @@
 namespace myo::ui::panels {
 namespace {
 
-/// How near to a knot the mouse has to be to take it [pixels at scale 1].
+/// Distance to a knot within which the mouse takes it [pixels at scale 1].
 constexpr float reach = 9.0f;
-constexpr plot::Range least_range{0.9, 1.1};
+constexpr plot::Range least_range{0.9, 1.1};  // always visible, so that a constant signal is not magnified
 
 const std::vector<commands::Choice>& shape_choices() {
     static const std::vector<commands::Choice> choices{
@@ -24,13 +24,14 @@ const std::vector<commands::Choice>& shape_choices() {
     return choices;
 }
 
+/// Emits a new signal of the selected muscle. Empty: the signals recorded by the trials.
 void give_signal(PanelContext& context, std::optional<fibre::Signal> signal, const std::string& what, bool goes_on) {
     commands::Settings settings = context.state.settings;
     settings.muscles[static_cast<std::size_t>(context.state.muscle)].signal = std::move(signal);
     context.emit(commands::ChangeSettings{std::move(settings), what, goes_on});
 }
 
-/// The curve over a span of time, constant beyond its knots.
+/// A signal over a time range. Beyond its knots it is constant, so points are added at the ends of the range.
 plot::PlotSeries series_of(const std::string& name, const fibre::Signal& signal, const plot::Range& span,
                            const ImVec4& color) {
     std::vector<double> x = signal.times_s, y = signal.values;
@@ -41,12 +42,14 @@ plot::PlotSeries series_of(const std::string& name, const fibre::Signal& signal,
             Eigen::Map<const Eigen::VectorXd>(y.data(), count), color, false};
 }
 
+/// Pixel of a knot in the window.
 ImVec2 pixel_of(const plot::PlotArea& area, double time_s, double value) {
     const auto wide = [](float v) { return static_cast<double>(v); };
     return {static_cast<float>(plot::to_pixel(area.x, time_s, wide(area.pixels.lowest.x), wide(area.pixels.highest.x))),
             static_cast<float>(plot::to_pixel(area.y, value, wide(area.pixels.highest.y), wide(area.pixels.lowest.y)))};
 }
 
+/// Folder of the experiment, as the start of the file dialogs.
 std::filesystem::path folder_of(const commands::Scene& scene) {
     return scene.path.has_extension() ? scene.path.parent_path() : scene.path;
 }
@@ -71,6 +74,7 @@ FileDialog export_dialog(const commands::WorkbenchState& state) {
     dialog.endings = {".csv"};
     dialog.start = folder_of(*state.scene);
     dialog.new_name = muscle.name + ".csv";
+    // The signal is stored now: the muscle may change while the dialog is open.
     dialog.chosen = [name = muscle.name, signal = commands::signal_of(state, muscle)](
                         PanelContext& context, const std::filesystem::path& path) {
         context.emit(commands::ExportSignal{name, signal, path});
@@ -88,6 +92,7 @@ void SignalPanel::draw(PanelContext& context) {
         muted_text(context.theme, "Signals of muscles are drawn here. Add a muscle under Fibres to begin.");
         return;
     }
+    // Another muscle: zoom and grabbed knot belong to the previous one.
     if (followed_ != state.chosen_muscle()->name) {
         followed_ = state.chosen_muscle()->name;
         plot_ = {};
@@ -113,6 +118,7 @@ void SignalPanel::draw_head(PanelContext& context) {
         ImGui::EndCombo();
     }
     ImGui::SameLine();
+    // A muscle that follows another one has no signal to edit.
     if (!muscle.follows.empty()) {
         ImGui::AlignTextToFramePadding();
         ImGui::TextColored(context.theme.muted, "follows %s: a \xe2\x88\x92 1 is %s times its own",
@@ -152,6 +158,7 @@ void SignalPanel::draw_generator(PanelContext& context) {
     context.items.mark("signals/generate");
     tooltip(context.theme, "A constant, a step, a ramp or a sine");
     if (!begin_popup_above(context.theme, "generate", 320.0f)) return;
+    // The level of a new recipe fits the action of the muscle: below 1 for one that contracts.
     if (recipe_muscle_ != muscle.name || (recipe_.level > 1.0) != muscle.extends) {
         recipe_muscle_ = muscle.name;
         recipe_.level = muscle.extends ? 1.2 : 0.8;
@@ -204,7 +211,7 @@ void SignalPanel::draw_generator(PanelContext& context) {
             {"End", "signals/end", "s", "Time [s] at which it stops; from there on a stays.", 1.0, {-1e3, 1e3}, 0.01},
             recipe_.end_s);
     }
-    // A sine of many thousand knots is no curve to edit.
+    // A sine with many thousand knots could not be edited.
     const bool fits = recipe_.shape != commands::SignalShape::sine ||
                       (recipe_.end_s > recipe_.start_s &&
                        (recipe_.end_s - recipe_.start_s) * recipe_.frequency_Hz <= 200.0);
@@ -246,6 +253,7 @@ void SignalPanel::draw_curve(PanelContext& context) {
     const platform::Theme& theme = context.theme;
     const commands::Muscle& muscle = *state.chosen_muscle();
     const fibre::Signal signal = commands::signal_of(state, muscle);
+    // The range covers trial and signal, at least a tenth of a second.
     const std::array<double, 2> trial = commands::time_span(state);
     const plot::Range span{std::min(trial[0], signal.times_s.front()),
                            std::max({trial[1], signal.times_s.back(), signal.times_s.front() + 0.1})};
@@ -258,6 +266,7 @@ void SignalPanel::draw_curve(PanelContext& context) {
     plot.y_least = least_range;
     plot.editable = muscle.follows.empty();
     plot.held = grabbed_.has_value();
+    // Signals of the other muscles, for comparison.
     for (const commands::Muscle& other : state.settings.muscles) {
         if (other.name == muscle.name) continue;
         ImVec4 faint = theme.muscle(other.color);
@@ -274,11 +283,13 @@ void SignalPanel::draw_curve(PanelContext& context) {
     edit_knots(context, signal, drawn);
 }
 
+/// Draws the knots and edits the signal with the mouse.
 void SignalPanel::edit_knots(PanelContext& context, const fibre::Signal& signal, const plot::PlotResult& drawn) {
     const plot::PlotArea& area = drawn.area;
     if (area.pixels.width() < 20.0f || area.pixels.height() < 10.0f) return;
     const platform::Theme& theme = context.theme;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
+    // The knot nearest to the mouse, within reach.
     std::optional<std::size_t> near;
     float nearest = reach * theme.scale;
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -299,12 +310,14 @@ void SignalPanel::edit_knots(PanelContext& context, const fibre::Signal& signal,
                                          wide(area.pixels.highest.x));
     const double value = plot::from_pixel(area.y, wide(mouse.y), wide(area.pixels.highest.y),
                                           wide(area.pixels.lowest.y));
+    // Released, or the plot lost the mouse.
     if (!drawn.active) grabbed_.reset();
     if (drawn.hovered && near && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
         grabbed_ = near;
         moved_ = false;
     }
     const ImVec2 by = ImGui::GetIO().MouseDelta;
+    // While a knot is dragged, all changes form one undo entry; moved_ marks the first of them.
     if (grabbed_ && *grabbed_ < signal.times_s.size() && (by.x != 0.0f || by.y != 0.0f)) {
         give_signal(context, commands::with_knot_moved(signal, *grabbed_, time, std::clamp(value, 0.05, 5.0)),
                     "knot of a signal", moved_);
@@ -314,7 +327,7 @@ void SignalPanel::edit_knots(PanelContext& context, const fibre::Signal& signal,
                     false);
     } else if (drawn.hovered && near && ImGui::IsMouseReleased(ImGuiMouseButton_Right) &&
                ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Right] < 16.0f) {
-        // A click, not the end of a box.
+        // A click; a drag with the right button is a zoom to a box.
         give_signal(context, commands::with_knot_removed(signal, *near), "knot of a signal", false);
     }
 }

@@ -11,6 +11,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Icons in the order of commands::Step.
 const char* icon_of(commands::Step step) {
     static constexpr std::array<const char*, 9> icons{
         platform::icon::cube,   platform::icon::grid,        platform::icon::flask,
@@ -19,7 +20,8 @@ const char* icon_of(commands::Step step) {
     return icons[static_cast<std::size_t>(step)];
 }
 
-/// A ring, a dot, arrows, a tick, or the sign of its checks, so that the states differ without their colours, too.
+/// Draws the state of a task: ring, dot, arrows, tick, or the icon of its checks. The shapes differ, so that states can
+/// be distinguished without colours.
 void draw_state(ImDrawList& list, const ImVec2& center, const platform::Theme& theme,
                 const commands::StepStatus& status) {
     const float s = theme.scale;
@@ -46,6 +48,7 @@ void draw_step_rail(PanelContext& context, commands::Step chosen, bool narrow) {
         const commands::StepStatus status = commands::step_status(context.state, step);
         ImGui::SetCursorPosX(0.0f);
         const ImVec2 at = ImGui::GetCursorScreenPos();
+        // Buttons over the full width, without ImGui's frame; everything is drawn over them.
         if (ImGui::InvisibleButton(commands::step_id(step), {width, height})) context.window.step = step;
         context.items.mark(std::string("step/") + commands::step_id(step));
         const bool hovered = ImGui::IsItemHovered();
@@ -60,6 +63,7 @@ void draw_step_rail(PanelContext& context, commands::Step chosen, bool narrow) {
         if (!narrow)
             list.AddText(step == chosen ? theme.strong : theme.regular, line, {at.x + 40.0f * s, top},
                          platform::packed(color), commands::step_title(step));
+        // In the narrow rail the state moves to the corner of the icon.
         const ImVec2 sign = narrow ? ImVec2(end.x - 8.0f * s, at.y + 9.0f * s)
                                    : ImVec2(end.x - 15.0f * s, at.y + 0.5f * height);
         draw_state(list, sign, theme, status);
@@ -70,6 +74,7 @@ void draw_step_rail(PanelContext& context, commands::Step chosen, bool narrow) {
 void draw_step_head(PanelContext& context, commands::Step step) {
     const commands::StepStatus status = commands::step_status(context.state, step);
     const platform::Theme& theme = context.theme;
+    // Severity for each StepState, in its order.
     const commands::LogLevel levels[] = {commands::LogLevel::information, commands::LogLevel::information,
                                          commands::LogLevel::warning, commands::log_level(status.checks)};
     notice(theme, levels[static_cast<int>(status.state)], status.next);

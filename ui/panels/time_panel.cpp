@@ -14,6 +14,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Fields as static tables: they are built once, not in each frame.
 const std::vector<SettingField>& radius_fields() {
     static const std::vector<SettingField> fields{
         {{"ρ∞", "model/spectral_radius", "",
@@ -44,7 +45,7 @@ const SettingField& velocity_force_field() {
     return field;
 }
 
-/// Twice as far as the motion stays stable, so that the slider moves through what matters.
+/// Range of the slider for the velocity force: twice the critical value, so that the slider resolves what matters.
 commands::Limits slider_range(const commands::WorkbenchState& state) {
     const double critical = state.critical_velocity_force_1_s.value_or(0.0);
     const double far = std::isfinite(critical) && critical > 0.0
@@ -53,7 +54,7 @@ commands::Limits slider_range(const commands::WorkbenchState& state) {
     return {-far, far};
 }
 
-/// Where ImGui puts the middle of the grip of the slider that was submitted last.
+/// x of the middle of the grip of the last slider, for the given value [pixels]. ImGui does not provide it.
 float grip_x(const commands::Limits& range, double value) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float margin = 2.0f + 0.5f * style.GrabMinSize;
@@ -97,11 +98,12 @@ void TimePanel::draw_slider(PanelContext& context, const SettingField& field, co
 
 void TimePanel::draw_step_choice(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
-    if (!state.scene) return;
+    if (!state.scene) return;  // without a trial the program has nothing to choose by
     row_label(context.theme, "Automatic",
               "The program chooses the step: half the interval of the recording at first, and shorter after a run "
               "whose vibration asks for that; calibration and diagnosis choose theirs. A step that you set is kept.");
     bool automatic = !state.settings.own_step;
+    // Switching to automatic restores the scene's step; the next run may shorten it.
     if (ImGui::Checkbox("##automatic", &automatic)) {
         commands::Settings settings = state.settings;
         settings.own_step = !automatic;
@@ -128,6 +130,7 @@ void TimePanel::draw_step_state(PanelContext& context) {
         row("Recorded every", "model/interval",
             plot::value_label(1e3 * interval, 3) + " ms: " + plot::plain_label(interval / h, 3) + " steps",
             "Interval between the samples of the shown trial, and how many steps it takes.");
+    // The vibration of the shown trial's run, if there is one; otherwise the measured one.
     const commands::SimulatedTrial* const run = state.trial_of(state.run.get());
     const double frequency_Hz = run && run->vibration_Hz > 0.0 ? run->vibration_Hz : state.scene->frequency_Hz;
     const bool swings = frequency_Hz > 0.0;
@@ -154,6 +157,7 @@ void TimePanel::draw_stability(PanelContext& context, commands::Limits range) {
     const float top = ImGui::GetItemRectMin().y, bottom = ImGui::GetItemRectMax().y,
                 strip = bottom - std::round(4.0f * theme.scale);
     ImDrawList& drawing = *ImGui::GetWindowDrawList();
+    // A bar below the slider, green up to the critical value and orange beyond it.
     if (ImGui::IsItemVisible()) {
         drawing.AddRectFilled({from, strip}, {limit, bottom}, platform::packed(theme.success));
         context.items.add("model/velocity_force/stable", {{from, top}, {limit, bottom}});
@@ -188,7 +192,7 @@ void TimePanel::draw_numerical_damping(PanelContext& context) {
               "\xce\xb6 \xe2\x89\x88 \xcf\x89 h / 2: "
               "half the step, half the damping. Measured silicone has about 0.05.");
     ImGui::AlignTextToFramePadding();
-    // Comparable to a silicone's own damping: it would be calibrated into the material.
+    // Comparable to the damping of silicone: a calibration would attribute it to the material.
     const ImVec4 color = ratio > 0.02 ? context.theme.warning : context.theme.text;
     ImGui::TextColored(color, "%s at", plot::value_label(ratio, 3).c_str());
     context.items.mark("model/numerical_damping");
@@ -206,6 +210,7 @@ void TimePanel::draw_damping_curve(PanelContext& context, const commands::Choice
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
     constexpr double usual_longest_s = 0.02;
+    // The curve takes one evaluation of the scheme per point, so it is kept until one of its inputs changes.
     const CurveKey key{
         scheme.id, state.settings.spectral_radius, state.damping_frequency_Hz,
         state.settings.time_step_s <= usual_longest_s ? usual_longest_s : commands::time_step_limits.highest};
@@ -230,7 +235,7 @@ void TimePanel::draw_damping_curve(PanelContext& context, const commands::Choice
     plot.legend = true;
     plot.y_least = plot::Range{0.0, 0.01};
     plot.series.push_back({"scheme", step_ms_, ratio_, theme.simulated});
-    // What the trace shows, at its own frequency.
+    // Damping of the measured vibration at its own frequency.
     const double measured = state.scene ? state.scene->damping_ratio : std::numeric_limits<double>::quiet_NaN();
     if (std::isfinite(measured))
         plot.series.push_back({"measured " + plot::value_label(measured, 2), step_ms_,
@@ -249,6 +254,7 @@ void TimePanel::draw_damping_curve(PanelContext& context, const commands::Choice
                         " Hz, y = exp(−ζ ω t) cos(ω_d t) fitted to the largest trace.\n"
                         "Where the curves meet, the scheme alone damps as the body does. Drag the line to set h.");
     }
+    // Dragging the line sets the time step, rounded to hundredths of a millisecond.
     const bool goes_on = curve_edit_.goes_on("curve", drawn.cursor.has_value());
     if (!drawn.cursor) return;
     commands::Settings settings = state.settings;

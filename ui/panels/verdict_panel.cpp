@@ -14,6 +14,7 @@ namespace myo::ui::panels {
 void VerdictPanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
+    // Each missing precondition has its own text.
     if (!state.scene || !commands::can_be_diagnosed(*state.scene))
         return muted_text(theme,
                           "A diagnosis compares the simulation with measured markers and tries every known effect on "
@@ -24,6 +25,7 @@ void VerdictPanel::draw(PanelContext& context) {
                           "Start it below the view. It fits the declared values first, tests whether more than noise "
                           "is left, then tries every effect of the catalogue.");
     const commands::DiagnosisView& d = *state.diagnosis;
+    // "Nothing is missing" is as good as the checks of the experiment; any other verdict is a warning.
     const commands::LogLevel verdict = d.verdict == commands::DiagnosisVerdict::none
                                            ? commands::log_level(commands::worst_state(d.checks))
                                            : commands::LogLevel::warning;

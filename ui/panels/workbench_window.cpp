@@ -23,16 +23,19 @@
 namespace myo::ui::panels {
 namespace {
 
+// The parts of the window are ImGui windows at fixed places.
 constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                           ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
+/// Begins the ImGui window of a part. The caller ends it.
 void begin_part(const char* name, const platform::Rectangle& place, ImGuiWindowFlags flags = 0) {
     ImGui::SetNextWindowPos(place.lowest);
     ImGui::SetNextWindowSize({std::max(1.0f, place.width()), std::max(1.0f, place.height())});
     ImGui::Begin(name, nullptr, fixed_window | flags);
 }
 
+/// The colours of the muscles, in which alone an edit of the list can change the picture.
 std::vector<int> muscle_looks(const std::vector<commands::Muscle>& muscles) {
     std::vector<int> colors;
     for (const commands::Muscle& muscle : muscles) colors.push_back(muscle.color);
@@ -56,6 +59,7 @@ Result<WorkbenchWindow> WorkbenchWindow::make(commands::Workbench& workbench) {
     window.renderer_ = std::move(*renderer);
     window.panels_ = all_panels();
     for (const auto& panel : window.panels_) {
+        // The first panel of the strip is shown at the start.
         if (panel->place() == PanelPlace::strip && window.strip_panel_.empty()) window.strip_panel_ = panel->name();
     }
     return window;
@@ -88,12 +92,13 @@ std::vector<std::string> WorkbenchWindow::panel_names() const {
 }
 
 bool WorkbenchWindow::must_draw() const {
-    // After a movement one more frame draws the scene with smooth edges.
+    // After a movement one more frame renders the scene with multisampling.
     return pacer_.must_draw(workbench_->animating() || was_moving_ || fields_.waits() || film_.runs() || picture_ ||
                             part_);
 }
 
 void WorkbenchWindow::draw_side(PanelContext& context) {
+    // The tasks fill their column without padding at the sides.
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 8.0f * context.theme.scale));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0f, 2.0f * context.theme.scale));
     begin_part("##steps", layout_.steps, ImGuiWindowFlags_NoScrollbar);
@@ -102,7 +107,7 @@ void WorkbenchWindow::draw_side(PanelContext& context) {
     ImGui::PopStyleVar(2);
     begin_part("##side", layout_.rail, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     const ImVec2 padding = ImGui::GetStyle().WindowPadding;
-    // The buttons that start and stop work stay in sight at the foot; the rest scrolls above them.
+    // The buttons that start and stop jobs stay visible at the foot; everything else scrolls above them.
     ImGui::BeginChild((std::string("##scrolling ") + commands::step_id(step_)).c_str(),
                       {0.0f, -(foot_height_ + padding.y)});
     draw_step_head(context, step_);
@@ -123,6 +128,7 @@ void WorkbenchWindow::draw_side(PanelContext& context) {
         draw_import_controls(context);
     else
         draw_run_controls(context);
+    // Known only after drawing; the next frame uses it. A change of height is corrected one frame later.
     foot_height_ = ImGui::GetCursorPosY() - foot_top;
     ImGui::End();
 }
@@ -136,10 +142,12 @@ void WorkbenchWindow::draw_strip(PanelContext& context) {
     float all = 0.0f;
     for (const auto& panel : panels_)
         if (panel->place() == PanelPlace::strip && panel->offered(context.state)) all += width_of(panel->title());
+    // Without room for all titles, only the tab in front shows its title.
     const bool icons = all > ImGui::GetContentRegionAvail()
                                  .x;  // of all but the one in front, where there is no room for names
     bool first = true;
     Panel* front = nullptr;
+    // The panel in front may disappear, for example when an import ends.
     const auto gone = [&](const auto& panel) {
         return panel->name() == strip_panel_ && !panel->offered(context.state);
     };
@@ -165,7 +173,7 @@ void WorkbenchWindow::draw_strip(PanelContext& context) {
 
 void WorkbenchWindow::draw_view(PanelContext& context) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
-    // Without a scene there is nothing to scrub and plot: the start page has all the room.
+    // Without a scene there is nothing to play or plot, so the start page gets the whole room.
     if (!context.state.scene) layout_.view.highest = {layout_.view.highest.x, layout_.strip.highest.y};
     begin_part("##view", layout_.view,
                ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
@@ -175,6 +183,7 @@ void WorkbenchWindow::draw_view(PanelContext& context) {
         ImGui::End();
         return;
     }
+    // Order matters: the view receives the mouse first, then the tools, and the card of a picked place last.
     const viewport::ToolTakes takes = [&](const Eigen::Vector2d& pixel) {
         return paint_.takes(context.state, scene_, viewport_, pixel);
     };
@@ -190,6 +199,7 @@ void WorkbenchWindow::draw_view(PanelContext& context) {
 
 void WorkbenchWindow::draw_edges(PanelContext& context) {
     commands::LayoutSizes sizes = context.state.preferences.layout;
+    // An invisible window over each edge receives the drag.
     const auto edge = [&](const char* name, const platform::Rectangle& place, bool vertical, float& size,
                           float direction) {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
@@ -219,6 +229,7 @@ void WorkbenchWindow::draw_edges(PanelContext& context) {
 void WorkbenchWindow::react_to_keys(PanelContext& context) {
     react_to_shortcuts(context, viewport_);
     if (ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId)) return;
+    // One sample interval per key press.
     const auto step = [&](double frames) {
         const commands::SceneTrial* trial = context.state.scene_trial();
         if (!trial || trial->time_s.size() < 2) return;
@@ -246,6 +257,7 @@ void WorkbenchWindow::update_scene() {
                        paint_.revision(),
                        interface_.theme().name,
                        commands::compared_records(state)};
+    // Creating the scene copies all positions, so it happens only if one of its inputs has changed.
     if (key == scene_key_) return;
     if (key.scene != scene_key_.scene) {
         viewport_.camera = viewport::turn_to(viewport_.camera, viewport::StandardView::oblique);
@@ -254,10 +266,11 @@ void WorkbenchWindow::update_scene() {
     if (key.scene != scene_key_.scene || key.body != scene_key_.body || key.run != scene_key_.run ||
         key.trial != scene_key_.trial) {
         motion_ = commands::summarize_motion(state);
-        // Until a person chooses another view, all of the motion stays in sight; but edits that are previewed are not
-        // to make it wander.
+        // Until the user moves the camera, the whole motion stays visible. Edits that are previewed are an exception:
+        // the camera must not move with every one.
         if (viewport_.untouched && !(state.previewing() && scene_key_.run)) viewport_.fit_requested = true;
     }
+    // A new import shows its panels.
     if (key.import && !scene_key_.import) {
         show_step(commands::Step::measure);
         show_panel("recording");
@@ -285,7 +298,7 @@ void WorkbenchWindow::draw_parts(PanelContext& context) {
         draw_strip(context);
     }
     draw_edges(context);
-    // Dialogs belong to no part.
+    // Dialogs belong to no part. Their window is one pixel large and takes no input.
     begin_part("##dialogs", {{0.0f, 0.0f}, {1.0f, 1.0f}},
                still | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoInputs);
     draw_questions(context);
@@ -303,6 +316,7 @@ void WorkbenchWindow::draw_parts(PanelContext& context) {
 
 void WorkbenchWindow::follow(WindowRequests& requests) {
     const commands::WorkbenchState& state = workbench_->state();
+    // Once per request: the dialog must not open again after the user has closed it.
     if (!requests.file && state.asks_where_to_save && !asked_where_) requests.file = save_dialog(state);
     asked_where_ = state.asks_where_to_save;
     if (requests.file) browser_.open(std::move(*requests.file));
@@ -312,6 +326,7 @@ void WorkbenchWindow::follow(WindowRequests& requests) {
     if (requests.about) about_ = true;
     if (requests.clear_distances) distances_.clear();
     if (requests.picture) picture_ = requests.picture;
+    // The dialog that requested the image must have disappeared from the window; that takes two frames.
     if (requests.part) part_ = requests.part, part_waits_ = 2;
     if (requests.save_view) picture_dialog_.open(state, viewport_.size());
 }
@@ -353,6 +368,7 @@ Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) 
     const commands::WorkbenchState& state = workbench_->state();
     interface_.set_theme(state.preferences.theme, state.scale());
     interface_.begin_frame(width, height, static_cast<float>(seconds));
+    // Before the panels, so that they draw over the scene of this frame.
     update_scene();
     layout_ = make_layout(static_cast<float>(width), static_cast<float>(height), interface_.theme().scale,
                           state.preferences.layout);
@@ -370,6 +386,7 @@ Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) 
     platform::gl::Disable(GL_SCISSOR_TEST);
     platform::gl::ClearColor(clear.x, clear.y, clear.z, 1.0f);
     platform::gl::Clear(GL_COLOR_BUFFER_BIT);
+    // Without multisampling while something moves: at rest the next frame is rendered again with it.
     const bool moving = viewport_.moving || viewport_.tool_held || state.playing;
     if (state.scene && viewport_.size().width > 1 && viewport_.size().height > 1) {
         const auto drawn = renderer_.update(scene_, revision_, viewport::view_colors(interface_.theme()),
@@ -387,6 +404,7 @@ Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) 
     // Commands are carried out after the frame, so that all panels saw one state; their effect shows in the next.
     for (const commands::Command& command : commands) workbench_->execute(command);
     pacer_.frame_drawn();
+    // Something has changed: the next frames show it.
     if (!commands.empty() || !interface_.input().empty()) pacer_.event_arrived();
     was_moving_ = moving;
     return {};
