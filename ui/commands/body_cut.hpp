@@ -14,8 +14,8 @@ public:
     void apply(const WorkbenchState& state, MotionSummary& motion);
 
 private:
-    std::shared_ptr<const MeshedBody> body_;  // body of table_
-    mesh::FaceTable table_;
+    std::shared_ptr<const MeshedBody> body_;          // body of table_
+    mesh::FaceTable table_;                           // faces of all cells of body_
     ClipPlane plane_;                                 // of the last cut
     std::shared_ptr<const viewport::DrawnBody> cut_;  // result of the last cut
 };

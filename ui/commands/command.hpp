@@ -44,6 +44,7 @@ struct ChangePreview {
 };
 // Jobs. Each starts at once, or waits in the queue while another job runs.
 struct Calibrate {};
+/// Sets how the next search for muscle signals works.
 struct ChangeOptimize {
     OptimizeRequest request;
 };
@@ -115,6 +116,7 @@ struct AskWhereToSave {
 };  // false: the user cancelled the dialog
 /// Answer to the question about unsaved changes.
 enum class UnsavedAnswer { save, discard, cancel };
+/// Decides about unsaved changes; the waiting action continues or is dropped.
 struct AnswerUnsaved {
     UnsavedAnswer answer = UnsavedAnswer::cancel;
 };
@@ -147,6 +149,7 @@ struct ChooseMarker {
 struct SetTime {
     double time_s = 0.0;
 };
+/// Starts or stops playing the shown motion.
 struct Play {
     bool playing = true;
 };
@@ -161,6 +164,7 @@ struct ChangeView {
 struct SetDampingFrequency {
     double frequency_Hz = 5.0;
 };
+/// Sets colours and scale of the window.
 struct SetTheme {
     platform::ThemeName theme = platform::ThemeName::dark;
     float scale = 1.0f;

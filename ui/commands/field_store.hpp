@@ -74,8 +74,8 @@ private:
     std::optional<ForceKey> force_key_;           // key of shown_ if that is a force
     std::optional<std::size_t> frame_;            // frame of shown_
     std::optional<std::array<double, 2>> range_;  // of the trial; empty: not known yet
-    std::shared_ptr<const FieldFrame> shown_;
-    std::future<Answer> job_;  // its destructor waits for the thread
+    std::shared_ptr<const FieldFrame> shown_;     // values that update() returns
+    std::future<Answer> job_;                     // its destructor waits for the thread
 };
 
 }  // namespace myo::ui::commands

@@ -13,8 +13,8 @@ namespace myo::ui::commands {
 
 /// A job that waits for the running one to end.
 struct QueuedJob {
-    int id = 0;  // unique in the session
-    std::string name;
+    int id = 0;        // unique in the session
+    std::string name;  // name of the job: "Simulate"
 };
 
 /// How a job ended. `stopped` is a cancelled job.

@@ -25,15 +25,15 @@ struct AddedEffect {
 /// All values that the user can set before a run, in SI units. Part of the project file and of undo.
 struct Settings {
     mesh::CellType element = mesh::CellType::hex8;
-    double resolution_m = 0.005;  // target edge length of the elements
-    std::string material;         // id in WorkbenchState::materials
-    double youngs_modulus_Pa = 2.6e5;
+    double resolution_m = 0.005;       // target edge length of the elements
+    std::string material;              // id in WorkbenchState::materials
+    double youngs_modulus_Pa = 2.6e5;  // in small strains
     double poissons_ratio = 0.49;
     double density_kg_m3 = 1070.0;
-    double damping_s = 0.0;        // Kelvin-Voigt time
-    std::string integrator;        // id in WorkbenchState::integrators
-    double spectral_radius = 0.5;  // at infinite frequency, for time schemes in which it can be chosen
-    double time_step_s = 0.01;
+    double damping_s = 0.0;            // Kelvin-Voigt time
+    std::string integrator;            // id in WorkbenchState::integrators
+    double spectral_radius = 0.5;      // at infinite frequency, for time schemes in which it can be chosen
+    double time_step_s = 0.01;         // of the time scheme
     bool own_step = false;             // the user set time_step_s; otherwise runs adapt it to the vibration
     double velocity_force_1_s = 0.0;   // Lambda of f = Lambda M v
     std::vector<AddedEffect> effects;  // in addition to those that the experiment declares

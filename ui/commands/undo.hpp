@@ -33,7 +33,7 @@ public:
     void clear() { *this = UndoStack(); }
 
 private:
-    static constexpr std::size_t limit = 200;
+    static constexpr std::size_t limit = 200;  // number of entries
 
     /// Moves one entry between the lists. Clears the name, so that the next edit gets an entry of its own.
     Value step(std::vector<Value>& from, std::vector<Value>& to, const Value& now) {

@@ -24,7 +24,9 @@ public:
     /// @param wake  called on another thread when there is something new to show; may be empty
     explicit Workbench(std::shared_ptr<Backend> backend, std::function<void()> wake = {});
 
+    /// The state; the reference is valid as long as the workbench.
     const WorkbenchState& state() const { return state_; }
+    /// The backend, of which panels may call the quick functions.
     const Backend& backend() const { return *backend_; }
     /// Executes one command. Called after a frame, so that all panels of a frame see the same state.
     void execute(const Command& command);
@@ -58,7 +60,9 @@ private:
     // Jobs: workbench_jobs.cpp. A request (Task) consists of one or more jobs, such as meshing and then simulating.
     /// Starts a request, or appends it to the queue while another one runs.
     void request(const std::string& name, std::function<void()> begin);
+    /// Starts a request on the UI thread.
     void begin(Task task);
+    /// Starts the next request in the queue, if any.
     void begin_next();
     /// Starts the next job of the current request on its own thread.
     void start(const std::string& name, Job::Work work, JobKind kind = {});
@@ -69,31 +73,45 @@ private:
     bool may_compute();
     /// Ends the current request and adds its record to the history.
     void end_task(JobOutcome outcome, const std::string& summary, JobRecord with = {});
+    /// Shows the results and settings of an ended job again.
     void restore(int id);
+    /// Removes an ended job from the history.
     void forget(int id);
+    /// Copies the queue into the state.
     void update_queue();
 
     // Opening: workbench_scene.cpp.
     void open(const std::filesystem::path& path, std::optional<double> metres_per_unit);
     void drop(const std::vector<std::filesystem::path>& files);  // workbench_drop.cpp
+    /// Shows an opened scene and resets everything that belonged to the previous one.
     void show_scene(Scene scene, std::optional<double> metres_per_unit);
+    /// Shows an opened scene with the settings of its project.
     void show_project(const std::filesystem::path& file, Project project, Scene scene);
+    /// Meshes the body of the current request, shows it, and continues with `then` (may be empty).
     void build_mesh(std::function<void()> then);
     /// Shows a mesh. The run of another mesh cannot be shown on it and is removed.
     void show_body(const PlacedBody& on);
 
     // Projects, quitting and recovery: workbench_project.cpp.
     Project project() const;
+    /// Saves to the project's file, or asks for a name.
     void save();
+    /// Saves to this file. Errors are logged.
     void save_as(std::filesystem::path file);
     void answer_unsaved(UnsavedAnswer answer);
+    /// Executes the action that waited for the decision about unsaved changes.
     void go_on_with_pending();
+    /// Closes the window, after the questions that are necessary.
     void quit();
     void write_report(const std::filesystem::path& folder);
+    /// Puts a path at the front of the recent files.
     void remember_recent(const std::filesystem::path& path);
+    /// Opens a recovery file. Its content counts as unsaved.
     void recover(const std::filesystem::path& file);
     void discard_recovery();
+    /// Deletes the recovery file of the shown project.
     void forget_recovered();
+    /// Takes the result of the background writing, if it has ended.
     void take_autosaved();
 
     // Simulation and searches: workbench_search.cpp.
@@ -102,8 +120,11 @@ private:
     void optimize();
     /// Work of a search, on the job's thread.
     using Search = std::function<Result<SearchResult>(const Progress&, const Backend::LiveSearch&)>;
+    /// Starts a search as a job of the current request. `verb` appears in messages: "Calibrated".
     void search(const std::string& verb, Search search);
+    /// Shows a run, made with these settings.
     void show_run(std::shared_ptr<const RunResult> run, const Settings& settings);
+    /// Shows the result of a search and takes over its settings, unless the user has changed them.
     void show_found(const std::string& verb, SearchResult result);
 
     // Live preview: workbench_preview.cpp.
@@ -111,18 +132,23 @@ private:
     /// Call it after any change that the preview depends on: cancels the running preview and starts a new one as soon
     /// as possible.
     void want_preview();
+    /// Cancels the running preview; its result will be ignored.
     void give_up_preview();
     /// Cancels the preview and removes its run from the view.
     void stop_preview();
+    /// Starts a preview if one is wanted and nothing else is running.
     void begin_preview();
     void show_preview(double end_s, Result<RunResult> result);
+    /// Takes the result of a preview and starts the next one. Called once per frame.
     void advance_preview();
 
     // Diagnosis: workbench_diagnosis.cpp.
     void diagnose();
+    /// Shows the result of a diagnosis and ends its request.
     void show_diagnosis(DiagnosisView diagnosis);
     /// Moves the time to where the forces of the selected row are visible, unless the motion plays.
     void look_at_forces();
+    /// Adds the effects of a fitted row to the settings.
     void add_effect(const std::string& key);
 
     // Muscles: workbench_muscles.cpp.
@@ -134,6 +160,7 @@ private:
 
     // Import of recordings: workbench_import.cpp.
     void read_recording(const std::filesystem::path& path, const ReadingOptions& reading);
+    /// Starts the import of a recording that was read.
     void begin_import(RecordingFile file);
     void change_import(const ImportChoices& choices);
     void choose_label(int label, bool placing);
@@ -142,10 +169,14 @@ private:
     void add_recording();
     void give_up_import();
 
+    /// Applies an edit of the user, with an undo entry.
     void change_settings(const ChangeSettings& change);
+    /// Sets the settings and everything that depends on them, without an undo entry.
     void set_settings(const Settings& settings);
+    /// Computes the critical velocity force for the present settings.
     void check_stability();
     void choose_trial(int trial);
+    /// Takes intermediate results of the running search or diagnosis.
     void take_live();
     void log(LogLevel level, const std::string& text);
     void log_failure(const Error& error, const std::string& what);
@@ -164,8 +195,8 @@ private:
     UndoStack<Settings> undo_;
     PlacedPaint placed_;
     std::deque<Task> queue_;
-    std::optional<Task> task_;  // the running request
-    int next_id_ = 1;
+    std::optional<Task> task_;                                  // the running request
+    int next_id_ = 1;                                           // id of the next request
     std::shared_ptr<LiveValue<DiagnosisView>> live_diagnosis_;  // from the running diagnosis; null: none runs
     std::shared_ptr<LiveValue<SearchView>> live_search_;        // from the running search; null: none runs
     // Recording to import after the body it was dropped with is open.

@@ -20,7 +20,9 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    /// Counts of the states, the job they belong to, and a note if they are outdated.
     void draw_head(PanelContext& context);
+    /// Table of the checks: five columns if there is room, otherwise two.
     void draw_rows(PanelContext& context);
 };
 

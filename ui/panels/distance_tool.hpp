@@ -14,9 +14,9 @@ namespace myo::ui::panels {
 
 /// A distance between two places on the body or markers, which move with them.
 struct MeasuredDistance {
-    commands::PickedPlace from, to;
-    double now_m = 0.0;      // in the drawn scene [m]; NaN while an end is not drawn
-    double at_rest_m = 0.0;  // [m]
+    commands::PickedPlace from, to;  // ends of the distance
+    double now_m = 0.0;              // in the drawn scene [m]; NaN while an end is not drawn
+    double at_rest_m = 0.0;          // [m]
 };
 
 /// Updates the present lengths from the drawn scene.
@@ -34,10 +34,11 @@ public:
     /// Removes all distances.
     void clear();
 
+    /// Finished distances, in the order in which they were measured.
     const std::vector<MeasuredDistance>& distances() const { return distances_; }
 
 private:
-    std::vector<MeasuredDistance> distances_;
+    std::vector<MeasuredDistance> distances_;           // the finished ones
     std::optional<commands::PickedPlace> begun_;        // first end of a distance whose second end is not set
     std::shared_ptr<const commands::Scene> scene_;      // scene of the distances
     std::shared_ptr<const commands::MeshedBody> body_;  // body of the distances

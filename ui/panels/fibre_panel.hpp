@@ -14,14 +14,20 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    /// List of the muscles with their painted volume, and the button that adds one.
     void draw_list(PanelContext& context);
+    /// Properties of the selected muscle.
     void draw_muscle(PanelContext& context);
+    /// Name of the selected muscle. Applied when the field loses the keyboard, so that every letter is not an edit.
     void draw_name(PanelContext& context);
+    /// The muscle that the selected one follows, and the ratio.
     void draw_link(PanelContext& context);
+    /// Buttons that change the paint as a whole: grow, shrink, straighten, clear; and the one that removes the muscle.
     void draw_paint_actions(PanelContext& context);
+    /// Tools and settings of the brush.
     void draw_brush(PanelContext& context);
 
-    OpenEdit edit_;
+    OpenEdit edit_;           // drag in progress in one of the number fields
     std::string typed_name_;  // text in the name field
     bool typing_ = false;     // the name field has the keyboard
 };

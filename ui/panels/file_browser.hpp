@@ -31,6 +31,7 @@ class FileBrowser {
 public:
     /// Opens the dialog in the next frame.
     void open(FileDialog dialog);
+    /// Whether the dialog is open.
     bool is_open() const { return dialog_.has_value(); }
     /// Draws the dialog while it is open. Its callbacks run within this call.
     void draw(PanelContext& context);
@@ -42,33 +43,39 @@ private:
     std::filesystem::path target() const;
     /// Shows a folder and clears the selection.
     void go_to(const std::filesystem::path& folder);
+    /// List of fixed places and bookmarks.
     void draw_places(PanelContext& context);
+    /// Entries of the shown folder.
     void draw_entries(PanelContext& context);
+    /// Facts about the selected entry, from the backend.
     void draw_preview(PanelContext& context);
     /// Draws the field for the file name. Returns true if the user confirmed it with Enter.
     ///
     /// @param replaces  the target exists
     bool draw_name(PanelContext& context, const std::filesystem::path& target, bool replaces);
+    /// File name, Cancel, and the button that chooses.
     void draw_foot(PanelContext& context);
+    /// Button and popup that create a folder.
     void draw_new_folder(PanelContext& context);
     /// Closes the dialog and calls the callback.
     void choose(PanelContext& context, const std::filesystem::path& path);
+    /// Closes the dialog and reports that the user cancelled.
     void give_up(PanelContext& context);
 
-    std::optional<FileDialog> dialog_;  // empty: closed
-    bool just_opened_ = false;
-    std::filesystem::path folder_;    // shown folder
-    std::string typed_;               // text in the path field
-    std::string name_;                // of the file to be written; the extension may be missing
-    bool typing_name_ = false;        // the name field gets the keyboard focus in the next frame
-    std::filesystem::path replaced_;  // existing file for which Enter was pressed once
-    std::string new_folder_;          // text in the field for a new folder
-    bool typing_folder_ = false;      // that field gets the keyboard focus in the next frame
-    std::string problem_;             // why the new folder could not be created
-    std::vector<FolderEntry> entries_;
-    std::string selected_;             // name of the selected entry; empty: none
-    std::filesystem::path previewed_;  // path that preview_ describes
-    std::vector<commands::ReportLine> preview_;
+    std::optional<FileDialog> dialog_;           // empty: closed
+    bool just_opened_ = false;                   // the popup has to be opened in the next draw()
+    std::filesystem::path folder_;               // shown folder
+    std::string typed_;                          // text in the path field
+    std::string name_;                           // of the file to be written; the extension may be missing
+    bool typing_name_ = false;                   // the name field gets the keyboard focus in the next frame
+    std::filesystem::path replaced_;             // existing file for which Enter was pressed once
+    std::string new_folder_;                     // text in the field for a new folder
+    bool typing_folder_ = false;                 // that field gets the keyboard focus in the next frame
+    std::string problem_;                        // why the new folder could not be created
+    std::vector<FolderEntry> entries_;           // of the shown folder
+    std::string selected_;                       // name of the selected entry; empty: none
+    std::filesystem::path previewed_;            // path that preview_ describes
+    std::vector<commands::ReportLine> preview_;  // facts about the selected entry
 };
 
 }  // namespace myo::ui::panels

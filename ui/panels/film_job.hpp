@@ -16,10 +16,10 @@ namespace myo::ui::panels {
 /// Copy of the 3D view at the time when images of it were requested. Later changes of the workbench do not affect the
 /// images.
 struct FilmedView {
-    commands::WorkbenchState state;
-    commands::MotionSummary motion;  // of the shown trial, with the body cut as in the view
-    viewport::ViewportState view;
-    std::vector<MeasuredDistance> distances;
+    commands::WorkbenchState state;           // copied when the writing began
+    commands::MotionSummary motion;           // of the shown trial, with the body cut as in the view
+    viewport::ViewportState view;             // camera and size of the view
+    std::vector<MeasuredDistance> distances;  // to be drawn into the images
     platform::Theme theme;
 };
 
@@ -42,6 +42,7 @@ public:
     Result<bool> add(const commands::Backend& backend);
     /// Cancels the job; unfinished output is removed.
     void give_up();
+    /// The request that is being carried out.
     const PictureRequest& request() const { return request_; }
 
     /// Draws the dialog with the progress. Returns true if the user pressed Cancel.
@@ -50,14 +51,16 @@ public:
 private:
     /// Time of the next image in the trial [s].
     double time_s() const { return request_.from_s + done_ * request_.speed / request_.rate_Hz; }
+    /// Renders one scene with its annotations.
     Result<platform::Image> picture(const viewport::DrawnScene& scene);
+    /// Draws annotations over the rendered scene.
     void draw_overlay(const viewport::DrawnScene& scene);
 
     PictureRequest request_;
-    std::optional<FilmedView> filmed_;              // empty: no job runs
-    float scale_ = 1.0f;                            // of lines and text
-    std::unique_ptr<platform::FilmWriter> writer_;  // null: a single image
-    std::optional<viewport::SceneRenderer> renderer_;
+    std::optional<FilmedView> filmed_;                 // empty: no job runs
+    float scale_ = 1.0f;                               // of lines and text
+    std::unique_ptr<platform::FilmWriter> writer_;     // null: a single image
+    std::optional<viewport::SceneRenderer> renderer_;  // own renderer: images have another size than the view
     std::optional<platform::PictureCanvas> canvas_;
     commands::FieldStore fields_;  // own store: the view may show another field meanwhile
     Stopwatch watch_;              // for the remaining time

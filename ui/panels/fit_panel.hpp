@@ -15,11 +15,14 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    /// Calibration: the unknown parameters and the button that starts it.
     void draw_calibrate(PanelContext& context);
+    /// Optimisation of signals: its settings and the button that starts it.
     void draw_optimize(PanelContext& context);
+    /// Result of the last search, while its run is shown.
     void draw_found(PanelContext& context);
 
-    OpenEdit edit_;
+    OpenEdit edit_;  // drag in progress in one of the number fields
 };
 
 }  // namespace myo::ui::panels

@@ -22,13 +22,17 @@ public:
     const std::optional<commands::PickedPlace>& picked() const { return picked_; }
 
 private:
+    /// Picks the place under the mouse and selects its marker.
     void click(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view);
+    /// Marks the picked marker, or the picked cell and its nearest node.
     void draw_highlight(const PanelContext& context, const viewport::DrawnScene& scene,
                         const viewport::ViewportState& view) const;
+    /// Draws the card with the properties of the picked place.
     void draw_card(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view);
+    /// Error of the picked marker in the shown run; null if there is none.
     const commands::MarkerError* error_of(const commands::WorkbenchState& state);
 
-    std::optional<commands::PickedPlace> picked_;
+    std::optional<commands::PickedPlace> picked_;       // empty: nothing is picked
     std::shared_ptr<const commands::Scene> scene_;      // of picked_
     std::shared_ptr<const commands::MeshedBody> body_;  // of picked_
     std::shared_ptr<const commands::RunResult> run_;    // run of errors_

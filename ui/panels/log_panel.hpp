@@ -18,7 +18,7 @@ private:
     std::size_t seen_ = 0;  // messages that were shown already
     // Measured heights by number since the start [pixels], valid for this width and scale.
     std::map<std::size_t, float> heights_;
-    float width_ = 0.0f, scale_ = 0.0f;
+    float width_ = 0.0f, scale_ = 0.0f;  // at which heights_ were measured
 };
 
 }  // namespace myo::ui::panels

@@ -21,11 +21,17 @@ public:
 private:
     // Parts of the panel: controls first, then one plot per coordinate.
     void draw_choice(PanelContext& context);
+    /// Popup that selects the other trials. `narrow`: buttons show icons.
     void draw_trials(PanelContext& context, bool narrow);
+    /// One legend for all plots, used while other trials are drawn.
     void draw_legend(PanelContext& context);
+    /// Error of the marker, or its error in the selected time range.
     void draw_error(PanelContext& context);
+    /// Popup with the ways to save what is seen. `name` is the proposed file name.
     void draw_export(PanelContext& context, const std::string& name);
+    /// Remembers a plot as it was drawn, for the SVG export.
     void see(const plot::Plot& plot, const plot::PlotResult& drawn, const plot::HiddenSeries& hidden);
+    /// Plot of one coordinate with its residual below. `size` in pixels.
     void draw_component(PanelContext& context, int axis, const ImVec2& size);
 
     platform::Rectangle plots_;                     // area of the plots in the last frame, for export as PNG

@@ -29,10 +29,10 @@ public:
 private:
     /// The point of the body under the mouse.
     struct Touch {
-        viewport::SurfaceHit hit;
-        int face = 0;             // index in the drawn boundary
-        Eigen::Vector3d rest_m;   // position at rest [m]
-        Eigen::Vector3d outward;  // outward unit normal at rest
+        viewport::SurfaceHit hit;  // on the drawn surface
+        int face = 0;              // index in the drawn boundary
+        Eigen::Vector3d rest_m;    // position at rest [m]
+        Eigen::Vector3d outward;   // outward unit normal at rest
     };
     /// The drawn triangle under a pixel; empty beside the body or without a mesh.
     static std::optional<viewport::SurfaceHit> hit_at(const commands::WorkbenchState& state,
@@ -46,6 +46,7 @@ private:
     void go_on(const commands::WorkbenchState& state, const Touch& touch);
     /// Drops stroke and paint without emitting anything.
     void drop();
+    /// Draws the brush at the mouse, deformed with the body.
     void draw_ring(const PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view,
                    const Touch& touch) const;
 

@@ -19,8 +19,8 @@ public:
 private:
     bool wanted_ = false;  // open the popup in the next frame
     bool focus_ = false;   // the text field gets the keyboard in the next frame
-    std::string text_;
-    int chosen_ = 0;  // index of the highlighted entry
+    std::string text_;     // text of the search field
+    int chosen_ = 0;       // index of the highlighted entry
 };
 
 /// Actions whose menu and label contain all words of the text, in any case and order. An empty text matches all. The

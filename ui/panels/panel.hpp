@@ -56,13 +56,13 @@ struct WindowRequests {
 /// What a panel gets in each frame: the state of the workbench to read, and lists for its commands and requests. All
 /// references are valid during the call only.
 struct PanelContext {
-    const commands::WorkbenchState& state;
-    const platform::Theme& theme;
-    platform::ItemRectangles& items;
+    const commands::WorkbenchState& state;  // of this frame; does not change while it is drawn
+    const platform::Theme& theme;           // colours, fonts and scale
+    platform::ItemRectangles& items;        // to record items for tests
     // Executed after the frame, in this order.
     std::vector<commands::Command>& commands;
-    const commands::Backend& backend;  // only its quick functions may be called
-    WindowRequests& window;
+    const commands::Backend& backend;              // only its quick functions may be called
+    WindowRequests& window;                        // requests to the window
     const fibre::CellPaint* live_paint = nullptr;  // paint of the selected muscle during a stroke; null otherwise
     // Range of the colours that are shown, in the unit of the legend; empty: no field is shown.
     std::optional<std::array<double, 2>> field_range = {};

@@ -24,8 +24,8 @@ private:
     /// Rows for the motion: range of times, rate and speed.
     void draw_motion(PanelContext& context);
 
-    bool open_ = false;
-    Kind kind_ = Kind::picture;
+    bool open_ = false;          // the dialog is shown
+    Kind kind_ = Kind::picture;  // selected kind of output
     std::string size_ = "view";  // id of the selected size
     viewport::ViewSize view_;    // size of the view when the dialog was opened
     PictureRequest request_;     // as edited

@@ -28,8 +28,8 @@ private:
     std::shared_ptr<const measurement::Recording> recording_;   // of seen_ and the zoom
     std::vector<std::vector<std::pair<double, double>>> seen_;  // per label, intervals in which it was seen [s]
     plot::LinkedAxis time_;                                     // time axis of the three plots
-    std::array<plot::PlotState, 3> plots_;
-    plot::HiddenSeries hidden_;
+    std::array<plot::PlotState, 3> plots_;                      // zoom of the plots of x, y and z
+    plot::HiddenSeries hidden_;                                 // curves switched off in the legend
 };
 
 }  // namespace myo::ui::panels

@@ -9,7 +9,7 @@ namespace myo::ui::panels {
 
 /// A number in the settings and how it is edited.
 struct SettingField {
-    NumberField field;
+    NumberField field;                  // label, unit, limits
     double commands::Settings::*value;  // the member that it edits
 };
 /// Draws a row for each field. A change is emitted as ChangeSettings.

@@ -29,12 +29,12 @@ private:
     /// @param plot  result of drawing the plot that the knots lie on
     void edit_knots(PanelContext& context, const fibre::Signal& signal, const plot::PlotResult& plot);
 
-    commands::SignalRecipe recipe_;  // of the generator
-    std::string recipe_muscle_;      // muscle that the recipe's level was chosen for
-    OpenEdit edit_;
-    plot::LinkedAxis time_;
-    plot::PlotState plot_;
-    plot::HiddenSeries hidden_;
+    commands::SignalRecipe recipe_;       // of the generator
+    std::string recipe_muscle_;           // muscle that the recipe's level was chosen for
+    OpenEdit edit_;                       // drag in progress in the generator
+    plot::LinkedAxis time_;               // zoom of the time axis
+    plot::PlotState plot_;                // zoom of the value axis
+    plot::HiddenSeries hidden_;           // curves switched off in the legend
     std::optional<std::size_t> grabbed_;  // index of the dragged knot
     bool moved_ = false;                  // the dragged knot has moved, so undo merges further changes
     std::string followed_;                // name of the muscle that the zoom belongs to

@@ -26,7 +26,7 @@ void text_cell(const platform::Theme& theme, const std::string& text, const ImVe
 
 /// Heading of a table column.
 struct Heading {
-    std::string title;
+    std::string title;    // with unit: "rms [mm]"
     std::string tip;      // tooltip; may be empty
     bool number = false;  // right-aligned, as its numbers
 };

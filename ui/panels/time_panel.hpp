@@ -42,9 +42,9 @@ private:
         double longest_s = 0.0;  // greatest step of the curve
         bool operator==(const CurveKey&) const = default;
     };
-    CurveKey curve_key_;
+    CurveKey curve_key_;               // inputs of the present curve
     Eigen::VectorXd step_ms_, ratio_;  // the damping curve: steps and damping ratios
-    plot::LinkedAxis axis_;
+    plot::LinkedAxis axis_;            // zoom of the curve
     plot::PlotState plot_;
     plot::HiddenSeries hidden_;
 };

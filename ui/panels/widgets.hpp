@@ -52,7 +52,7 @@ bool primary_button(const platform::Theme& theme, const std::string& label, cons
 
 /// A number field: dragged, or typed after a double click.
 struct NumberField {
-    std::string label;
+    std::string label;                  // in the left column
     std::string name;                   // item name for tests: "model/youngs_modulus"
     std::string unit;                   // shown unit; may be empty
     std::string tip;                    // tooltip

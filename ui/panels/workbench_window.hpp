@@ -53,15 +53,20 @@ public:
     void open(const std::filesystem::path& path) { workbench_->execute(commands::Open{path, std::nullopt}); }
     /// Shows a task in the side panel, and its panel below the view.
     void show_step(commands::Step step);
+    /// The task that is shown in the side panel.
     commands::Step step() const { return step_; }
     /// Shows a panel by its name. Returns false if there is no such panel.
     bool show_panel(const std::string& name);
     // The rest of the interface serves tests, and the program's window with its callbacks.
     std::vector<std::string> panel_names() const;
 
+    /// For the window's callbacks and tests, which push events.
     platform::InputQueue& input() { return interface_.input(); }
+    /// Items of the last frame, for tests.
     const platform::ItemRectangles& items() { return interface_.items(); }
+    /// The 3D view, for tests.
     const viewport::ViewportState& viewport() const { return viewport_; }
+    /// The drawn scene, for tests.
     const viewport::DrawnScene& scene() const { return scene_; }
     /// Whether values of the field that colours the body are still being computed.
     bool waits_for_field() const { return fields_.waits(); }
@@ -69,14 +74,19 @@ public:
     const DistanceTool& distance_tool() const { return distances_; }
     /// Writes images of the 3D view, beginning with the next frame.
     void draw_into(const PictureRequest& request) { picture_ = request; }
+    /// Number of rendered scenes, for tests: idle frames render none.
     int scene_draw_count() const { return renderer_.draw_count(); }
 
 private:
     // Parts of the window.
     void draw_side(PanelContext& context);
+    /// The tabs below the view, with the selected panel.
     void draw_strip(PanelContext& context);
+    /// The view with its tools, or the start page.
     void draw_view(PanelContext& context);
+    /// The edges between the parts, which the user can drag.
     void draw_edges(PanelContext& context);
+    /// All parts of the window and the dialogs.
     void draw_parts(PanelContext& context);
     /// Shortcuts, and the arrow keys that move in time.
     void react_to_keys(PanelContext& context);
@@ -112,11 +122,11 @@ private:
         bool operator==(const SceneKey&) const = default;
     };
 
-    commands::Workbench* workbench_ = nullptr;
+    commands::Workbench* workbench_ = nullptr;  // not owned; outlives the window
     platform::Interface interface_;
     viewport::SceneRenderer renderer_;
     platform::FramePacer pacer_;
-    std::vector<std::unique_ptr<Panel>> panels_;
+    std::vector<std::unique_ptr<Panel>> panels_;  // all panels, also those that are not shown
     commands::Step step_ = commands::Step::body;  // shown in the side panel
     FileBrowser browser_;
     Palette palette_;
@@ -127,20 +137,20 @@ private:
     int part_waits_ = 0;                     // frames until then
     PictureDialog picture_dialog_;
     FilmJob film_;
-    float foot_height_ = 40.0f;  // height of the side panel's foot in the last frame [pixels]
-    Layout layout_;
-    viewport::ViewportState viewport_;
+    float foot_height_ = 40.0f;         // height of the side panel's foot in the last frame [pixels]
+    Layout layout_;                     // of this frame
+    viewport::ViewportState viewport_;  // camera and mouse of the 3D view
     PaintTool paint_;
     InspectTool inspect_;
-    DistanceTool distances_;  // also drawn into images of the view
-    commands::BodyCut cut_;
-    viewport::DrawnScene scene_;
-    SceneKey scene_key_;
+    DistanceTool distances_;          // also drawn into images of the view
+    commands::BodyCut cut_;           // the clip plane, applied to the drawn body
+    viewport::DrawnScene scene_;      // what the view shows
+    SceneKey scene_key_;              // inputs of scene_
     commands::MotionSummary motion_;  // of the present scene and run
-    commands::FieldStore fields_;
-    std::uint64_t revision_ = 1;  // increased with every change of scene_
-    std::string strip_panel_;     // name of the panel below the view
-    bool was_moving_ = false;     // in the last frame
+    commands::FieldStore fields_;     // values of the field that colours the body
+    std::uint64_t revision_ = 1;      // increased with every change of scene_
+    std::string strip_panel_;         // name of the panel below the view
+    bool was_moving_ = false;         // in the last frame
 };
 
 }  // namespace myo::ui::panels

@@ -6,8 +6,8 @@ namespace myo::ui::plot {
 
 /// One entry of a legend: the name of a curve next to a sample of its line or dot.
 struct LegendEntry {
-    std::string name;  // also identifies the curve in HiddenSeries
-    ImVec4 color;
+    std::string name;   // also identifies the curve in HiddenSeries
+    ImVec4 color;       // of the sample
     bool dots = false;  // sample is a dot instead of a line
 };
 
