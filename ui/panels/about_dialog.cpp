@@ -18,6 +18,7 @@ constexpr const char* bound_by =
     "So pass a binary on under the GPL 3, its mesher under the AGPL 3, "
     "and the source with both.";
 
+/// Table of names, versions and licences, as the backend lists them.
 void draw_libraries(const std::vector<commands::Library>& libraries) {
     if (!ImGui::BeginTable("libraries", 3, ImGuiTableFlags_RowBg)) return;
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 1.0f);
@@ -35,6 +36,7 @@ void draw_libraries(const std::vector<commands::Library>& libraries) {
 
 }  // namespace
 
+// Escape closes the dialog as the button does.
 void draw_about(PanelContext& context, bool& open) {
     if (!open) return;
     const platform::Theme& theme = context.theme;

@@ -34,6 +34,8 @@ void rescale(PanelContext& context, float factor) {
         std::clamp(context.state.scale() * factor, commands::least_scale, commands::greatest_scale)});
 }
 
+/// Menu File. Dialogs are requested from the window; saving is a command, as the workbench decides whether to ask for a
+/// name.
 void add_file_actions(std::vector<Action>& all) {
     all.push_back({"file.open",
                    "File",
@@ -77,6 +79,7 @@ void add_file_actions(std::vector<Action>& all) {
         {"file.quit", "File", "Quit", {platform::key_q, true, false, "Ctrl+Q"}, emits(commands::Quit{}), {}, {}, true});
 }
 
+/// Menu Edit. Painting and erasing need a selected muscle.
 void add_edit_actions(std::vector<Action>& all) {
     all.push_back({"edit.undo",
                    "Edit",
@@ -121,6 +124,7 @@ void add_edit_actions(std::vector<Action>& all) {
                    holds(commands::BrushTool::erase)});
 }
 
+/// Menu View. These actions change the camera or the view options; both leave the model as it is.
 void add_view_actions(std::vector<Action>& all) {
     all.push_back({"view.fit",
                    "View",
@@ -221,6 +225,7 @@ void add_view_actions(std::vector<Action>& all) {
     all.push_back({"view.reset_layout", "View", "Reset the layout", {}, emits(commands::SetLayout{})});
 }
 
+/// Menu Run. Each job has one action here; the buttons in the panels emit the same commands.
 void add_run_actions(std::vector<Action>& all) {
     all.push_back({"run.mesh",
                    "Run",
@@ -278,6 +283,7 @@ void add_run_actions(std::vector<Action>& all) {
          true});
 }
 
+/// The tasks of the left column. They have no menu and are found through the palette.
 void add_step_actions(std::vector<Action>& all) {
     for (const commands::Step step : commands::all_steps)
         all.push_back({std::string("step.") + commands::step_id(step),
@@ -287,6 +293,7 @@ void add_step_actions(std::vector<Action>& all) {
                        [step](PanelContext& context, viewport::ViewportState&) { context.window.step = step; }});
 }
 
+/// Menu Help.
 void add_help_actions(std::vector<Action>& all) {
     all.push_back({"help.palette",
                    "Help",

@@ -11,6 +11,8 @@
 
 namespace myo::ui::panels {
 
+/// The field accepts any path and opens it with Enter; the button next to it opens the file browser. Below: name,
+/// description, size and warnings of what is open, or an explanation of what can be opened.
 void BodyPanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;

@@ -17,6 +17,7 @@ struct Mark {
     std::string tip;  // tooltip
 };
 
+/// Three cases: no checks yet, checks of earlier settings, or checks of the present settings.
 Mark mark_of(const commands::WorkbenchState& state, const platform::Theme& theme) {
     if (!state.checks) return {platform::icon::shield, theme.muted, "no checks yet", no_checks_words};
     const commands::CheckReport& report = *state.checks;

@@ -13,6 +13,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// First cell of a row; tests find the state of a check by it.
 void draw_state(PanelContext& context, const commands::CheckRow& row, const std::string& number) {
     ImGui::TableNextColumn();
     check_text(context.theme, row.state, commands::check_word(row.state));
@@ -48,6 +49,7 @@ void draw_wide_row(const platform::Theme& theme, const commands::CheckRow& row) 
     tooltip(theme, source);
 }
 
+/// In a narrow panel value and threshold follow the text instead of having columns.
 void draw_narrow_row(const platform::Theme& theme, const commands::CheckRow& row) {
     ImGui::TableNextColumn();
     draw_question(theme, row);
@@ -61,6 +63,7 @@ void draw_narrow_row(const platform::Theme& theme, const commands::CheckRow& row
 
 std::string ChecksPanel::title() const { return std::string(platform::icon::shield) + "  Checks"; }
 
+/// Before anything is open the panel explains what will appear.
 void ChecksPanel::draw(PanelContext& context) {
     if (!context.state.checks) {
         muted_text(context.theme, no_checks_words);

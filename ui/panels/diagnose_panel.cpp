@@ -17,7 +17,7 @@
 namespace myo::ui::panels {
 namespace {
 
-constexpr const char* times = "\xc3\x97";
+constexpr const char* times = "\xc3\x97";  // multiplication sign
 
 /// Percentage with three digits; a dash if unknown, "0" below 0.05 %.
 std::string percent(double share) {
@@ -42,10 +42,12 @@ std::string stage_words(const commands::JobView& job) {
     return words + " \xc2\xb7 " + duration_label(job.elapsed_s) + " so far";
 }
 
+/// Only fitted effects can be added. The declared model is in the model already, and a missing force is no effect.
 bool can_be_added(const commands::DiagnosisRow* row) {
     return row && row->fitted && row->kind == commands::DiagnosisRow::Kind::effects;
 }
 
+/// The effects of the row are those of the settings.
 bool is_in_model(const commands::WorkbenchState& state, const commands::DiagnosisRow& row) {
     return row.settings.effects == state.settings.effects;
 }
@@ -60,6 +62,8 @@ std::string value_words(const commands::DiagnosisRow& row, float width) {
 
 std::string DiagnosePanel::title() const { return std::string(platform::icon::stethoscope) + "  Diagnose"; }
 
+/// Explains what is missing if a diagnosis is not possible. Otherwise: the head; below it the ranking on the left and
+/// the details of the selected row on the right; in a narrow panel one of the two.
 void DiagnosePanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     if (!state.scene) {
@@ -134,6 +138,8 @@ void DiagnosePanel::follow(const commands::WorkbenchState& state) {
     plot_ = {};
 }
 
+/// From left to right: button, verdict, confidence, and the button that adds the effect. What has no room moves into
+/// the tooltip of the verdict, first the reasons, then the confidence.
 void DiagnosePanel::draw_head(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -210,6 +216,8 @@ void DiagnosePanel::draw_head(PanelContext& context) {
     tooltip(theme, words);
 }
 
+/// Columns in falling importance from left to right; those that have no room are left out, and the tooltip of a row has
+/// all of them.
 void DiagnosePanel::draw_ranking(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -270,6 +278,7 @@ void DiagnosePanel::draw_ranking(PanelContext& context) {
     ImGui::EndTable();
 }
 
+/// Marker and axis belong to the residual only; errors and the missing force have no marker.
 void DiagnosePanel::draw_choices(PanelContext& context, bool none) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -322,6 +331,8 @@ void DiagnosePanel::draw_choices(PanelContext& context, bool none) {
     ImGui::EndCombo();
 }
 
+/// Both curves are differences from the declared model: the measured one is what it lacks, the predicted one what the
+/// row adds. They coincide if the row explains the residual.
 void DiagnosePanel::draw_residual(PanelContext& context, const commands::DiagnosisRow& row) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -357,6 +368,7 @@ void DiagnosePanel::draw_residual(PanelContext& context, const commands::Diagnos
     if (result.cursor) context.emit(commands::SetTime{*result.cursor});
 }
 
+/// The missing force of the trial in which it was reconstructed.
 void DiagnosePanel::draw_force(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -383,6 +395,7 @@ void DiagnosePanel::draw_force(PanelContext& context) {
     if (result.cursor) context.emit(commands::SetTime{*result.cursor});
 }
 
+/// Before and after, in millimetres and in units of the noise. An error that decreased is drawn in the success colour.
 void DiagnosePanel::draw_errors(PanelContext& context, const commands::DiagnosisRow& row) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;

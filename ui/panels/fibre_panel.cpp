@@ -20,6 +20,7 @@ bool is_taken(const commands::Settings& settings, const std::string& name) {
                        [&](const commands::Muscle& muscle) { return muscle.name == name; });
 }
 
+/// Amount of paint: number of elements and volume.
 std::string amount_label(const fibre::PaintedAmount& amount) {
     return with_separators(amount.cells) + (amount.cells == 1 ? " element, " : " elements, ") +
            plot::value_label(1e6 * amount.volume_m3, 3) + " cm\xc2\xb3";
@@ -33,6 +34,7 @@ void change(PanelContext& context, const std::string& what, bool goes_on,
     context.emit(commands::ChangeSettings{std::move(settings), what, goes_on});
 }
 
+// The lists below have ids for tests and settings, labels and explanations for the user.
 const std::vector<commands::Choice>& action_choices() {
     static const std::vector<commands::Choice> choices{
         {"contracts", "Contracts", "Its fibres shorten when active: a < 1."},
@@ -89,6 +91,7 @@ commands::Muscle new_muscle(const commands::Settings& settings) {
     return muscle;
 }
 
+/// The brush is shown only with a selected muscle, as paint always belongs to one.
 void FibrePanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     if (!state.scene) {
@@ -139,6 +142,8 @@ void FibrePanel::draw_list(PanelContext& context) {
     context.items.mark("fibres/add");
 }
 
+/// A typed name is checked when the field is left. A name that is not allowed is discarded without a message, and the
+/// field shows the old one.
 void FibrePanel::draw_name(PanelContext& context) {
     const commands::Muscle& muscle = *context.state.chosen_muscle();
     row_label(context.theme, "Name", "Heads the muscle's column in files of signals.");
@@ -162,6 +167,8 @@ void FibrePanel::draw_name(PanelContext& context) {
     context.emit(commands::ChangeSettings{std::move(settings), "name of a muscle", false});
 }
 
+/// Two muscles that pull against each other share one signal. Only a muscle with its own signal can be followed, so
+/// chains are not possible.
 void FibrePanel::draw_link(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const commands::Muscle& muscle = *state.chosen_muscle();
@@ -246,6 +253,8 @@ void FibrePanel::draw_muscle(PanelContext& context) {
     draw_paint_actions(context);
 }
 
+/// These actions replace the paint of the muscle by a new one; each is one undo entry. They need a mesh that is
+/// prepared for painting.
 void FibrePanel::draw_paint_actions(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -295,6 +304,8 @@ void FibrePanel::draw_paint_actions(PanelContext& context) {
     ImGui::EndDisabled();
 }
 
+/// Each tool shows only the settings that it uses: radius, depth, soft edge and strength belong to strokes, the
+/// direction also to a fill.
 void FibrePanel::draw_brush(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;

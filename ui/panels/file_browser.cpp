@@ -17,6 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Extensions are compared in lower case: files may end in .C3D.
 bool has_ending(const fs::path& file, const std::vector<std::string>& endings) {
     const std::string ending = lower_case(file.extension().string());
     return endings.empty() || std::find(endings.begin(), endings.end(), ending) != endings.end();
@@ -61,6 +62,7 @@ std::vector<FolderEntry> list_folder(const fs::path& folder, const std::vector<s
     return entries;
 }
 
+/// Shows another folder. Selection and preview belong to the previous one.
 void FileBrowser::go_to(const fs::path& folder) {
     folder_ = folder;
     typed_ = folder.string();
@@ -70,6 +72,7 @@ void FileBrowser::go_to(const fs::path& folder) {
     preview_.clear();
 }
 
+/// Each dialog starts in its own folder, or in the working folder if there is none.
 void FileBrowser::open(FileDialog dialog) {
     std::error_code ignored;
     dialog_ = std::move(dialog);
@@ -167,6 +170,7 @@ void FileBrowser::draw_entries(PanelContext& context) {
         choose(context, *chosen);
 }
 
+/// The facts come from the backend, which knows the file formats.
 void FileBrowser::draw_preview(PanelContext& context) {
     const platform::Theme& theme = context.theme;
     if (selected_.empty()) return muted_text(theme, "What is selected is described here.");
@@ -216,6 +220,7 @@ bool FileBrowser::draw_name(PanelContext& context, const fs::path& target, bool 
     return may;
 }
 
+/// The button is called Replace if the target exists. It enters a folder that cannot be chosen itself.
 void FileBrowser::draw_foot(PanelContext& context) {
     const platform::Theme& theme = context.theme;
     const float width = 96.0f * theme.scale;
@@ -246,6 +251,7 @@ void FileBrowser::draw_foot(PanelContext& context) {
         choose(context, selected_.empty() && !writes() ? folder_ : asked);
 }
 
+/// A new folder is shown at once, so that the file name can be typed next.
 void FileBrowser::draw_new_folder(PanelContext& context) {
     const platform::Theme& theme = context.theme;
     if (ImGui::Button("New folder")) {
@@ -288,6 +294,8 @@ void FileBrowser::draw_new_folder(PanelContext& context) {
     ImGui::EndPopup();
 }
 
+/// From top to bottom: the path with its buttons; places, entries and preview next to each other; the name and the
+/// buttons. Each part may close the dialog, so dialog_ is checked before the next one.
 void FileBrowser::draw(PanelContext& context) {
     if (!dialog_) return;
     const float s = context.theme.scale;

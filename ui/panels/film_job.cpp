@@ -22,6 +22,7 @@ viewport::Camera widened(viewport::Camera camera, const viewport::ViewSize& view
     return camera;
 }
 
+/// Time in the corner of an image. Three decimals, so that its width does not change within a video.
 std::string time_label(double time_s) {
     char text[40];
     std::snprintf(text, sizeof text, "t = %.3f s", time_s);
@@ -37,6 +38,7 @@ float picture_scale(const viewport::ViewSize& view, const viewport::ViewSize& pi
     return std::max(least_picture_scale, view_scale * std::min(wide, high));
 }
 
+/// Everything that can fail is created before the first image: renderer, canvas and writer.
 Result<void> FilmJob::begin(const PictureRequest& request, FilmedView filmed) {
     give_up();
     request_ = request;
@@ -73,6 +75,7 @@ void FilmJob::give_up() {
     canvas_.reset();
 }
 
+/// The image is rendered from a copy of the state at its own time; the window's view is not affected.
 Result<bool> FilmJob::add(const commands::Backend& backend) {
     commands::WorkbenchState& state = filmed_->state;
     state.time_s = time_s();
@@ -106,6 +109,7 @@ Result<platform::Image> FilmJob::picture(const viewport::DrawnScene& scene) {
     return renderer_->read();
 }
 
+/// The same annotations as in the view, drawn with fonts of the image's scale, and the time if there is a motion.
 void FilmJob::draw_overlay(const viewport::DrawnScene& scene) {
     const viewport::ViewportState& view = filmed_->view;
     const commands::WorkbenchState& state = filmed_->state;

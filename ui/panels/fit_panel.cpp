@@ -11,6 +11,7 @@
 
 namespace myo::ui::panels {
 
+/// Both searches are shown below each other; each explains why it is not available.
 void FitPanel::draw(PanelContext& context) {
     if (!context.state.scene)
         return muted_text(context.theme,
@@ -38,6 +39,7 @@ void FitPanel::draw_calibrate(PanelContext& context) {
             "derivatives; trials of role validate are predicted at the end.");
 }
 
+/// The request is part of the state, so its values are kept while other panels are shown.
 void FitPanel::draw_optimize(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;

@@ -60,6 +60,8 @@ FileDialog new_folder_dialog(const commands::ImportChoices& choices, const std::
 
 }  // namespace
 
+/// All parts edit one copy of the choices. One command at the end replaces them, so that a frame never sees half of a
+/// change.
 void ImportPanel::draw(PanelContext& context) {
     const commands::RecordingImport& import = *context.state.import;
     commands::ImportChoices choices = import.choices;
@@ -75,6 +77,7 @@ void ImportPanel::draw(PanelContext& context) {
     if (!(choices == import.choices)) context.emit(commands::ChangeImport{choices});
 }
 
+/// Unit and rate are asked only if the file does not contain them.
 void ImportPanel::draw_file(PanelContext& context) {
     const commands::RecordingFile& file = context.state.import->file;
     const measurement::Recording& recording = *file.recording;
@@ -109,6 +112,7 @@ void ImportPanel::draw_file(PanelContext& context) {
     if (!(reading == file.reading) && !context.state.busy()) context.emit(commands::ReadRecording{file.path, reading});
 }
 
+/// Without rotation by markers, the three axis lists alone determine the rotation.
 void ImportPanel::draw_placing(PanelContext& context, commands::ImportChoices& choices) {
     const commands::ImportView& view = context.state.import->view;
     row_label(context.theme, "Axes x, y, z", "Which axis of the cameras the body's x, y and z point along");
@@ -172,6 +176,8 @@ void ImportPanel::draw_name(PanelContext& context, std::size_t label, commands::
     ImGui::EndCombo();
 }
 
+/// A row per label with its marker, the share of samples in which it was seen, and its distance from the marker before
+/// the start.
 void ImportPanel::draw_markers(PanelContext& context, commands::ImportChoices& choices) {
     const commands::RecordingImport& import = *context.state.import;
     const platform::Theme& theme = context.theme;
@@ -234,6 +240,7 @@ void ImportPanel::draw_markers(PanelContext& context, commands::ImportChoices& c
                          "the chosen label is this one, and the next label is chosen.");
 }
 
+/// The start can be typed, dragged in the plot, set to the first large motion, or found by comparison with a run.
 void ImportPanel::draw_start(PanelContext& context, commands::ImportChoices& choices) {
     const commands::RecordingImport& import = *context.state.import;
     const Eigen::VectorXd& time = import.file.recording->time_s;
@@ -264,6 +271,7 @@ void ImportPanel::draw_start(PanelContext& context, commands::ImportChoices& cho
                                              : "Run first: then the recording can be aligned with what is simulated.");
 }
 
+/// A plain mesh has no experiment that the trial could be added to, so a folder for a new one has to be chosen.
 void ImportPanel::draw_trial(PanelContext& context, commands::ImportChoices& choices) {
     const bool new_one = context.state.import->declared.empty();
     row_label(context.theme, "Name");
@@ -291,6 +299,7 @@ void ImportPanel::draw_trial(PanelContext& context, commands::ImportChoices& cho
     tooltip(context.theme, choices.folder.empty() ? "Choose a new folder" : choices.folder.string());
 }
 
+/// The reason why the trial cannot be added yet is shown above the buttons.
 void draw_import_controls(PanelContext& context) {
     const commands::RecordingImport& import = *context.state.import;
     const std::string& problem = import.view.problem;

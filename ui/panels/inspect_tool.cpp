@@ -24,6 +24,7 @@ void draw_edges(ImDrawList& list, const viewport::DrawnScene& scene, const viewp
 
 }  // namespace
 
+/// The card stays open while the motion plays, and its values follow the shown time.
 void InspectTool::update(PanelContext& context, const viewport::DrawnScene& scene,
                          const viewport::ViewportState& view) {
     const commands::WorkbenchState& state = context.state;
@@ -62,6 +63,8 @@ const commands::MarkerError* InspectTool::error_of(const commands::WorkbenchStat
     return m < errors_.size() ? &errors_[m] : nullptr;
 }
 
+/// A marker gets a ring; a place on the body gets the edges of its cell and the nearest node, whose field value the
+/// card shows.
 void InspectTool::draw_highlight(const PanelContext& context, const viewport::DrawnScene& scene,
                                  const viewport::ViewportState& view) const {
     const float s = context.theme.scale;

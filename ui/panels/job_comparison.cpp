@@ -32,6 +32,7 @@ std::vector<Compared> columns_of(const commands::WorkbenchState& state) {
     return columns;
 }
 
+/// Error of a run, or a dash.
 std::string error_of(const commands::RunResult* run) {
     return run && std::isfinite(run->rms_m) ? plot::millimetres(run->rms_m) : "\xe2\x80\x93";
 }
@@ -44,6 +45,7 @@ bool compares_jobs(const commands::WorkbenchState& state) {
     return false;
 }
 
+/// The first column and the row of titles stay in place while the table scrolls in both directions.
 void draw_job_comparison(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;

@@ -17,6 +17,7 @@ std::string counted_words(const commands::JobView& job) {
     return count_label(progress.done) + " of " + count_label(progress.total) + " " + progress.unit;
 }
 
+/// A cancelled or paused job has no remaining time.
 std::string time_words(const commands::JobView& job) {
     if (job.cancelling) return "stopping";
     if (job.paused) return "paused";

@@ -27,6 +27,7 @@ const char* record_icon(const commands::JobRecord& record) {
     return state_of(record) == commands::CheckState::green ? platform::icon::done : check_icon(state_of(record));
 }
 
+/// The colour of the icon; the same severity as in record_icon().
 ImVec4 record_color(const platform::Theme& theme, const commands::JobRecord& record) {
     if (record.outcome == commands::JobOutcome::failed) return theme.failure;
     return record.outcome == commands::JobOutcome::stopped ? theme.warning : check_color(theme, state_of(record));
@@ -47,6 +48,7 @@ bool small_button(PanelContext& context, const char* label, const std::string& i
     return pressed;
 }
 
+/// The running job: its progress, and buttons to pause and cancel it.
 void running_row(PanelContext& context, const commands::JobView& job, bool wide) {
     const platform::Theme& theme = context.theme;
     ImGui::TableNextRow();
@@ -79,6 +81,7 @@ void running_row(PanelContext& context, const commands::JobView& job, bool wide)
     ImGui::EndDisabled();
 }
 
+/// A waiting job can only be removed.
 void waiting_row(PanelContext& context, const commands::QueuedJob& job, bool wide) {
     const platform::Theme& theme = context.theme;
     ImGui::TableNextRow();
@@ -94,6 +97,7 @@ void waiting_row(PanelContext& context, const commands::QueuedJob& job, bool wid
         context.emit(commands::Unqueue{job.id});
 }
 
+/// An ended job. Compare exists only for jobs that kept their run.
 void record_row(PanelContext& context, const commands::JobRecord& record, bool wide) {
     const platform::Theme& theme = context.theme;
     const std::string id = std::to_string(record.id);
@@ -159,6 +163,8 @@ void JobsPanel::draw(PanelContext& context) {
     draw_job_comparison(context);
 }
 
+/// The columns have fixed widths except for the result, which takes the rest. Column titles are left out where icons
+/// say the same.
 void JobsPanel::draw_list(PanelContext& context, const ImVec2& size) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;

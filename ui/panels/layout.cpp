@@ -5,6 +5,7 @@
 
 namespace myo::ui::panels {
 
+// All sizes are rounded to whole pixels, so that text in the parts stays sharp.
 Layout make_layout(float width, float height, float scale, const commands::LayoutSizes& sizes) {
     const float edge = std::round(4.0f * scale);
     const float bar = std::round(44.0f * scale);

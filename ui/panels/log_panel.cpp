@@ -9,6 +9,7 @@ namespace myo::ui::panels {
 
 std::string LogPanel::title() const { return std::string(platform::icon::list) + "  Messages"; }
 
+// Numbers since the start identify lines, as old ones are removed at the front.
 void LogPanel::draw(PanelContext& context) {
     const std::vector<commands::LogLine>& lines = context.state.log;
     if (lines.empty()) muted_text(context.theme, "No messages yet.");

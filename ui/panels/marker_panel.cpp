@@ -15,7 +15,7 @@
 namespace myo::ui::panels {
 namespace {
 
-constexpr const char* plot_help =
+constexpr const char* plot_help =  // tooltip of the help icon
     "Wheel: zoom in time about the mouse; with Shift in mm\n"
     "Drag with the right button: zoom to a box\n"
     "Drag with the left button: move the curves; double-click: show all\n"
@@ -56,6 +56,7 @@ TrialCurves overlaid_curves(const commands::OverlaidMarker& other, std::size_t m
 
 std::string MarkerPanel::title() const { return std::string(platform::icon::chart) + "  Markers"; }
 
+/// Controls in one line; below it the plots of the selected coordinates next to each other, with equal widths.
 void MarkerPanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     if (!state.scene_trial() || state.scene->markers.empty()) {
@@ -93,6 +94,7 @@ void MarkerPanel::draw(PanelContext& context) {
     }
 }
 
+/// In a narrow panel the buttons are icons, and the error moves to a line of its own or into the table of errors.
 void MarkerPanel::draw_choice(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const float s = context.theme.scale;
@@ -142,6 +144,7 @@ void MarkerPanel::draw_choice(PanelContext& context) {
     draw_error(context);
 }
 
+/// Without a selected range: the error of the marker over the whole trial. With one: its error within the range.
 void MarkerPanel::draw_error(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const commands::SimulatedTrial* simulated = state.simulated_trial();
@@ -240,6 +243,7 @@ void MarkerPanel::draw_legend(PanelContext& context) {
     ImGui::PopFont();
 }
 
+/// Three ways to save: the data as CSV, the plots as vectors (SVG), or as pixels (PNG).
 void MarkerPanel::draw_export(PanelContext& context, const std::string& name) {
     if (!ImGui::BeginPopup("markers export")) return;
     if (ImGui::MenuItem("Table (CSV)\xe2\x80\xa6")) {
@@ -274,6 +278,8 @@ void MarkerPanel::see(const plot::Plot& plot, const plot::PlotResult& drawn, con
     seen_.push_back(std::move(seen));
 }
 
+/// The plot of one coordinate and, if there is a run and enough height, its residual below with the same time axis.
+/// Measured samples are dots, simulations lines.
 void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& size) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;

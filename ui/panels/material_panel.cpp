@@ -48,6 +48,7 @@ std::string place_label(const Eigen::Vector3d& p) {
 
 }  // namespace
 
+/// Material law and parameters can be edited; support and gravity are shown as the experiment declares them.
 void MaterialPanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     setting_choice(context, "Material", "model/material",

@@ -13,6 +13,7 @@
 
 namespace myo::ui::panels {
 
+// Shared with the panel of the run, hence the prefix of the item names.
 void draw_trial_errors(PanelContext& context, const std::string& item, const commands::RunResult* run) {
     const commands::WorkbenchState& state = context.state;
     if (!ImGui::BeginTable("trials", 3, ImGuiTableFlags_RowBg)) return;
@@ -56,6 +57,7 @@ void draw_import_button(PanelContext& context) {
 
 }  // namespace
 
+/// Errors of the trials, then errors of the markers of the shown trial: in all, or one quantity per axis.
 void MeasurePanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;

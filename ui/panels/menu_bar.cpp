@@ -27,6 +27,7 @@ void draw_recent(PanelContext& context) {
     ImGui::EndMenu();
 }
 
+/// The examples that come with the program.
 void draw_examples(PanelContext& context) {
     const std::vector<commands::Example>& examples = context.state.examples;
     const bool open = !examples.empty() && ImGui::BeginMenu("Examples");
@@ -109,6 +110,7 @@ void draw_message(PanelContext& context, float right) {
 
 }  // namespace
 
+/// Menus and buttons on the left, checks, scale and theme on the right, the newest message in the room between them.
 void draw_menu_bar(PanelContext& context, viewport::ViewportState& viewport) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;

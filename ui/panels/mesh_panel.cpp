@@ -11,6 +11,7 @@
 namespace myo::ui::panels {
 namespace {
 
+// Explanations say when to use an element, not how it is built.
 const std::vector<commands::Choice>& element_choices() {
     static const std::vector<commands::Choice> choices{
         {"hex8", "Hexahedra (hex8)",
@@ -36,6 +37,7 @@ void MeshPanel::draw(PanelContext& context) {
     draw_report(context);
 }
 
+/// Edge length as a number and as a logarithmic slider: its range spans a factor of 40.
 void MeshPanel::draw_mesh_settings(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -83,6 +85,7 @@ void MeshPanel::draw_mesh_settings(PanelContext& context) {
     }
 }
 
+/// The prediction states where it comes from, as it may be wrong by a factor of two.
 void MeshPanel::draw_step_cost(PanelContext& context, double dofs) {
     const commands::WorkbenchState& state = context.state;
     if (!(dofs > 0.0)) return;

@@ -25,6 +25,7 @@ void add_files(std::vector<Action>& all, const commands::WorkbenchState& state) 
         all.push_back({"recent/" + path.string(), "Open lately", path.string(), {}, opens(path)});
 }
 
+/// Selects a trial of the open scene.
 void add_trials(std::vector<Action>& all, const commands::WorkbenchState& state) {
     if (!state.scene) return;
     for (std::size_t t = 0; t < state.scene->trials.size(); ++t) {
@@ -45,6 +46,7 @@ std::string without_icon(const std::string& title) {
     return {letter, title.end()};
 }
 
+/// Shows a panel below the view. Panels at the side are reached through their task.
 void add_panels(std::vector<Action>& all, const commands::WorkbenchState& state,
                 const std::vector<std::unique_ptr<Panel>>& panels) {
     if (!state.scene) return;

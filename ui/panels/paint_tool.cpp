@@ -54,6 +54,7 @@ bool PaintTool::takes(const commands::WorkbenchState& state, const viewport::Dra
     return can_paint(state) && !ImGui::GetIO().KeyShift && hit_at(state, scene, view, pixel).has_value();
 }
 
+/// The revision changes only if something was shown, so that the view is not rendered without need.
 void PaintTool::drop() {
     stroke_.reset();
     ground_.reset();
@@ -79,6 +80,7 @@ void PaintTool::press(PanelContext& context, const viewport::DrawnScene& scene, 
     context.emit(commands::Paint{state.muscle, std::make_shared<const fibre::CellPaint>(std::move(paint)), "fill"});
 }
 
+/// Extends the stroke by the place under the mouse and updates the paint that the view shows.
 void PaintTool::go_on(const commands::WorkbenchState& state, const Touch& touch) {
     // Points too close to the last one are skipped; see closest_points.
     if (live_ && (touch.rest_m - last_).norm() < closest_points * state.brush.radius_m) return;
@@ -88,6 +90,7 @@ void PaintTool::go_on(const commands::WorkbenchState& state, const Touch& touch)
     ++revision_;
 }
 
+/// Escape, another mesh and another muscle end a stroke without a result.
 void PaintTool::update(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view) {
     const commands::WorkbenchState& state = context.state;
     // The state contains the finished stroke by now, so the tool's copy is no longer needed.

@@ -35,6 +35,7 @@ void Palette::open() {
     chosen_ = 0;
 }
 
+/// The list is filtered in each frame; arrow keys move the highlight, Enter or a click executes the entry.
 void Palette::draw(PanelContext& context, viewport::ViewportState& viewport,
                    const std::vector<std::unique_ptr<Panel>>& panels) {
     const platform::Theme& theme = context.theme;

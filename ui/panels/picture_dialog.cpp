@@ -28,6 +28,7 @@ void PictureDialog::open(const commands::WorkbenchState& state, const viewport::
     if (size_ == "view") request_.width = view.width, request_.height = view.height;
 }
 
+/// The fixed sizes are common for slides and videos. Other sizes are typed.
 void PictureDialog::draw_size(PanelContext& context) {
     const std::vector<commands::Choice> sizes{{"view", "As the view is", ""},
                                               {"1600x900", "1600 \xc3\x97 900", ""},
@@ -75,6 +76,7 @@ void PictureDialog::draw_time(PanelContext& context) {
                    edit_, *request_.time_s, goes_on);
 }
 
+/// The number of images is shown, so that the user can judge how long the writing takes.
 void PictureDialog::draw_motion(PanelContext& context) {
     const std::array<double, 2> span = commands::time_span(context.state);
     bool goes_on = false;
@@ -103,6 +105,7 @@ void PictureDialog::draw_motion(PanelContext& context) {
              count > most_pictures ? &context.theme.failure : nullptr);
 }
 
+/// Closes itself before the file browser opens, as only one modal dialog can be in front.
 void PictureDialog::draw(PanelContext& context) {
     if (!open_ || !context.state.scene) return;
     if (!begin_dialog(context.theme, "Save the 3D view", 420.0f)) return;

@@ -49,6 +49,7 @@ bool place_clicked(const PanelContext& context, const viewport::DrawnScene& scen
 
 }  // namespace
 
+// The tool is active only while the import asks for it, so it has no state of its own.
 bool update_placing(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view) {
     const commands::WorkbenchState& state = context.state;
     if (!state.import || !state.import->placing || !state.body) return false;

@@ -49,6 +49,7 @@ void ask_unit(PanelContext& context) {
     ImGui::EndPopup();
 }
 
+/// The dialog for the file name takes its place while a project without a name is being saved.
 void ask_unsaved(PanelContext& context) {
     if (!begin_dialog(context.theme, "Unsaved changes", 440.0f)) return;
     const std::string name = context.state.project.empty() ? context.state.scene->name
@@ -70,6 +71,7 @@ void ask_unsaved(PanelContext& context) {
 // Also used to find out whether the dialog is open.
 constexpr const char* stop_title = "A job is still running";
 
+/// The default is to keep the job running, as its results would be lost.
 void ask_to_stop(PanelContext& context) {
     if (!begin_dialog(context.theme, stop_title, 440.0f)) return;
     const std::string name = context.state.job ? context.state.job->name : "A job";
@@ -86,6 +88,7 @@ void ask_to_stop(PanelContext& context) {
     ImGui::EndPopup();
 }
 
+/// One recovery file after the other, the newest first.
 void ask_recovery(PanelContext& context) {
     if (!begin_dialog(context.theme, "Unsaved work was found", 480.0f)) return;
     const std::size_t count = context.state.recovered.size();

@@ -30,6 +30,7 @@ std::vector<std::pair<double, double>> seen_spans(const Eigen::VectorXd& time_s,
 
 std::string RecordingPanel::title() const { return std::string(platform::icon::camera) + "  Recording"; }
 
+/// Three plots in the upper part, the gaps of all labels below. A click on a row of the gaps selects its label.
 void RecordingPanel::draw(PanelContext& context) {
     if (!context.state.import)
         return muted_text(context.theme, "A recording that is being imported is looked at here.");

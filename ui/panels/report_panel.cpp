@@ -24,6 +24,7 @@ std::string proposed_folder(const commands::WorkbenchState& state) {
 
 }  // namespace
 
+/// Lists what will be written and what each part requires, so that a missing page is no surprise.
 void ReportPanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;

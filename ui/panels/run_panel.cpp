@@ -14,6 +14,7 @@
 
 namespace myo::ui::panels {
 
+/// The result itself; the controls are at the foot of the side panel.
 void RunPanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     if (!state.run) {
@@ -71,6 +72,8 @@ void draw_progress(PanelContext& context) {
 
 }  // namespace
 
+/// From top to bottom: progress of the running job, a warning if the motion would be unstable, and the buttons. Run and
+/// Calibrate can also be pressed while a job runs; the request then waits.
 void draw_run_controls(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;

@@ -73,6 +73,7 @@ Result<void> wait_for_jobs(commands::Workbench& workbench, const Progress& progr
     return {};
 }
 
+// Panels are shown twice: first to report unknown names at once, and again at the end, as opening and jobs show others.
 Result<platform::Image> draw_screenshot(std::shared_ptr<commands::Backend> backend, const ScreenshotOptions& options,
                                         const Progress& progress) {
     auto context = platform::OffscreenContext::make(options.width, options.height);

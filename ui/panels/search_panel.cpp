@@ -44,6 +44,8 @@ void SearchPanel::draw_values(PanelContext& context, bool starts) {
     ImGui::EndTable();
 }
 
+/// Table of the values on the left, up to three curves on the right: error, loss and gradient, as many as there is room
+/// for.
 void SearchPanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;

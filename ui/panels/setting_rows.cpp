@@ -12,6 +12,7 @@ void setting_rows(PanelContext& context, const std::vector<SettingField>& fields
     }
 }
 
+// The item name also names the edit for undo.
 void setting_choice(PanelContext& context, const std::string& label, const std::string& name, const std::string& tip,
                     const std::vector<commands::Choice>& choices, std::string commands::Settings::*id) {
     commands::Settings settings = context.state.settings;

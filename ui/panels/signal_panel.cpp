@@ -15,6 +15,7 @@ namespace {
 constexpr float reach = 9.0f;
 constexpr plot::Range least_range{0.9, 1.1};  // always visible, so that a constant signal is not magnified
 
+// In the order of commands::SignalShape.
 const std::vector<commands::Choice>& shape_choices() {
     static const std::vector<commands::Choice> choices{
         {"constant", "Constant", "The same value at all times."},
@@ -54,6 +55,7 @@ std::filesystem::path folder_of(const commands::Scene& scene) {
     return scene.path.has_extension() ? scene.path.parent_path() : scene.path;
 }
 
+/// Dialog that reads a signal into the muscle that is selected now.
 FileDialog import_dialog(const commands::WorkbenchState& state) {
     FileDialog dialog;
     dialog.title = "Import the signal of " + state.chosen_muscle()->name;
@@ -66,6 +68,7 @@ FileDialog import_dialog(const commands::WorkbenchState& state) {
     return dialog;
 }
 
+/// Dialog that writes the signal which is shown now.
 FileDialog export_dialog(const commands::WorkbenchState& state) {
     const commands::Muscle& muscle = *state.chosen_muscle();
     FileDialog dialog;
@@ -86,6 +89,7 @@ FileDialog export_dialog(const commands::WorkbenchState& state) {
 
 std::string SignalPanel::title() const { return std::string(platform::icon::bolt) + "  Signals"; }
 
+/// Controls in one line, the curve below.
 void SignalPanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     if (!state.chosen_muscle()) {
@@ -102,6 +106,8 @@ void SignalPanel::draw(PanelContext& context) {
     draw_curve(context);
 }
 
+/// A muscle that follows another one shows the relation instead of controls. A declared muscle can return to its
+/// recorded signals.
 void SignalPanel::draw_head(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const commands::Muscle& muscle = *state.chosen_muscle();
@@ -152,6 +158,7 @@ void SignalPanel::draw_head(PanelContext& context) {
     }
 }
 
+/// The popup keeps its recipe, so that several muscles can get the same signal.
 void SignalPanel::draw_generator(PanelContext& context) {
     const commands::Muscle& muscle = *context.state.chosen_muscle();
     if (ImGui::Button("Generate")) ImGui::OpenPopup("generate");
@@ -229,6 +236,7 @@ void SignalPanel::draw_generator(PanelContext& context) {
     ImGui::EndPopup();
 }
 
+/// The file format is a table time_s,<muscle>, linear between rows and constant outside.
 void SignalPanel::draw_file(PanelContext& context) {
     const std::string& name = context.state.chosen_muscle()->name;
     if (ImGui::Button("CSV")) ImGui::OpenPopup("signal file");
@@ -248,6 +256,8 @@ void SignalPanel::draw_file(PanelContext& context) {
     ImGui::EndPopup();
 }
 
+/// The selected muscle's signal over the signals of the others, which are drawn faintly. An editable plot leaves the
+/// left button to the knots.
 void SignalPanel::draw_curve(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;

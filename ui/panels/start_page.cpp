@@ -72,6 +72,7 @@ int card_columns(int cards, int most) {
     return columns;
 }
 
+/// Examples first, as a new user starts with them; then a file of the user's own, and the recent files.
 void draw_start_page(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;

@@ -40,6 +40,7 @@ void draw_state(ImDrawList& list, const ImVec2& center, const platform::Theme& t
 
 }  // namespace
 
+/// Each task is a full-width button with icon, title and state. The tooltip says what to do next.
 void draw_step_rail(PanelContext& context, commands::Step chosen, bool narrow) {
     const platform::Theme& theme = context.theme;
     const float s = theme.scale, height = 36.0f * s, width = ImGui::GetWindowWidth();
@@ -71,6 +72,7 @@ void draw_step_rail(PanelContext& context, commands::Step chosen, bool narrow) {
     }
 }
 
+/// An outdated task is a warning; a task that is done has the severity of its checks.
 void draw_step_head(PanelContext& context, commands::Step step) {
     const commands::StepStatus status = commands::step_status(context.state, step);
     const platform::Theme& theme = context.theme;

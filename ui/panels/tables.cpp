@@ -33,6 +33,7 @@ std::string shortened(const std::string& text, const Fits& fits) {
 
 }  // namespace
 
+// Both texts keep as many characters as fit; the caller shows the complete text in a tooltip.
 std::string elided(const std::string& text, float width) {
     return shortened(text, [&](const std::string& part) { return ImGui::CalcTextSize(part.c_str()).x <= width; });
 }
@@ -59,6 +60,7 @@ void text_cell(const platform::Theme& theme, const std::string& text, const ImVe
     if (shown != text) tooltip(theme, text);
 }
 
+// At least 40 pixels at scale 1, so that numbers fit below short titles.
 void number_column(const platform::Theme& theme, const Heading& heading, int flags) {
     const float width = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, heading.title.c_str()).x;
     ImGui::TableSetupColumn(heading.title.c_str(), ImGuiTableColumnFlags_WidthFixed | flags,

@@ -65,6 +65,8 @@ float grip_x(const commands::Limits& range, double value) {
 
 }  // namespace
 
+/// Time scheme and step, what the step means for the measured vibration, the damping that the scheme adds, and the
+/// velocity force with its limit of stability.
 void TimePanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     setting_choice(context, "Time scheme", "model/integrator", "How the equations of motion are stepped in time.",
@@ -96,6 +98,7 @@ void TimePanel::draw_slider(PanelContext& context, const SettingField& field, co
     context.emit(commands::ChangeSettings{settings, field.field.name, goes_on});
 }
 
+/// Without an open scene there is no recording from which the program could choose.
 void TimePanel::draw_step_choice(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     if (!state.scene) return;  // without a trial the program has nothing to choose by
@@ -113,6 +116,8 @@ void TimePanel::draw_step_choice(PanelContext& context) {
     context.items.mark("model/automatic_step");
 }
 
+/// Compares the step with the recording and with the vibration. Left out for schemes without an estimate of their
+/// frequency error.
 void TimePanel::draw_step_state(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -149,6 +154,7 @@ void TimePanel::draw_step_state(PanelContext& context) {
     context.items.mark("model/frequency_error");
 }
 
+/// Drawn over the slider that was submitted last, so it has to be called right after it.
 void TimePanel::draw_stability(PanelContext& context, commands::Limits range) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -181,6 +187,7 @@ void TimePanel::draw_stability(PanelContext& context, commands::Limits range) {
     context.items.mark("model/critical_velocity_force");
 }
 
+/// The damping ratio at one frequency, which the user can change, and the curve over the step below it.
 void TimePanel::draw_numerical_damping(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const commands::Choice* const scheme = state.integrator();
@@ -206,6 +213,7 @@ void TimePanel::draw_numerical_damping(PanelContext& context) {
     draw_damping_curve(context, *scheme);
 }
 
+/// Where the curve of the scheme meets the measured damping, the scheme alone damps as much as the body.
 void TimePanel::draw_damping_curve(PanelContext& context, const commands::Choice& scheme) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;

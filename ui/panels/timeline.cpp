@@ -81,6 +81,7 @@ void draw_track(PanelContext& context, const std::array<double, 2>& span, float 
 
 }  // namespace
 
+/// The track takes the width that the other controls leave.
 void draw_timeline(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const float s = context.theme.scale;

@@ -11,6 +11,7 @@
 
 namespace myo::ui::panels {
 
+/// Verdict, confidence, reasons and remarks as text; then the errors per trial before and with the selected row.
 void VerdictPanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;

@@ -46,6 +46,7 @@ void draw_field_range(PanelContext& context, const commands::FieldKind& kind, co
         range = {kind.per_unit * typed[0], kind.per_unit * typed[1]};
 }
 
+/// Only for unsigned fields: signed ones have the diverging map.
 void draw_color_map_choice(PanelContext& context, commands::ViewOptions& view) {
     const viewport::ColorMap&
         shown = viewport::color_maps()[static_cast<std::size_t>(viewport::number_of_color_map(view.color_map))];
@@ -70,6 +71,7 @@ std::string words_about(const commands::FieldKind& kind, const std::string& need
            (needed.empty() ? "" : "\n\n" + needed);
 }
 
+// Closed, the list explains the selected field; open, each entry explains itself.
 void draw_field_choice(PanelContext& context, commands::ViewOptions& view) {
     const std::vector<commands::FieldKind> kinds = commands::field_kinds(context.backend);
     const auto chosen = std::find_if(kinds.begin(), kinds.end(),

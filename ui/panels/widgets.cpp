@@ -123,6 +123,7 @@ bool OpenEdit::goes_on(const std::string& name, bool changed) {
     return continues;
 }
 
+// ImGui edits the shown value; limits and value are converted to the shown unit and back.
 bool number_row(PanelContext& context, const NumberField& field, OpenEdit& edit, double& value, bool& goes_on) {
     row_label(context.theme, field.label, field.tip);
     double shown = value / field.per_unit;

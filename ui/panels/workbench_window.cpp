@@ -42,12 +42,14 @@ std::vector<int> muscle_looks(const std::vector<commands::Muscle>& muscles) {
     return colors;
 }
 
+/// Beginning of the message after a failure.
 std::string cannot_write(const PictureRequest& request) {
     return request.moves ? "Cannot write the pictures: " : "Cannot write the picture: ";
 }
 
 }  // namespace
 
+// The first panel of the strip in all_panels() is the one in front at the start.
 Result<WorkbenchWindow> WorkbenchWindow::make(commands::Workbench& workbench) {
     auto interface = platform::Interface::make(workbench.state().preferences.theme, workbench.state().scale());
     if (!interface) return interface.error();
@@ -72,6 +74,7 @@ void WorkbenchWindow::show_step(commands::Step step) {
     wake();
 }
 
+// A side panel is shown by showing its task.
 bool WorkbenchWindow::show_panel(const std::string& name) {
     for (const auto& panel : panels_) {
         if (panel->name() != name) continue;
@@ -97,6 +100,7 @@ bool WorkbenchWindow::must_draw() const {
                             part_);
 }
 
+/// The column of tasks, and next to it the panels of the selected task.
 void WorkbenchWindow::draw_side(PanelContext& context) {
     // The tasks fill their column without padding at the sides.
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 8.0f * context.theme.scale));
@@ -133,6 +137,7 @@ void WorkbenchWindow::draw_side(PanelContext& context) {
     ImGui::End();
 }
 
+/// One tab per panel; a panel that is not offered has none.
 void WorkbenchWindow::draw_strip(PanelContext& context) {
     begin_part("##strip", layout_.strip, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     const auto width_of = [](const std::string& label) {
@@ -171,6 +176,7 @@ void WorkbenchWindow::draw_strip(PanelContext& context) {
     ImGui::End();
 }
 
+/// The view fills its part of the window; the rendered scene is copied there before ImGui's lists are drawn over it.
 void WorkbenchWindow::draw_view(PanelContext& context) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
     // Without a scene there is nothing to play or plot, so the start page gets the whole room.
@@ -197,6 +203,7 @@ void WorkbenchWindow::draw_view(PanelContext& context) {
     ImGui::End();
 }
 
+/// Dragging an edge changes the preferences, so that the sizes are kept for the next session.
 void WorkbenchWindow::draw_edges(PanelContext& context) {
     commands::LayoutSizes sizes = context.state.preferences.layout;
     // An invisible window over each edge receives the drag.
@@ -239,6 +246,8 @@ void WorkbenchWindow::react_to_keys(PanelContext& context) {
     if (ImGui::IsKeyPressed(ImGuiKey_RightArrow)) step(1.0);
 }
 
+/// Keeps scene_ up to date. The key contains everything that the scene depends on; comparing it is cheap, as large
+/// parts are compared by pointer.
 void WorkbenchWindow::update_scene() {
     const commands::WorkbenchState& state = workbench_->state();
     const SceneKey key{state.scene,
@@ -283,6 +292,7 @@ void WorkbenchWindow::update_scene() {
     ++revision_;
 }
 
+/// Draws all parts in a fixed order; dialogs last, as they lie in front.
 void WorkbenchWindow::draw_parts(PanelContext& context) {
     constexpr ImGuiWindowFlags still = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
     draw_view(context);
@@ -331,6 +341,7 @@ void WorkbenchWindow::follow(WindowRequests& requests) {
     if (requests.save_view) picture_dialog_.open(state, viewport_.size());
 }
 
+/// Images start after the view has been rendered once, as they use its camera and size.
 void WorkbenchWindow::begin_pictures() {
     if (!picture_ || film_.runs()) return;
     const PictureRequest request = *std::exchange(picture_, std::nullopt);
@@ -340,6 +351,7 @@ void WorkbenchWindow::begin_pictures() {
         workbench_->execute(commands::Tell{commands::LogLevel::failure, cannot_write(request) + begun.error().text()});
 }
 
+/// One image per frame, with a message after the last one.
 void WorkbenchWindow::add_picture() {
     if (!film_.runs()) return;
     const PictureRequest request = film_.request();
@@ -352,6 +364,7 @@ void WorkbenchWindow::add_picture() {
         workbench_->execute(commands::Tell{commands::LogLevel::done, written + request.path.string() + "."});
 }
 
+/// The part is read from the framebuffer, so it looks exactly as in the window.
 void WorkbenchWindow::write_part(int width, int height) {
     const WindowPart part = *std::exchange(part_, std::nullopt);
     const Result<void> written = platform::write_png(
@@ -361,6 +374,7 @@ void WorkbenchWindow::write_part(int width, int height) {
                 : commands::Tell{commands::LogLevel::failure, "Cannot write the picture: " + written.error().text()});
 }
 
+/// The order within a frame: results of jobs, input, scene, panels, requests, rendering, and finally the commands.
 Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) {
     // After a pause without frames, playing must not jump.
     seconds = std::clamp(seconds, 0.0, 0.25);
