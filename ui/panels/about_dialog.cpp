@@ -40,6 +40,7 @@ void draw_libraries(const std::vector<commands::Library>& libraries) {
 void draw_about(PanelContext& context, bool& open) {
     if (!open) return;
     const platform::Theme& theme = context.theme;
+    // Width in pixels at scale 1; the licences need lines of some length.
     if (!begin_dialog(theme, "About Myoloop", 560.0f)) return;
     heading(theme, "Myoloop " + context.backend.version());
     // The list scrolls in a low window, so that the button stays visible.
@@ -48,6 +49,7 @@ void draw_about(PanelContext& context, bool& open) {
     muted_text(theme, "A workbench for soft robots. It stands on these libraries and fonts:");
     draw_libraries(context.backend.libraries());
     ImGui::Spacing();
+    // The summary comes last: it follows from the licences in the list.
     muted_text(theme, bound_by);
     ImGui::EndChild();
     context.items.mark("about/text");

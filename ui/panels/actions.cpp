@@ -31,6 +31,7 @@ std::function<void(PanelContext&, viewport::ViewportState&)> emits(Asked asked) 
 void rescale(PanelContext& context, float factor) {
     context.emit(commands::SetTheme{
         context.state.preferences.theme,
+        // The factors 1.25 and 0.8 are inverse, so that larger and smaller cancel.
         std::clamp(context.state.scale() * factor, commands::least_scale, commands::greatest_scale)});
 }
 
@@ -42,6 +43,7 @@ void add_file_actions(std::vector<Action>& all) {
                    "Open\xe2\x80\xa6",
                    {platform::key_o, true, false, "Ctrl+O"},
                    [](PanelContext& context, viewport::ViewportState&) {
+                       // Starts where the open file is, as related files are often next to it.
                        context.window.file = open_dialog(context.state.scene ? context.state.scene->path
                                                                              : std::filesystem::path());
                    }});
@@ -104,6 +106,7 @@ void add_edit_actions(std::vector<Action>& all) {
         };
     };
     const auto has_muscle = [](const commands::WorkbenchState& s) { return s.chosen_muscle() != nullptr; };
+    // State of the menu entry: the tick shows the tool that is active.
     const auto holds = [](commands::BrushTool tool) {
         return [tool](const commands::WorkbenchState& s) { return s.brush.tool == tool; };
     };
@@ -189,6 +192,7 @@ void add_view_actions(std::vector<Action>& all) {
                        commands::BrushSettings brush = context.state.brush;
                        // A click can either measure or paint.
                        brush.tool = commands::BrushTool::none;
+                       // Switching measuring off leaves the tool as it is.
                        if (view.measuring) context.emit(commands::ChangeBrush{brush});
                    },
                    with_scene(),
@@ -206,6 +210,7 @@ void add_view_actions(std::vector<Action>& all) {
                    {},
                    [](PanelContext& context, viewport::ViewportState&) {
                        const bool dark = context.state.preferences.theme == platform::ThemeName::dark;
+                       // The scale is part of the same command and must be kept.
                        context.emit(commands::SetTheme{dark ? platform::ThemeName::light : platform::ThemeName::dark,
                                                        context.state.scale()});
                    },
@@ -332,6 +337,7 @@ void react_to_shortcuts(PanelContext& context, viewport::ViewportState& viewport
         if (keys.key < 0 || keys.ctrl != io.KeyCtrl || (keys.shift != io.KeyShift && keys.key != platform::key_plus) ||
             !ImGui::IsKeyPressed(keys.key, false))
             continue;
+        // A disabled action ignores its shortcut, as its menu entry ignores clicks.
         if (!action.enabled || action.enabled(context.state)) action.perform(context, viewport);
     }
     if (io.KeyCtrl && io.KeyShift && ImGui::IsKeyPressed(ImGuiKey_Z, false))

@@ -58,6 +58,7 @@ void checks_line(PanelContext& context, const commands::CheckRows& rows, const s
     if (rows.empty()) return;
     check_text(context.theme, commands::worst_state(rows), "Checks: " + commands::doubt_words(rows));
     context.items.mark(item);
+    // The line names only what needs attention; the tooltip counts all states.
     tooltip(context.theme, commands::count_words(rows) + "\nA click shows what was found.");
     go_to_checks(context);
 }
@@ -69,6 +70,7 @@ float checks_mark(PanelContext& context, float left, float right) {
     const std::string all = std::string(mark.sign) + "  " + mark.words;
     const bool fits = left + ImGui::CalcTextSize(all.c_str()).x <= right;
     const std::string shown = fits ? all : mark.sign;
+    // Flush right: the width changes with the words, the right edge does not.
     const float begin = right - ImGui::CalcTextSize(shown.c_str()).x;
     ImGui::SetCursorPosX(begin);
     ImGui::AlignTextToFramePadding();

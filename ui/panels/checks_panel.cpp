@@ -42,6 +42,7 @@ void draw_wide_row(const platform::Theme& theme, const commands::CheckRow& row) 
     draw_question(theme, row);
     ImGui::TableNextColumn();
     draw_sentence(theme, row);
+    // Where the threshold comes from is of interest at both numbers.
     const std::string source = row.source.empty() ? "" : "Threshold: " + row.source;
     number_cell(theme, row.figure.empty() ? dash : row.figure);
     tooltip(theme, source);
@@ -82,6 +83,7 @@ void ChecksPanel::draw_head(PanelContext& context) {
          {commands::CheckState::green, commands::CheckState::amber, commands::CheckState::red}) {
         const auto is_of = [&](const commands::CheckRow& row) { return row.state == state; };
         const auto count = std::count_if(report.rows.begin(), report.rows.end(), is_of);
+        // States without a check are left out, as in the summary of the menu bar.
         if (count == 0) continue;
         check_text(theme, state, std::to_string(count) + " " + commands::check_word(state));
         ImGui::SameLine(0.0f, 16.0f * theme.scale);
@@ -90,6 +92,7 @@ void ChecksPanel::draw_head(PanelContext& context) {
     ImGui::TextColored(theme.muted, "%s", elided(of, ImGui::GetContentRegionAvail().x).c_str());
     ImGui::EndGroup();
     context.items.mark("checks/head");
+    // Outdated checks stay visible, as they still describe the shown run.
     if (context.state.checks_are_current()) return;
     ImGui::TextColored(theme.warning, "%s", platform::icon::stale);
     ImGui::SameLine(0.0f, 8.0f * theme.scale);
@@ -125,6 +128,7 @@ void ChecksPanel::draw_rows(PanelContext& context) {
         ImGui::TableNextRow();
         const std::string number = std::to_string(i);
         draw_state(context, rows[i], number);
+        // Tests get the whole row; ImGui knows only its cells.
         const ImVec2 corner = ImGui::GetItemRectMin();
         if (wide)
             draw_wide_row(theme, rows[i]);

@@ -34,6 +34,7 @@ ImVec4 verdict_color(const platform::Theme& theme, const commands::DiagnosisView
 /// Progress of the diagnosis: its present part, what is counted, and the times.
 std::string stage_words(const commands::JobView& job) {
     std::string words = job.progress.task.empty() ? "Starting" : job.progress.task;
+    // The parts of a diagnosis have lower-case names.
     words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
     if (const std::string counted = counted_words(job); !counted.empty()) words += ", " + counted;
     if (!job.progress.message.empty()) words += " \xc2\xb7 " + job.progress.message;
@@ -79,6 +80,7 @@ void DiagnosePanel::draw(PanelContext& context) {
                    "measured markers.");
         return;
     }
+    // Before drawing, as the parts below use zoom and axis.
     follow(state);
     draw_head(context);
     if (!state.diagnosis) {
@@ -106,6 +108,7 @@ void DiagnosePanel::draw(PanelContext& context) {
         context.items.mark("diagnose/show/ranking");
         if (row) ImGui::SameLine();
     }
+    // In a narrow panel the ranking is one of the alternatives, like the details.
     const bool alone = narrow && ranking_;
     if (row) draw_choices(context, alone);
     if (alone)
@@ -127,6 +130,7 @@ void DiagnosePanel::follow(const commands::WorkbenchState& state) {
     // Until the user selects an axis, the one with the largest error is shown.
     if (!axis_chosen_ && state.diagnosis) axis_ = std::clamp(state.diagnosis->worst_axis, 0, 2);
     const commands::DiagnosisRow* const row = state.diagnosis_row();
+    // One string for everything that identifies the curve is simpler to compare than six members.
     const std::string shown = state.scene->path.string() +
                               (row && row->kind == commands::DiagnosisRow::Kind::missing_force ? " force " : " ") +
                               std::to_string(state.trial) + " " + std::to_string(state.marker) + " " +
@@ -147,6 +151,7 @@ void DiagnosePanel::draw_head(PanelContext& context) {
     const ImVec2 button{132.0f * s, 0.0f};
     // While a diagnosis runs, the head shows its progress instead of the verdict.
     if (state.diagnosing()) {
+        // Once cancelled, the button has nothing more to do, but the job needs time to end.
         ImGui::BeginDisabled(state.job->cancelling);
         if (ImGui::Button((std::string(platform::icon::stop) + "  Cancel").c_str(), button))
             context.emit(commands::Cancel{});
@@ -169,6 +174,7 @@ void DiagnosePanel::draw_head(PanelContext& context) {
     if (!state.diagnosis) return;
     const commands::DiagnosisView& d = *state.diagnosis;
     const commands::DiagnosisRow* const row = state.diagnosis_row();
+    // Text of the button on the right; empty: no button.
     std::string add;
     if (can_be_added(row))
         add = is_in_model(state, *row) ? std::string(platform::icon::done) + "  Added to the model"
@@ -187,6 +193,7 @@ void DiagnosePanel::draw_head(PanelContext& context) {
     ImGui::TextColored(verdict_color(theme, d), "%s", elided(headline, room).c_str());
     ImGui::PopFont();
     context.items.mark("diagnose/verdict");
+    // Reasons and indistinguishable effects are one text, shown below the head and in the tooltip.
     std::string words = d.because;
     for (const std::string& each : d.confounded) words += (words.empty() ? "" : " ") + each;
     tooltip(theme, d.headline + (d.complete ? "\n" + confidence : "") + (words.empty() ? "" : "\n\n") + words);
@@ -209,6 +216,7 @@ void DiagnosePanel::draw_head(PanelContext& context) {
                            "it. The next run has it; undo takes it out.");
     }
     if (words.empty()) return;
+    // One or two lines, depending on the height that is left.
     const ImVec2 below = ImGui::GetContentRegionAvail();
     if (below.y < 160.0f * s) return;  // the plot needs the room; the tooltip of the verdict has the text
     muted_text(theme, elided_lines(words, below.x, below.y > 180.0f * s ? 2 : 1));
@@ -223,6 +231,7 @@ void DiagnosePanel::draw_ranking(PanelContext& context) {
     const platform::Theme& theme = context.theme;
     const commands::DiagnosisView& d = *state.diagnosis;
     const commands::DiagnosisRow* const shown = state.diagnosis_row();
+    // Six columns always exist; those without room are disabled, so the rows below need no cases.
     if (!ImGui::BeginTable("candidates", 6,
                            ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
                                ImGuiTableFlags_BordersOuterH))
@@ -259,12 +268,14 @@ void DiagnosePanel::draw_ranking(PanelContext& context) {
             context.emit(commands::ChooseCandidate{row.key});
         ImGui::PopStyleColor();
         context.items.mark("diagnose/row/" + row.key);
+        // The tooltip adds what the columns cannot show: similar effects, and why there are no force arrows.
         const std::string like = row.like.empty() ? "" : "This experiment cannot tell it from " + row.like + ".";
         std::string words = row.name +
                             (row.value.empty() ? "" : ": " + row.value);  // complete, however narrow the table is
         for (const std::string& more : {like, row.no_force})
             if (!more.empty()) words += (words.empty() ? "" : "\n") + more;
         tooltip(theme, words);
+        // The verdict's row carries the icon of the checks instead of a tick of its own.
         const std::string sign = row.chosen ? std::string("  ") + check_icon(commands::worst_state(d.checks)) : "";
         text_cell(theme, row.name + sign, row.chosen ? verdict_color(theme, d) : color);
         ImGui::TableNextColumn();
@@ -296,6 +307,7 @@ void DiagnosePanel::draw_choices(PanelContext& context, bool none) {
     tooltip(theme, "Errors of the trials before and after");
     const commands::DiagnosisRow* const row = state.diagnosis_row();
     if (none || errors_ || row->kind == commands::DiagnosisRow::Kind::missing_force) return;
+    // The marker is shared with the other panels; the axis belongs to this panel.
     const auto& markers = state.scene->markers;
     const std::size_t current = std::min(static_cast<std::size_t>(state.marker), markers.size() - 1);
     // In a narrow window these controls get a line of their own.
@@ -338,6 +350,7 @@ void DiagnosePanel::draw_residual(PanelContext& context, const commands::Diagnos
     const platform::Theme& theme = context.theme;
     const auto trial = static_cast<std::size_t>(state.trial), marker = static_cast<std::size_t>(state.marker);
     const commands::DiagnosisView& d = *state.diagnosis;
+    // Residuals appear trial by trial while the diagnosis runs.
     if (trial >= d.trials.size() || marker >= d.trials[trial].residual_m.size()) {
         muted_text(theme, "The residual of " +
                               (state.scene_trial() ? state.scene_trial()->name : std::string("this trial")) +
@@ -355,6 +368,7 @@ void DiagnosePanel::draw_residual(PanelContext& context, const commands::Diagnos
     plot.mark = 0.0;
     plot.legend = true;
     plot.zero_line = true;
+    // Residuals have the sample times of the trial.
     const Eigen::VectorXd& time = state.scene_trial()->time_s;
     plot.series.push_back(
         {"measured", time, 1e3 * d.trials[trial].residual_m[marker].row(axis_).transpose(), theme.measured, true});
@@ -373,6 +387,7 @@ void DiagnosePanel::draw_force(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
     const commands::ForceCourses& force = state.diagnosis->missing_force;
+    // The largest amplitude decides the unit of the whole plot.
     double largest = 0.0;
     for (const Eigen::VectorXd& amplitude : force.amplitude_N)
         if (amplitude.size() > 0) largest = std::max(largest, amplitude.cwiseAbs().maxCoeff());
@@ -435,6 +450,7 @@ void DiagnosePanel::draw_errors(PanelContext& context, const commands::Diagnosis
         tooltip(theme, trial.name + (trial.fitted ? ", fitted" : ", predicted"));
         ImGui::PopID();
         text_cell(theme, trial.fitted ? "fit" : "predicted", theme.text);
+        // A row that was not fitted has no errors: dashes.
         const double after_m = t < row.after_m.size() ? row.after_m[t] : std::nan("");
         // The same error twice: in millimetres and in noise levels.
         for (const double factor : {1e3, 1.0 / d.noise_m}) {

@@ -74,8 +74,10 @@ void DistanceTool::update(PanelContext& context, const viewport::DrawnScene& sce
         if (!begun_) view.measuring = false;
         begun_.reset();
     }
+    // Measuring may have been switched off by its menu entry or shortcut.
     if (!view.measuring) begun_.reset();
     if (view.measuring && view.clicked) {
+        // Markers take precedence within reach, so that distances between markers are exact.
         const auto place = commands::pick_place(state, scene, view.camera, view.size(), view.mouse,
                                                 static_cast<double>(marker_reach * context.theme.scale));
         if (place && begun_)
@@ -96,6 +98,7 @@ void DistanceTool::update(PanelContext& context, const viewport::DrawnScene& sce
     if (begun_)
         if (const auto a = window_pixel(view, commands::place_now(*begun_, scene)))
             draw_line(list, context.theme, *a, view.hovered ? ImGui::GetIO().MousePos : *a);
+    // The hint names the next click and the key that leaves the tool.
     const std::string hint = begun_ ? "Click the other end. Esc: another start."
                                     : "Click two places on the body or its markers. Esc ends.";
     draw_hint(context, view, hint, "view/distance_hint");

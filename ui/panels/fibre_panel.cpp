@@ -110,6 +110,7 @@ void FibrePanel::draw_list(PanelContext& context) {
     for (int m = 0; m < static_cast<int>(state.settings.muscles.size()); ++m) {
         const commands::Muscle& muscle = state.settings.muscles[static_cast<std::size_t>(m)];
         ImGui::PushID(m);
+        // A square in the muscle's colour before the name; the name is indented by spaces to leave room for it.
         const float box = ImGui::GetTextLineHeight();
         const ImVec2 at = ImGui::GetCursorScreenPos();
         if (ImGui::Selectable(("        " + muscle.name).c_str(), m == state.muscle))
@@ -135,6 +136,7 @@ void FibrePanel::draw_list(PanelContext& context) {
     if (ImGui::Button((std::string(platform::icon::plus) + "  Add a muscle").c_str(), {-1.0f, 0.0f})) {
         commands::Settings settings = state.settings;
         settings.muscles.push_back(new_muscle(settings));
+        // The new muscle is selected by a second command, which is executed after the first one.
         const int added = static_cast<int>(settings.muscles.size()) - 1;
         context.emit(commands::ChangeSettings{std::move(settings), "add muscle", false});
         context.emit(commands::ChooseMuscle{added});
@@ -147,6 +149,7 @@ void FibrePanel::draw_list(PanelContext& context) {
 void FibrePanel::draw_name(PanelContext& context) {
     const commands::Muscle& muscle = *context.state.chosen_muscle();
     row_label(context.theme, "Name", "Heads the muscle's column in files of signals.");
+    // While the field has the keyboard, its text is not replaced by the state.
     if (!typing_) typed_name_ = muscle.name;
     // A declared muscle keeps the name that it has in the experiment.
     ImGui::BeginDisabled(!muscle.declared.empty());
@@ -175,6 +178,7 @@ void FibrePanel::draw_link(PanelContext& context) {
     // A muscle that others follow needs its own signal, so it can have no partner itself.
     const bool leads = std::any_of(state.settings.muscles.begin(), state.settings.muscles.end(),
                                    [&](const commands::Muscle& other) { return other.follows == muscle.name; });
+    // Only muscles with their own signal are offered.
     std::vector<commands::Choice> partners{{"", "None", "It has a signal of its own."}};
     for (const commands::Muscle& other : state.settings.muscles)
         if (other.name != muscle.name && other.follows.empty() && !leads)
@@ -212,6 +216,7 @@ void FibrePanel::draw_muscle(PanelContext& context) {
     ImGui::Spacing();
     draw_name(context);
     row_label(theme, "Colour");
+    // Eight swatches fill the column exactly, whatever its width.
     const float swatch = std::floor((ImGui::GetContentRegionAvail().x - 7.0f * 2.0f * theme.scale) / 8.0f);
     for (int c = 0; c < static_cast<int>(theme.muscles.size()); ++c) {
         if (c > 0) ImGui::SameLine(0.0f, 2.0f * theme.scale);
@@ -240,6 +245,7 @@ void FibrePanel::draw_muscle(PanelContext& context) {
         0.1};
     if (number_row(context, field, edit_, stiffness, goes_on))
         change(context, "stiffness of a muscle", goes_on, [&](commands::Muscle& m) { m.stiffness_Pa = stiffness; });
+    // The action of a follower results from its ratio, so only leaders have this row.
     std::string action = muscle.extends ? "extends" : "contracts";
     if (muscle.follows.empty() && choice_row(context, "When active", "fibres/action",
                                              "What the muscle does; turns its signal over.", action_choices(), action))
@@ -265,11 +271,13 @@ void FibrePanel::draw_paint_actions(PanelContext& context) {
         text_row(theme, "Painted",
                  amount_label(
                      fibre::amount_of(context.live_paint ? *context.live_paint : *paint, state.ground->volumes_m3)));
+    // All paint actions end in the same command, each with its own name for undo.
     const auto repaint = [&](const char* what, fibre::CellPaint changed) {
         context.emit(commands::Paint{state.muscle, std::make_shared<const fibre::CellPaint>(std::move(changed)), what});
     };
     const float gap = ImGui::GetStyle().ItemSpacing.x,
                 third = std::floor((ImGui::GetContentRegionAvail().x - 2.0f * gap) / 3.0f);
+    // Three buttons per row.
     const auto button = [&](const char* label, const char* name, const char* tip) {
         const bool pressed = ImGui::Button(label, {third, 0.0f});
         context.items.mark(name);
@@ -284,6 +292,7 @@ void FibrePanel::draw_paint_actions(PanelContext& context) {
         repaint("shrink", fibre::shrunk(*paint, state.ground->neighbours));
     ImGui::SameLine();
     if (button("Straighten", "fibres/straighten", "All its fibres along the axis in which it reaches farthest")) {
+        // Only the directions change; weights stay.
         fibre::CellPaint straight = *paint;
         straight.directions = fibre::directions_along_longest_axis(state.body->mesh, paint->weights);
         repaint("straighten", std::move(straight));
@@ -310,6 +319,7 @@ void FibrePanel::draw_brush(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
     ImGui::Spacing();
+    // Edited as a copy; one command at the end if anything changed.
     commands::BrushSettings brush = state.brush;
     struct Tool {
         commands::BrushTool tool;
@@ -342,6 +352,7 @@ void FibrePanel::draw_brush(PanelContext& context) {
     ImGui::EndDisabled();
     // Ranges of the sliders follow the size of the body.
     const double reach = state.body ? mesh::bounding_box(state.body->mesh.nodes).size().norm() : 1.0;
+    // Brush settings are not part of undo, so it does not matter whether a drag continues.
     bool ignored = false;
     const auto number = [&](const NumberField& field, double& value) {
         number_row(context, field, edit_, value, ignored);

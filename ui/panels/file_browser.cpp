@@ -124,6 +124,7 @@ void FileBrowser::draw_places(PanelContext& context) {
     };
     const char* const home = std::getenv("HOME");
     std::error_code ignored;
+    // Without HOME the entry is left out.
     place(platform::icon::home, "Home", home ? home : "", "browser/place/home");
     place(platform::icon::closed_folder, "Working folder", fs::current_path(ignored), "browser/place/working");
     if (!state.examples.empty())
@@ -146,6 +147,7 @@ void FileBrowser::draw_entries(PanelContext& context) {
                                           : platform::icon::file;
         ImGui::TextColored(experiment ? theme.accent : theme.muted, "%s", icon);
         ImGui::SameLine(28.0f * theme.scale);
+        // Experiment folders are marked on the right, as they are opened as a whole.
         const char* const tag = "experiment";
         const float room = ImGui::GetContentRegionAvail().x -
                            (experiment ? ImGui::CalcTextSize(tag).x + 16.0f * theme.scale : 0.0f);
@@ -153,6 +155,7 @@ void FileBrowser::draw_entries(PanelContext& context) {
         if (ImGui::Selectable(elided(entry.name, room).c_str(), selected_ == entry.name,
                               ImGuiSelectableFlags_AllowDoubleClick)) {
             selected_ = entry.name;
+            // Clicking an existing file proposes to replace it.
             if (!entry.folder && writes()) name_ = entry.name;
             if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
                 (entry.folder && !experiment ? enter : chosen) = folder_ / entry.name;
@@ -195,12 +198,14 @@ bool FileBrowser::draw_name(PanelContext& context, const fs::path& target, bool 
     ImGui::TextUnformatted("Name");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(260.0f * theme.scale);
+    // The keyboard goes to the name when the dialog opens, so that it can be typed at once.
     if (typing_name_) ImGui::SetKeyboardFocusHere();
     typing_name_ = false;
     const bool entered = ImGui::InputText("##name", &name_,
                                           ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     context.items.mark("browser/name");
     if (replaces) {
+        // The first Enter only warns; replaced_ remembers for which file.
         const bool again = target == replaced_;
         const float room = ImGui::GetWindowContentRegionMax().x - ImGui::GetItemRectMax().x + ImGui::GetWindowPos().x -
                            240.0f * theme.scale;
@@ -232,6 +237,7 @@ void FileBrowser::draw_foot(PanelContext& context) {
     const bool cancelled = ImGui::Button("Cancel", {width, 0.0f}) || ImGui::IsKeyPressed(ImGuiKey_Escape, false);
     context.items.mark("browser/cancel");
     ImGui::SameLine();
+    // A folder can be chosen without a selection: then it is the shown one.
     const bool has_choice = writes() ? !name_.empty() && !fs::is_directory(asked, ignored)
                                      : !selected_.empty() || dialog_->folders;
     ImGui::BeginDisabled(!has_choice);
@@ -299,7 +305,9 @@ void FileBrowser::draw_new_folder(PanelContext& context) {
 void FileBrowser::draw(PanelContext& context) {
     if (!dialog_) return;
     const float s = context.theme.scale;
+    // The part after ### identifies the popup, whatever title is shown.
     const std::string title = dialog_->title + "###file browser";
+    // ImGui opens popups only within a frame, so open() just sets a flag.
     if (just_opened_) ImGui::OpenPopup(title.c_str());
     just_opened_ = false;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -326,6 +334,7 @@ void FileBrowser::draw(PanelContext& context) {
     ImGui::SameLine();
     if (writes() || dialog_->folders) draw_new_folder(context);
     ImGui::SetNextItemWidth(-1.0f);
+    // Chosen at the end, as choosing closes the dialog while its parts are still being drawn.
     std::optional<fs::path> typed_file;
     if (ImGui::InputText("##path", &typed_, ImGuiInputTextFlags_EnterReturnsTrue)) {
         std::error_code ignored;
@@ -335,6 +344,7 @@ void FileBrowser::draw(PanelContext& context) {
             typed_file = typed_;
     }
     context.items.mark("browser/path");
+    // The lists leave room for the line of buttons below them.
     const float foot = ImGui::GetFrameHeightWithSpacing() + 4.0f * s;
     const float places = 170.0f * s, preview = 230.0f * s, gap = 2.0f * ImGui::GetStyle().ItemSpacing.x;
     const float middle = std::max(160.0f * s, ImGui::GetContentRegionAvail().x - places - preview - gap);

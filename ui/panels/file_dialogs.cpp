@@ -36,6 +36,7 @@ FileDialog save_dialog(const commands::WorkbenchState& state) {
     dialog.button = "Save";
     dialog.endings = {commands::project_ending};
     dialog.start = state.project.empty() ? std::filesystem::path() : state.project;
+    // A new project is proposed with the name of its experiment.
     dialog.new_name = state.project.empty() ? state.scene->path.stem().string() + commands::project_ending
                                             : state.project.filename().string();
     dialog.chosen = [](PanelContext& context, const std::filesystem::path& path) {
@@ -54,6 +55,7 @@ FileDialog picture_dialog(const PictureRequest& request, const std::string& name
     if (!ending.empty()) dialog.endings = {ending};
     dialog.new_name = name;
     dialog.chosen = [request](PanelContext& context, const std::filesystem::path& path) {
+        // The request is complete except for the path.
         PictureRequest asked = request;
         asked.path = path;
         context.window.picture = asked;
@@ -81,6 +83,7 @@ FileDialog table_dialog(std::string title, const std::string& name, std::string 
     dialog.new_name = name + ending;
     // The text is stored now, so that the file contains what was shown when the dialog was opened.
     dialog.chosen = [table = std::move(table)](PanelContext& context, const std::filesystem::path& path) {
+        // Writing a table is short, so it happens here and not in a job.
         const Result<void> written = write_file(path, table);
         context.emit(written ? commands::Tell{commands::LogLevel::done, "Wrote " + path.string()}
                              : commands::Tell{commands::LogLevel::failure, "Cannot save: " + written.error().text()});

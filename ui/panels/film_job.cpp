@@ -42,6 +42,7 @@ float picture_scale(const viewport::ViewSize& view, const viewport::ViewSize& pi
 Result<void> FilmJob::begin(const PictureRequest& request, FilmedView filmed) {
     give_up();
     request_ = request;
+    // 0 stands for the size of the view at this moment.
     if (request_.width <= 0) request_.width = filmed.view.size().width, request_.height = filmed.view.size().height;
     // A single image shows the time of the request, whatever is shown when it is rendered.
     if (!request_.moves) request_.from_s = request_.time_s.value_or(filmed.state.time_s);
@@ -91,6 +92,7 @@ Result<bool> FilmJob::add(const commands::Backend& backend) {
                          : writer_ ? writer_->add(*image)
                                    : platform::write_png(*image, request_.path);
     if (added) ++done_;
+    // A failure ends the job as the last image does; its output is removed by the writer.
     const bool last = added && done_ == picture_count(request_);
     if (last && writer_) added = writer_->finish();
     if (last || !added) give_up();
@@ -117,6 +119,7 @@ void FilmJob::draw_overlay(const viewport::DrawnScene& scene) {
     measure(filmed_->distances, scene);
     canvas_->draw(renderer_->framebuffer(), request_.width, request_.height,
                   [&](ImDrawList& list, const platform::Theme& theme) {
+                      // Names of markers follow the option of the view.
                       viewport::draw_view_overlay(list, view.pixels, view.camera, scene, theme, state.view.labels);
                       draw_distances(list, theme, filmed_->distances, scene, view);
                       if (const auto span = commands::time_span(state); span[1] > span[0])

@@ -28,6 +28,7 @@ void FitPanel::draw_calibrate(PanelContext& context) {
     heading(theme, "Values of the model");
     if (state.scene->calibrated.empty())
         return muted_text(theme, "The experiment leaves nothing unknown: material.calibrate is empty.");
+    // One parameter per line.
     std::string list;
     for (const std::string& label : state.scene->calibrated) list += (list.empty() ? "" : "\n") + label;
     text_row(theme, "Unknown", list);
@@ -49,6 +50,7 @@ void FitPanel::draw_optimize(PanelContext& context) {
     if (state.settings.muscles.empty())
         return muted_text(theme, "There is no muscle. Add one under Fibres and paint it on the body.");
     if (!measured) return muted_text(theme, "The shown trial has no measured markers to follow.");
+    // Edited as a copy and emitted if anything changed.
     commands::OptimizeRequest request = state.optimize;
     text_row(theme, "Follow", trial->name);
     tooltip(theme, "The trial that the timeline shows is the target.");

@@ -82,6 +82,7 @@ void ImportPanel::draw_file(PanelContext& context) {
     const commands::RecordingFile& file = context.state.import->file;
     const measurement::Recording& recording = *file.recording;
     text_row(context.theme, "File", file.path.filename().string());
+    // Facts that identify the recording: format, labels, samples, rate and duration.
     char text[160];
     std::snprintf(text, sizeof text, "%s, %zu labels, %lld samples, %.4g Hz, %.4g s", file.format.c_str(),
                   recording.labels.size(), static_cast<long long>(recording.sample_count()), recording.rate_Hz,
@@ -90,6 +91,7 @@ void ImportPanel::draw_file(PanelContext& context) {
     commands::ReadingOptions reading = file.reading;
     // The unit is a property of the file, so changing it reads the file again.
     if (file.asks_unit) {
+        // Shown until the user chooses a unit.
         std::string unit = "mm";
         for (std::size_t u = 0; u < units.size(); ++u)
             if (reading.metres_per_unit == unit_lengths[u]) unit = units[u].id;
@@ -126,6 +128,7 @@ void ImportPanel::draw_placing(PanelContext& context, commands::ImportChoices& c
         context.items.mark(item);
         tooltip(context.theme, std::string("The body's ") + "xyz"[k] + " points along this axis of the cameras.");
         if (!open) continue;
+        // Both signs of each axis.
         for (const int axis : {1, -1, 2, -2, 3, -3}) {
             if (ImGui::Selectable(axis_label(axis).c_str(), choices.axes[k] == axis) && choices.axes[k] != axis) {
                 // The axis that was selected here moves to where the new one was, so that the three stay different.
@@ -166,6 +169,7 @@ void ImportPanel::draw_name(PanelContext& context, std::size_t label, commands::
                                         ImGuiComboFlags_NoArrowButton);
     context.items.mark(item);
     if (!open) return;
+    // Labels without a marker are not imported: reflections, or markers on other objects.
     if (ImGui::Selectable("left out", marker.name.empty())) marker = {};
     context.items.mark(item + "/none");
     for (const commands::SceneMarker& own : declared) {
@@ -197,11 +201,13 @@ void ImportPanel::draw_markers(PanelContext& context, commands::ImportChoices& c
             ImGui::TableNextRow();
             ImGui::TableNextColumn();
             ImGui::AlignTextToFramePadding();
+            // The selected label is also the one that clicks in the view assign.
             const bool chosen = static_cast<int>(i) == import.label;
             const float own_width = ImGui::GetContentRegionAvail().x;
             if (ImGui::Selectable(elided(label, ImGui::GetContentRegionAvail().x).c_str(), chosen,
                                   ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap)) {
                 context.emit(commands::ChooseLabel{static_cast<int>(i), import.placing});
+                // The plots of the selected label are below the view.
                 context.window.panel = "recording";
             }
             // Another column may cover the middle of the row, so tests get only its first cell.
@@ -226,6 +232,7 @@ void ImportPanel::draw_markers(PanelContext& context, commands::ImportChoices& c
             "Tells labels from markers by their names and by the distances between them. On a plain mesh: gives those "
             "that were not clicked the nearest place of the body.");
     ImGui::SameLine();
+    // The button is a toggle: its colour shows whether clicks place labels.
     ImGui::PushStyleColor(ImGuiCol_Button, import.placing ? theme.accent : theme.raised);
     ImGui::PushStyleColor(ImGuiCol_Text, import.placing ? theme.on_accent : theme.text);
     ImGui::BeginDisabled(!context.state.body);
@@ -287,6 +294,7 @@ void ImportPanel::draw_trial(PanelContext& context, commands::ImportChoices& cho
     row_label(context.theme, "Goes into",
               new_one ? "A plain mesh becomes an experiment in a folder of its own."
                       : "The trial is added to the experiment that is open, or to a copy of it.");
+    // The button shows the present target.
     const std::string place = !choices.folder.empty() ? choices.folder.filename().string()
                               : new_one               ? "New folder\xe2\x80\xa6"
                                                       : "This experiment";

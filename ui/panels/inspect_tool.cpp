@@ -46,6 +46,7 @@ void InspectTool::update(PanelContext& context, const viewport::DrawnScene& scen
 void InspectTool::click(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view) {
     const double reach = static_cast<double>(marker_reach * context.theme.scale);
     picked_ = commands::pick_place(context.state, scene, view.camera, view.size(), view.mouse, reach);
+    // View and plots always show the same marker.
     if (picked_ && picked_->marker >= 0) context.emit(commands::ChooseMarker{picked_->marker});
 }
 
@@ -97,6 +98,7 @@ void InspectTool::draw_card(PanelContext& context, const viewport::DrawnScene& s
     const std::vector<commands::ReportLine> lines = commands::lines_about(*picked_, context.state, scene,
                                                                           error_of(context.state));
     const float s = context.theme.scale, margin = 10.0f * s, line = ImGui::GetTextLineHeight() + 3.0f * s;
+    // Two columns as wide as their longest text.
     float labels = 0.0f, values = 0.0f;
     for (const commands::ReportLine& each : lines) {
         labels = std::max(labels, ImGui::CalcTextSize(each.label.c_str()).x);

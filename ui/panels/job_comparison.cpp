@@ -74,6 +74,7 @@ void draw_job_comparison(PanelContext& context) {
         text_cell(theme, row.name, theme.muted);
         context.items.mark("jobs/differs/" + row.name);
         for (const std::string& value : row.values) {
+            // Long values, such as signals, are shortened; the tooltip has all of them.
             const std::string shown = elided(value, 92.0f * theme.scale);
             number_cell(theme, shown);
             if (shown != value) tooltip(theme, value);

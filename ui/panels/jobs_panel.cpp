@@ -105,6 +105,7 @@ void record_row(PanelContext& context, const commands::JobRecord& record, bool w
     text_cell(theme, record_icon(record), record_color(theme, record));
     context.items.mark("jobs/icon/" + id);
     text_cell(theme, record.name, theme.text);
+    // Cancelled and failed jobs have no measured time.
     const std::string time = record.seconds > 0.0 ? plot::value_label(record.seconds, 3) + " s" : "";
     // In the narrow layout start time and duration are in the tooltip of the name.
     if (wide)
@@ -125,6 +126,7 @@ void record_row(PanelContext& context, const commands::JobRecord& record, bool w
                 "in the view. The settings in which it differs are listed, too.");
     }
     ImGui::TableNextColumn();
+    // A failed job has nothing to show.
     ImGui::BeginDisabled(!record.can_be_restored());
     if (small_button(context, wide ? "Restore" : platform::icon::undo, "jobs/restore/" + id,
                      "Show it again, with its settings; undo brings the present ones back"))
@@ -174,6 +176,7 @@ void JobsPanel::draw_list(PanelContext& context, const ImVec2& size) {
         Heading heading;
         float width;
     };  // width [pixels at scale 1]; 0: the remaining width
+    // Widths in pixels at scale 1.
     std::vector<Column> columns{
         {{"", ""}, 20.0f},
         {{"Job", ""}, 110.0f},

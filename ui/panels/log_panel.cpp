@@ -15,6 +15,7 @@ void LogPanel::draw(PanelContext& context) {
     if (lines.empty()) muted_text(context.theme, "No messages yet.");
     const std::size_t logged = context.state.logged;
     const float width = ImGui::GetContentRegionAvail().x;
+    // Another width or scale wraps the lines differently.
     if (width != width_ || context.theme.scale != scale_) heights_.clear();
     width_ = width;
     scale_ = context.theme.scale;

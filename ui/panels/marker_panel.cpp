@@ -80,6 +80,7 @@ void MarkerPanel::draw(PanelContext& context) {
     const ImVec2 space = ImGui::GetContentRegionAvail(), corner = ImGui::GetCursorScreenPos();
     plots_ = {corner, {corner.x + space.x, corner.y + space.y}};
     context.items.add("markers/plots", plots_);
+    // All plots may be switched off.
     const int count = static_cast<int>(std::count(shown_.begin(), shown_.end(), true));
     if (count == 0) return;
     const ImVec2 size{std::floor(space.x / static_cast<float>(count)), space.y};
@@ -100,6 +101,7 @@ void MarkerPanel::draw_choice(PanelContext& context) {
     const float s = context.theme.scale;
     const auto& markers = state.scene->markers;
     const std::size_t current = std::min(static_cast<std::size_t>(state.marker), markers.size() - 1);
+    // Decided once per frame, so that all controls use the same layout.
     const bool narrow = is_narrow(context.theme);  // buttons then show icons
     const float gap = narrow ? 4.0f * s : 8.0f * s;
     ImGui::SetNextItemWidth(narrow ? 80.0f * s : std::min(200.0f * s, 0.34f * ImGui::GetContentRegionAvail().x));
@@ -164,6 +166,7 @@ void MarkerPanel::draw_error(PanelContext& context) {
     }
     if (text.empty()) return;
     ImGui::SameLine(0.0f, 16.0f * context.theme.scale);
+    // Without room in the line of the controls, the text goes below it.
     if (ImGui::CalcTextSize(text.c_str()).x > ImGui::GetContentRegionAvail().x) {
         ImGui::NewLine();
         if (!time_.chosen) return;  // the table of errors has it; the error of a range is shown only here
@@ -186,6 +189,7 @@ void MarkerPanel::draw_trials(PanelContext& context, bool narrow) {
     for (std::size_t t = 0; t < state.scene->trials.size(); ++t) {
         const commands::SceneTrial& trial = state.scene->trials[t];
         const int index = static_cast<int>(t);
+        // The list contains the shown trial, too, so that its position among the others is clear.
         bool drawn = index == state.trial || overlaid_.count(index) > 0;
         // The shown trial is always drawn.
         ImGui::BeginDisabled(index == state.trial);
@@ -218,6 +222,7 @@ void MarkerPanel::draw_trials(PanelContext& context, bool narrow) {
 void MarkerPanel::draw_legend(PanelContext& context) {
     const platform::Theme& theme = context.theme;
     std::vector<plot::LegendEntry> entries{{"measured", theme.measured, true}};
+    // Only curves that exist have an entry.
     if (context.state.simulated_trial()) entries.push_back({"simulated", theme.simulated, false});
     for (const commands::ComparedMarker& other : commands::compared_markers(context.state))
         entries.push_back({other.name, theme.muscle(static_cast<int>(other.record)), false});
@@ -288,6 +293,7 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
     const commands::SceneTrial& trial = *state.scene_trial();
     const commands::SimulatedTrial* simulated = state.simulated_trial();
     const std::string axis_name = axis_names[a];
+    // A run of another version of the experiment may lack the marker or have other samples.
     const bool compare = simulated && m < simulated->markers.size() &&
                          simulated->markers[m].cols() == trial.time_s.size();
 
@@ -299,6 +305,7 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
     const std::vector<commands::OverlaidMarker> others = commands::overlaid_markers(state, overlaid_);
     plot.legend = others.empty();
     plot.selectable = true;
+    // The residual plot is filled along with the main one.
     plot::Plot strip;
     for (const commands::OverlaidMarker& other : others) {  // first, so that the shown trial is drawn over them
         TrialCurves curves = overlaid_curves(other, m, axis, theme);
@@ -324,6 +331,7 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
     // In a low strip the motion keeps all the room.
     const bool residual = compare && size.y > 110.0f * theme.scale;
     plot.x_axis = !residual;
+    // At least high enough for its axis labels.
     const float residual_height = residual ? std::max(76.0f * theme.scale, 0.42f * size.y) : 0.0f;
     const plot::PlotResult main = plot::draw_plot(plot, {size.x, size.y - residual_height}, theme, context.items, time_,
                                                   main_[a], hidden_);

@@ -66,6 +66,7 @@ void MaterialPanel::draw(PanelContext& context) {
     } else {
         muted_text(context.theme, "Nothing holds the body.");
     }
+    // Shown as a vector, as it need not act along an axis.
     const double g = state.scene->gravity_m_s2.norm();
     text_row(context.theme, "Gravity",
              g > 0.0 ? plot::plain_label(state.scene->gravity_m_s2.x(), 3) + ", " +

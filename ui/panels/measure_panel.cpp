@@ -100,6 +100,7 @@ void MeasurePanel::draw(PanelContext& context) {
     // Computed in each frame: one pass over the samples of the shown trial.
     const std::vector<commands::MarkerError> errors = commands::marker_errors(*state.scene, *trial,
                                                                               state.simulated_trial());
+    // The first table has one number per error, the others one per axis.
     const std::vector<Heading> whole{{"Marker", ""},
                                      {"rms [mm]", "Over all three coordinates, from t = 0 on", true},
                                      {"max [mm]", "Largest distance", true},
@@ -111,6 +112,7 @@ void MeasurePanel::draw(PanelContext& context) {
     ImGui::TableSetupColumn("marker", ImGuiTableColumnFlags_WidthStretch);
     for (std::size_t k = 1; k < headings.size(); ++k) number_column(theme, headings[k]);
     heading_row(theme, headings);
+    // A length in millimetres, or a dash.
     const auto length = [&](double metres) {
         number_cell(theme, std::isfinite(metres) ? plot::value_label(1e3 * metres, 2) : "\xe2\x80\x93");
     };

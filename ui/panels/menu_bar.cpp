@@ -92,6 +92,7 @@ void draw_message(PanelContext& context, float right) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
     if (state.log.empty()) return;
+    // A preview has no entry in the log, as it is no result.
     const commands::LogLine line = state.previewing() ? commands::LogLine{state.preview.run->problem.empty()
                                                                               ? commands::LogLevel::information
                                                                               : commands::LogLevel::warning,
@@ -151,6 +152,7 @@ void draw_menu_bar(PanelContext& context, viewport::ViewportState& viewport) {
     ImGui::SetCursorPosX(right);
     ImGui::SetNextItemWidth(scale_width);
     if (ImGui::BeginCombo("##scale", (std::to_string(std::lround(100.0f * state.scale())) + " %").c_str())) {
+        // The values cover the range of the preferences.
         for (const int percent : {75, 100, 125, 150, 200, 250}) {
             const bool chosen = std::lround(100.0f * state.scale()) == percent;
             if (ImGui::Selectable((std::to_string(percent) + " %").c_str(), chosen))

@@ -79,6 +79,7 @@ void MeshPanel::draw_mesh_settings(PanelContext& context) {
     tooltip(theme,
             "Degrees of freedom: three displacements for each node. Orange above 300,000, where a step takes seconds.");
     draw_step_cost(context, dofs);
+    // The button disappears when the mesh is up to date.
     if (!state.mesh_is_current()) {
         if (primary_button(theme, "Build this mesh", {-1.0f, 0.0f})) context.emit(commands::BuildMesh{});
         context.items.mark("body/build");
@@ -95,6 +96,7 @@ void MeshPanel::draw_step_cost(PanelContext& context, double dofs) {
     // A run of exactly this mesh needs no extrapolation.
     const bool same = predicted.measured && predicted.from.dofs == dofs &&
                       predicted.from.element == state.settings.element;
+    // The row names the measurement that the number is derived from.
     const std::string source = predicted.measured ? milliseconds(predicted.from.seconds) + " measured at " +
                                                         with_separators(predicted.from.dofs) + " DOF"
                                                   : "from the benchmark";

@@ -97,6 +97,7 @@ void PaintTool::update(PanelContext& context, const viewport::DrawnScene& scene,
     if (handed_over_ || !can_paint(state) || (stroke_ && (ground_ != state.ground || muscle_ != state.muscle)) ||
         ImGui::IsKeyPressed(ImGuiKey_Escape, false))
         drop();
+    // The view decides who gets the drag; here only its course is followed.
     const bool held = view.tool_held && can_paint(state), pressed = held && !was_held_;
     was_held_ = held;
     std::optional<Touch> touch;

@@ -59,6 +59,7 @@ void Palette::draw(PanelContext& context, viewport::ViewportState& viewport,
     // The text field keeps the keyboard, so the arrow keys are read here.
     if (ImGui::IsKeyPressed(ImGuiKey_DownArrow)) ++chosen_;
     if (ImGui::IsKeyPressed(ImGuiKey_UpArrow)) --chosen_;
+    // Typing shortens the list, so the highlight may lie beyond its end.
     chosen_ = std::clamp(chosen_, 0, std::max(0, static_cast<int>(found.size()) - 1));
     const Action* wanted = nullptr;
     ImGui::BeginChild("found");
@@ -72,6 +73,7 @@ void Palette::draw(PanelContext& context, viewport::ViewportState& viewport,
         if (ImGui::Selectable(elided(action.menu + ": " + action.label, room).c_str(), i == chosen_)) wanted = &action;
         ImGui::EndDisabled();
         context.items.mark("palette/" + action.id);
+        // Scroll only for the keys: the mouse wheel must be able to move the list.
         if (i == chosen_ && (ImGui::IsKeyPressed(ImGuiKey_DownArrow) || ImGui::IsKeyPressed(ImGuiKey_UpArrow)))
             ImGui::SetScrollHereY();
         ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(action.shortcut.label).x);

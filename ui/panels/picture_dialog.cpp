@@ -43,6 +43,7 @@ void PictureDialog::draw_size(PanelContext& context) {
             // The ids of the fixed sizes contain them.
             std::sscanf(size_.c_str(), "%dx%d", &request_.width, &request_.height);
     }
+    // The fields always show the size; only "Other" allows to edit it.
     ImGui::BeginDisabled(size_ != "other");
     for (const auto& [label, item, side] : {std::tuple{"Width", "picture/width", &request_.width},
                                             std::tuple{"Height", "picture/height", &request_.height}}) {
@@ -91,6 +92,7 @@ void PictureDialog::draw_motion(PanelContext& context) {
                 {request_.from_s, std::max(request_.from_s, span[1])},
                 1e-2},
                edit_, request_.to_s, goes_on);
+    // Changing the first time may pass the last one.
     request_.to_s = std::max(request_.to_s, request_.from_s);
     number_row(context, {"Rate", "picture/rate", "1/s", "Pictures in a second of the film", 1.0, {1.0, 240.0}, 1.0},
                edit_, request_.rate_Hz, goes_on);
@@ -135,6 +137,7 @@ void PictureDialog::draw(PanelContext& context) {
     request_.moves = kind_ != Kind::picture;
     ImGui::Spacing();
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+    // The row of the number of images explains why.
     ImGui::BeginDisabled(picture_count(request_) > most_pictures);
     if (primary_button(context.theme, "Where\xe2\x80\xa6", {width, 0.0f})) {
         PictureRequest asked = request_;

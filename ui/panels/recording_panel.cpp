@@ -72,6 +72,7 @@ void RecordingPanel::draw(PanelContext& context) {
         choices.start_s = std::clamp(*drawn.cursor, recording.time_s[0], recording.time_s[recording.time_s.size() - 1]);
         context.emit(commands::ChangeImport{choices});
     }
+    // A child window clips rows that do not fit.
     ImGui::BeginChild("gaps", {space.x, gaps}, false,
                       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     draw_gaps(context, area, row);

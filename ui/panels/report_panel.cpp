@@ -31,6 +31,7 @@ void ReportPanel::draw(PanelContext& context) {
     if (!state.scene || !state.run)
         return muted_text(theme,
                           "Run, calibrate or diagnose first: then pages, tables and a picture of it can be written.");
+    // An edited folder is kept until another scene is opened.
     if (scene_ != state.scene) folder_ = proposed_folder(state);
     scene_ = state.scene;
     muted_text(theme, "Folder");

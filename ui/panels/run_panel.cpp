@@ -92,6 +92,7 @@ void draw_run_controls(PanelContext& context) {
     }
     const bool can_calibrate = state.scene && !state.scene->calibrated.empty();
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - spacing);
+    // The tooltips say that a request will wait.
     const std::string later = state.job ? "Waits until " + state.job->name + " has ended." : "";
     ImGui::BeginDisabled(!state.scene);
     const std::string run_label = std::string(platform::icon::play) + "  Run";
@@ -108,6 +109,7 @@ void draw_run_controls(PanelContext& context) {
     context.items.mark("run/calibrate");
     ImGui::EndDisabled();
     if (!can_calibrate) return;
+    // The tooltip lists the parameters that a calibration changes.
     std::string what = "Fits to the measured markers:";
     for (const std::string& label : state.scene->calibrated) what += "\n\xc2\xb7 " + label;
     tooltip(theme, what + (later.empty() ? "" : "\n" + later));

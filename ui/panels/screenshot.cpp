@@ -64,6 +64,7 @@ Result<void> wait_for_jobs(commands::Workbench& workbench, const Progress& progr
             workbench.execute(commands::Cancel{});
             return Error{"stopped", ""};
         }
+        // There is no window to wake, so the state is polled.
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     // A job that failed has logged a failure; the state keeps no other trace of it.
@@ -106,6 +107,7 @@ Result<platform::Image> draw_screenshot(std::shared_ptr<commands::Backend> backe
         if (options.diagnose) workbench.execute(commands::Diagnose{});
         if (const auto diagnosed = wait_for_jobs(workbench, progress); !diagnosed) return diagnosed.error();
     }
+    // The import comes last, as the timeline then shows the recording.
     if (!options.import.empty()) {
         workbench.execute(commands::ReadRecording{options.import});
         if (const auto read = wait_for_jobs(workbench, progress); !read) return read.error();

@@ -59,9 +59,11 @@ void SearchPanel::draw(PanelContext& context) {
     const ImVec2 space = ImGui::GetContentRegionAvail();
     // In a narrow strip the start values and the later curves are left out.
     const float s = theme.scale;
+    // Wide enough for the column of start values.
     const bool wide = space.x > 620.0f * s;
     const float values_width = std::floor(
         std::max(wide ? 280.0f * s : 220.0f * s, std::min(0.3f * space.x, 380.0f * s)));
+    // A curve below 150 pixels (at scale 1) is not readable.
     const int curves = std::clamp(static_cast<int>((space.x - values_width) / (150.0f * s)), 1, 3);
     ImGui::BeginChild("values", {values_width, 0.0f});
     draw_values(context, wide);

@@ -279,6 +279,7 @@ void SignalPanel::draw_curve(PanelContext& context) {
     // Signals of the other muscles, for comparison.
     for (const commands::Muscle& other : state.settings.muscles) {
         if (other.name == muscle.name) continue;
+        // Faint, so that the edited curve stands out.
         ImVec4 faint = theme.muscle(other.color);
         faint.w = 0.45f;
         plot.series.push_back(series_of(other.name, commands::signal_of(state, other), span, faint));
@@ -309,6 +310,7 @@ void SignalPanel::edit_knots(PanelContext& context, const fibre::Signal& signal,
         const ImVec2 p = pixel_of(area, signal.times_s[k], signal.values[k]);
         const float distance = std::hypot(p.x - mouse.x, p.y - mouse.y);
         if (drawn.hovered && distance < nearest) nearest = distance, near = k;
+        // The dragged knot is larger.
         const bool held = grabbed_ && *grabbed_ == k;
         list.AddCircleFilled(p, (held ? 6.0f : 4.5f) * theme.scale, platform::packed(theme.background), 20);
         list.AddCircle(p, (held ? 6.0f : 4.5f) * theme.scale, platform::packed(theme.text), 20, 1.6f * theme.scale);
@@ -333,6 +335,7 @@ void SignalPanel::edit_knots(PanelContext& context, const fibre::Signal& signal,
                     "knot of a signal", moved_);
         moved_ = true;
     } else if (drawn.hovered && !near && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        // Values are limited to 0.05 … 5, as in the generator.
         give_signal(context, commands::with_knot_added(signal, time, std::clamp(value, 0.05, 5.0)), "knot of a signal",
                     false);
     } else if (drawn.hovered && near && ImGui::IsMouseReleased(ImGuiMouseButton_Right) &&

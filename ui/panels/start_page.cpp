@@ -27,6 +27,7 @@ bool card(PanelContext& context, const std::string& item, const char* sign, cons
     list.AddRectFilled(at, end, platform::packed(hovered ? theme.hovered : theme.raised), 6.0f * s);
     list.AddRect(at, end, platform::packed(hovered ? theme.accent : theme.border), 6.0f * s);
     list.AddText(theme.large, theme.large->FontSize, {at.x + pad, at.y + pad}, platform::packed(theme.accent), sign);
+    // A low card has no room for text below its icon.
     const bool low = size.y < 4.0f * theme.large->FontSize;
     const float left = at.x + pad + (low ? 2.0f * theme.large->FontSize : 0.0f), wrap = end.x - pad - left;
     const float text_top = at.y + pad + (low ? 0.0f : 1.35f * theme.large->FontSize),
@@ -106,6 +107,7 @@ void draw_start_page(PanelContext& context) {
     for (std::size_t i = 0; i < state.preferences.recent.size(); ++i) {
         const std::filesystem::path& path = state.preferences.recent[i];
         ImGui::PushID(static_cast<int>(i));
+        // Projects and experiments have different icons.
         ImGui::TextColored(theme.muted, "%s", commands::is_project(path) ? platform::icon::save : platform::icon::cube);
         ImGui::SameLine(28.0f * s);
         if (ImGui::Selectable(path.filename().string().c_str(), false, 0, {0.32f * width, 0.0f}))

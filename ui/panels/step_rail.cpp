@@ -57,6 +57,7 @@ void draw_step_rail(PanelContext& context, commands::Step chosen, bool narrow) {
         if (step == chosen || hovered)
             list.AddRectFilled(
                 at, end, platform::packed(step == chosen ? theme.raised : theme.hovered, step == chosen ? 1.0f : 0.5f));
+        // A bar at the left edge marks the selected task, in addition to its background.
         if (step == chosen) list.AddRectFilled(at, {at.x + 3.0f * s, end.y}, platform::packed(theme.accent));
         const float line = theme.regular->FontSize, top = at.y + 0.5f * (height - line);
         const ImVec4& color = step == chosen ? theme.text : theme.muted;

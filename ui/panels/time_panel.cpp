@@ -138,6 +138,7 @@ void TimePanel::draw_step_state(PanelContext& context) {
     // The vibration of the shown trial's run, if there is one; otherwise the measured one.
     const commands::SimulatedTrial* const run = state.trial_of(state.run.get());
     const double frequency_Hz = run && run->vibration_Hz > 0.0 ? run->vibration_Hz : state.scene->frequency_Hz;
+    // Without a vibration there is no period to resolve.
     const bool swings = frequency_Hz > 0.0;
     const std::string period = plot::value_label(1.0 / (frequency_Hz * h), 2) + " steps";
     row("Vibration", "model/vibration", swings ? plot::value_label(frequency_Hz, 3) + " Hz: " + period : "none is seen",
@@ -158,6 +159,7 @@ void TimePanel::draw_step_state(PanelContext& context) {
 void TimePanel::draw_stability(PanelContext& context, commands::Limits range) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
+    // May be infinite: then the whole slider is green.
     const double critical = *state.critical_velocity_force_1_s;
     const float from = grip_x(range, range.lowest), limit = grip_x(range, critical), to = grip_x(range, range.highest);
     const float top = ImGui::GetItemRectMin().y, bottom = ImGui::GetItemRectMax().y,
@@ -224,6 +226,7 @@ void TimePanel::draw_damping_curve(PanelContext& context, const commands::Choice
         state.settings.time_step_s <= usual_longest_s ? usual_longest_s : commands::time_step_limits.highest};
     if (!(key == curve_key_)) {
         curve_key_ = key;
+        // Up to 20 ms, or to the limit of the step if the present one is longer.
         step_ms_ = Eigen::VectorXd::LinSpaced(41, 0.0, 1e3 * key.longest_s);
         step_ms_(0) = 1e3 * commands::time_step_limits.lowest;
         ratio_.resize(step_ms_.size());
@@ -255,6 +258,7 @@ void TimePanel::draw_damping_curve(PanelContext& context, const commands::Choice
     context.items.add("model/damping_curve", {corner, {corner.x + size.x, corner.y + size.y}});
     if (std::isfinite(measured)) {
         context.items.add("model/measured_damping", drawn.area.pixels);
+        // Not while the line is dragged.
         if (drawn.hovered && !drawn.active)
             tooltip(theme,
                     "Measured: damping ratio of the free vibration of " +

@@ -53,6 +53,7 @@ void draw_track(PanelContext& context, const std::array<double, 2>& span, float 
     };
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({left, middle - 2.0f * s}, {right, middle + 2.0f * s}, platform::packed(theme.raised), 2.0f * s);
+    // A trial with one sample has nothing to move through.
     if (!(range.span() > 0.0)) return;
     // Dragging stops playing, as both would set the time.
     if (ImGui::IsItemActive()) {

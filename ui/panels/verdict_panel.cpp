@@ -47,6 +47,7 @@ void VerdictPanel::draw(PanelContext& context) {
             "noise\" are in units of it.");
     context.items.mark("verdict/noise");
     if (!d.because.empty()) muted_text(theme, d.because);
+    // What cannot be distinguished, what is similar, and further remarks.
     for (const std::vector<std::string>* const list : {&d.confounded, &d.alike, &d.notes})
         for (const std::string& each : *list) notice(theme, commands::LogLevel::information, each);
     const commands::DiagnosisRow* const row = state.diagnosis_row();

@@ -147,6 +147,7 @@ void draw_view_options(PanelContext& context, const viewport::Camera& camera) {
         context.items.mark(option.name);
         tooltip(context.theme, option.tip);
     }
+    // At least 10 %: an invisible body could not be found again.
     float opacity = static_cast<float>(100.0 * view.opacity);
     ImGui::SetNextItemWidth(140.0f * context.theme.scale);
     if (ImGui::SliderFloat("Body", &opacity, 10.0f, 100.0f, "%.0f %%", ImGuiSliderFlags_AlwaysClamp)) {

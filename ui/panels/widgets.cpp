@@ -50,6 +50,7 @@ std::string duration_label(double seconds) {
     const long whole = std::lround(std::max(0.0, seconds));
     if (seconds < 9.95) return plot::value_label(std::max(0.0, seconds), 2) + " s";
     if (whole < 60) return std::to_string(whole) + " s";
+    // Two units at most: seconds do not matter after an hour.
     if (whole < 3600) return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
     return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
 }
@@ -190,6 +191,7 @@ bool choice_row(PanelContext& context, const std::string& label, const std::stri
 }
 
 bool begin_dialog(const platform::Theme& theme, const char* title, float width) {
+    // The caller draws the dialog while its question is open, so it opens itself.
     if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});

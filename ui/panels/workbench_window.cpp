@@ -110,6 +110,7 @@ void WorkbenchWindow::draw_side(PanelContext& context) {
     ImGui::End();
     ImGui::PopStyleVar(2);
     begin_part("##side", layout_.rail, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    // The foot's height is known from the last frame only.
     const ImVec2 padding = ImGui::GetStyle().WindowPadding;
     // The buttons that start and stop jobs stay visible at the foot; everything else scrolls above them.
     ImGui::BeginChild((std::string("##scrolling ") + commands::step_id(step_)).c_str(),
@@ -151,6 +152,7 @@ void WorkbenchWindow::draw_strip(PanelContext& context) {
     const bool icons = all > ImGui::GetContentRegionAvail()
                                  .x;  // of all but the one in front, where there is no room for names
     bool first = true;
+    // Drawn after the tabs; null if its panel has just disappeared.
     Panel* front = nullptr;
     // The panel in front may disappear, for example when an import ends.
     const auto gone = [&](const auto& panel) {
@@ -268,6 +270,7 @@ void WorkbenchWindow::update_scene() {
                        commands::compared_records(state)};
     // Creating the scene copies all positions, so it happens only if one of its inputs has changed.
     if (key == scene_key_) return;
+    // A new scene starts with the standard direction of view.
     if (key.scene != scene_key_.scene) {
         viewport_.camera = viewport::turn_to(viewport_.camera, viewport::StandardView::oblique);
         viewport_.untouched = true;
@@ -284,6 +287,7 @@ void WorkbenchWindow::update_scene() {
         show_step(commands::Step::measure);
         show_panel("recording");
     }
+    // After the summary, which contains the whole body.
     cut_.apply(state, motion_);
     const std::optional<commands::FieldKind> kind = commands::shown_field(state, workbench_->backend());
     scene_ = commands::scene_at_time(state, interface_.theme(), motion_, paint_.live(), kind ? &*kind : nullptr,
@@ -395,6 +399,7 @@ Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) 
     follow(requests);
     interface_.end_frame();
 
+    // Parts that no window covers show the background of the theme.
     const ImVec4 clear = interface_.theme().background;
     platform::gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
     platform::gl::Disable(GL_SCISSOR_TEST);

@@ -13,6 +13,7 @@ std::string broken_at_spaces(const std::string& text, float width,
     while (at < text.size()) {
         const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
         const std::string word = text.substr(at, end - at);
+        // The width of the whole line counts, spaces included.
         const std::string longer = line.empty() ? word : line + " " + word;
         // The first word of a line is placed even if it is too wide; otherwise the loop would not end.
         if (line.empty() || width_of(longer) <= width) {
