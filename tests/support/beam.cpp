@@ -6,6 +6,7 @@ Box beam_box(const BeamSpec& spec) { return {Eigen::Vector3d::Zero(), spec.size}
 
 model::Model make_beam(const BeamSpec& spec) {
     const mesh::VolumeMesh mesh = box_mesh(spec.kind, beam_box(spec), spec.cells);
+    // The clamp reaches a little beyond the end face, so that rounding leaves no node of it outside.
     const double margin = 1e-6 * spec.size(0);
     const Eigen::Vector3d outside = Eigen::Vector3d::Constant(margin);
     const Box clamp{-outside, Eigen::Vector3d(0.0, spec.size(1), spec.size(2)) + outside};
@@ -21,7 +22,8 @@ model::Model make_beam(const BeamSpec& spec) {
 
 Eigen::VectorXd tip_share(const model::Model& model, const BeamSpec& spec) {
     const Eigen::Vector3d outside = Eigen::Vector3d::Constant(1e-6 * spec.size(0));
-    const Box tip{Eigen::Vector3d(spec.size(0), 0.0, 0.0), spec.size + outside};  // a face in a side of the box counts
+    // surface_weights() also counts a face that lies in a side of the box
+    const Box tip{Eigen::Vector3d(spec.size(0), 0.0, 0.0), spec.size + outside};
     const mesh::SurfaceIntegral integral = mesh::surface_weights(model.body->mesh, model.body->boundary, tip);
     return integral.weight / integral.weight.sum();
 }

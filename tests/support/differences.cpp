@@ -6,6 +6,7 @@ void expect_equal_to_differences(const Eigen::MatrixXd& exact, const Eigen::Matr
                                  const std::string& what) {
     ASSERT_EQ(exact.rows(), differences.rows()) << what;
     ASSERT_EQ(exact.cols(), differences.cols()) << what;
+    // Two zero matrices would agree without testing anything.
     ASSERT_GT(differences.norm(), 0.0) << what;
     EXPECT_LT((exact - differences).norm() / differences.norm(), tolerance) << what;
 }
@@ -13,6 +14,7 @@ void expect_equal_to_differences(const Eigen::MatrixXd& exact, const Eigen::Matr
 void expect_derivative(const Eigen::MatrixXd& exact, const Eigen::MatrixXd& differences, double tolerance,
                        const std::string& what) {
     expect_equal_to_differences(exact, differences, tolerance, what);
+    // Equal to the last bit means that the exact derivative was computed by the same differences.
     EXPECT_FALSE((exact.array() == differences.array()).all()) << what;
 }
 

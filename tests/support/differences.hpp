@@ -10,7 +10,7 @@
 
 namespace myo::test {
 
-/// Jacobian of f at x by central differences of step `eps`: f(x) and x as vectors.
+/// Jacobian of f at x by central differences of step `eps`, in the unit of x. f maps a vector to a vector.
 template <class Function>
 Eigen::MatrixXd central_differences(const Function& f, const Eigen::VectorXd& x, double eps) {
     Eigen::MatrixXd J;
@@ -25,15 +25,21 @@ Eigen::MatrixXd central_differences(const Function& f, const Eigen::VectorXd& x,
     return J;
 }
 
-/// Equal to central differences and not zero. On its own for functions whose differences are exact, as linear ones.
+/// Expects that a derivative equals central differences and is not zero. Alone it serves functions whose differences
+/// are exact, such as linear ones.
+///
+/// @param tolerance  relative, in the Frobenius norm
+/// @param what  for the failure message
 void expect_equal_to_differences(const Eigen::MatrixXd& exact, const Eigen::MatrixXd& differences, double tolerance,
                                  const std::string& what);
 
-/// A derivative three ways: equal to central differences, not zero, and not itself made by differences.
+/// Expects in addition that the derivative was not itself computed by differences. Arguments as above.
 void expect_derivative(const Eigen::MatrixXd& exact, const Eigen::MatrixXd& differences, double tolerance,
                        const std::string& what);
 
-/// Orders of convergence between neighbouring entries: log(e_i / e_i+1) / log(h_i / h_i+1).
+/// Observed orders of convergence between neighbouring entries: log(e_i / e_i+1) / log(h_i / h_i+1).
+///
+/// @param h, error  step sizes and errors, same length
 std::vector<double> observed_orders(const std::vector<double>& h, const std::vector<double>& error);
 
 }  // namespace myo::test

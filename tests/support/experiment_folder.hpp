@@ -10,7 +10,7 @@ namespace myo::testing_support {
 
 using test::Folder;
 
-/// Replaces the first occurrence; fails the test when there is none.
+/// Replaces the first occurrence of `from`. Fails the test if there is none, so that a test notices a changed template.
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
     const std::size_t at = text.find(from);
     EXPECT_NE(at, std::string::npos) << "the test's text has no: " << from;
@@ -18,7 +18,8 @@ inline std::string replaced(std::string text, const std::string& from, const std
     return text;
 }
 
-/// 1-based line of the first occurrence, 0 when there is none.
+/// Number of the line with the first occurrence, counted from 1; 0 if there is none. For error messages with line
+/// numbers.
 inline int line_of(const std::string& text, const std::string& part) {
     const std::size_t at = text.find(part);
     if (at == std::string::npos) return 0;

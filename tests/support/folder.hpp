@@ -9,7 +9,8 @@
 
 namespace myo::test {
 
-/// A folder that is gone at the end of the test.
+/// A temporary folder for one test, deleted in the destructor. The process id in its name separates tests that run in
+/// parallel.
 class Folder {
 public:
     explicit Folder(const std::string& name)
@@ -24,6 +25,7 @@ public:
     Folder(const Folder&) = delete;
     Folder& operator=(const Folder&) = delete;
 
+    // Paths and content. write() creates missing folders; `file` may contain a folder.
     const std::filesystem::path& path() const { return path_; }
     std::string str(const std::string& file) const { return (path_ / file).string(); }
     void write(const std::string& file, const std::string& content) const {

@@ -6,7 +6,7 @@
 
 namespace myo::testing_support {
 
-/// An experiment with every table of the schema; tests spoil single lines of it.
+/// An experiment that contains every table of the schema. Tests change single lines of it and expect an error.
 inline const std::string good_toml = R"(schema = "experiment/1"
 name = "tail"
 description = "words"
@@ -113,7 +113,7 @@ time_s = 1.0
 trial = "step"
 )";
 
-/// The TOML, and a file for each name in it.
+/// Writes the TOML, and a placeholder for each file that it refers to.
 inline void write_files(const Folder& folder, const std::string& toml) {
     folder.write("experiment.toml", toml);
     for (const char* file : {"release.csv", "step.txt", "check.tsv", "signal.csv", "body.stl"}) folder.write(file, "-");

@@ -9,11 +9,13 @@ mesh::VolumeMesh without(const mesh::VolumeMesh& mesh, const Box& box) {
     for (int c = 0; c < static_cast<int>(mesh.cell_count()); ++c) {
         const auto cell = mesh.cells.col(c);
         Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+        // A cell belongs to the box if its centre does.
         for (const int i : cell) middle += mesh.nodes.col(i) / static_cast<double>(cell.size());
         if (box.contains(middle)) continue;
         cells.push_back(c);
         for (const int i : cell) {
             int& n = number[static_cast<std::size_t>(i)];
+            // Nodes are numbered anew in the order in which the remaining cells refer to them.
             if (n >= 0) continue;
             n = static_cast<int>(kept.size());
             kept.push_back(i);
@@ -38,6 +40,7 @@ model::Model hollow_block(fem::ElementKind kind) {
 model::Model hollow_sphere(double a, double b, int cells) {
     mesh::VolumeMesh mesh = without(mesh::box_hex_mesh({{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}}, {cells, cells, cells}),
                                     {Eigen::Vector3d::Constant(-1.0 / 3.0), Eigen::Vector3d::Constant(1.0 / 3.0)});
+    // Each cubic shell is projected onto a sphere: its distance from the centre in the maximum norm gives the radius.
     for (Eigen::Index i = 0; i < mesh.node_count(); ++i) {
         const double shell = mesh.nodes.col(i).cwiseAbs().maxCoeff();
         mesh.nodes.col(i) *= (a + (b - a) * (shell - 1.0 / 3.0) * 1.5) / mesh.nodes.col(i).norm();

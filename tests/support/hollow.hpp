@@ -8,16 +8,18 @@
 
 namespace myo::test {
 
-/// The cells whose middle is not in the box. Nodes that no cell has any more are left out.
+/// Returns the mesh without the cells whose centre lies in the box, and without nodes that no cell refers to.
 mesh::VolumeMesh without(const mesh::VolumeMesh& mesh, const Box& box);
 
+/// Volume of the chamber in hollow_block().
 inline constexpr double hollow_volume_m3 = 3e-6;
 
-/// A block of 60 x 30 x 30 mm with a chamber of 30 x 10 x 10 mm, clamped at x = 0.
+/// A block of 60 x 30 x 30 mm with a closed chamber of 30 x 10 x 10 mm, clamped at x = 0.
 model::Model hollow_block(fem::ElementKind kind);
 
-/// A sphere of outer radius b with a spherical hole of radius a in its middle, held nowhere: a cube of `cells`, whose
-/// shells go to spheres. The hole is a third of the cube.
+/// A free sphere of outer radius b with a concentric hole of radius a [m], made from a cube of `cells` elements per
+/// side: its cubic shells are mapped to spheres. The hole takes a third of the cube's side, so `cells` should be a
+/// multiple of three.
 model::Model hollow_sphere(double a, double b, int cells);
 
 }  // namespace myo::test

@@ -13,6 +13,7 @@ solver::SymmetricSparse random_matrix(int n, unsigned seed, double shift) {
     A.setFromTriplets(entries.begin(), entries.end());
     Eigen::SparseMatrix<double> identity(n, n);
     identity.setIdentity();
+    // A A' is symmetric and at least positive semidefinite; the shift makes it positive definite.
     solver::SymmetricSparse lower = Eigen::SparseMatrix<double>(A * A.transpose() + shift * identity)
                                         .triangularView<Eigen::Lower>();
     lower.makeCompressed();

@@ -17,6 +17,7 @@ mesh::VolumeMesh distorted_mesh(mesh::CellType type, const Eigen::Vector3i& cell
     const Eigen::Vector3d size = unit_box().size().cwiseQuotient(cells.cast<double>());
     for (Eigen::Index i = 0; i < mesh.node_count(); ++i)
         for (int r = 0; r < 3; ++r) mesh.nodes(r, i) += shift(random) * size(r);
+    // Nodes were moved before, so the nodes in the middle of edges lie on straight edges.
     return type == mesh::CellType::tet10 ? mesh::to_tet10(mesh) : mesh;
 }
 

@@ -7,8 +7,7 @@
 
 namespace myo::test {
 
-/// The swung beam with one muscle, "up", and the actuation file s.csv in its trial to fit; its traces have every 10 ms
-/// from `first_s` to `last_s` the rest positions.
+/// TOML of the swung beam with one muscle "up" and the signal file s.csv in its fit trial.
 inline std::string muscle_beam_toml() {
     std::string text = swung_beam_toml();
     text.insert(text.find("[markers]"),
@@ -17,6 +16,7 @@ inline std::string muscle_beam_toml() {
     return text.insert(text.find("start = \"straight\""), "actuation = \"s.csv\"\n");
 }
 
+/// A trace of markers that stay at rest, sampled every 10 ms from `first_s` to `last_s`.
 inline std::string still_trace(double first_s, double last_s) {
     std::string text = "time_s";
     for (const char* name : {"tip_left", "tip_right", "tip_low", "middle"})
@@ -26,6 +26,10 @@ inline std::string still_trace(double first_s, double last_s) {
     return text + "\n";
 }
 
+/// Writes the experiment into a folder and prepares it on coarse elements.
+///
+/// @param signal  content of s.csv
+/// @param first_s, last_s  range of the traces
 inline Result<setup::Setup> muscle_beam_setup(const Folder& folder, const std::string& toml, const std::string& signal,
                                               double first_s = 0.0, double last_s = 1.0,
                                               setup::SetupSettings settings = {}) {

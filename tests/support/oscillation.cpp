@@ -3,6 +3,7 @@
 namespace myo::test {
 
 std::array<std::complex<double>, 2> step_eigenvalues(const Eigen::Matrix2cd& A) {
+    // Roots of the characteristic polynomial.
     const std::complex<double> half = 0.5 * A.trace(), root = std::sqrt(half * half - A.determinant());
     return {half + root, half - root};
 }
@@ -15,6 +16,7 @@ dynamics::NaturalMode first_mode(const model::Model& model) {
 }
 
 void hold_until_zero(model::Model& model, const BeamSpec& spec) {
+    // Cantilever with a force at the tip: deflection F L^3 / (3 E I), here 1 % of the length.
     const double force = 0.03 * spec.youngs_modulus_Pa * second_moment(spec) / (spec.size(0) * spec.size(0));
     push_tip(model, spec, {0.0, 0.0, -force});
     model.forces.back().until_s = 0.0;
@@ -47,6 +49,7 @@ Oscillation fit_oscillation(const Eigen::VectorXd& q, double h) {
     Eigen::MatrixXd A(n, 2);
     A << q.segment(1, n), q.head(n);
     const Eigen::Vector2d c = A.colPivHouseholderQr().solve(q.tail(n));
+    // The roots of z^2 = a z + b are exp(s h) of the oscillation.
     const std::complex<double> z = 0.5 * (c(0) + std::sqrt(std::complex<double>(c(0) * c(0) + 4.0 * c(1))));
     const std::complex<double> s = std::log(z) / h;
     return {std::abs(s.imag()), -s.real() / std::abs(s)};

@@ -8,7 +8,10 @@
 
 namespace myo::test {
 
-/// Puts a motion with white noise of the stated size in a trial's recording.
+/// Replaces the measured tracks of a trial by a simulated motion plus white noise of the declared size.
+///
+/// @param values  parameters that the motion was simulated with
+/// @param seed  of the noise
 inline void record(setup::Setup& setup, std::size_t trial, const prediction::ParameterValues& values,
                    const dynamics::Trace& trace, unsigned seed = 1) {
     ASSERT_TRUE(trace.complete()) << trace.message;

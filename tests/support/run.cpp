@@ -11,6 +11,7 @@ dynamics::Trace run(const model::Model& model, const dynamics::TimeScheme& schem
     options.end_s = end;
     options.solver.tolerance = 1e-9;
     dynamics::Trace trace = dynamics::simulate(model, options);
+    // A test that compares motions must not compare incomplete ones.
     EXPECT_TRUE(trace.complete()) << to_string(scheme.integrator) << ": " << trace.message;
     return trace;
 }
@@ -34,6 +35,7 @@ double relative_difference(const dynamics::Trace& a, const dynamics::Trace& b) {
 }
 
 std::vector<NamedScheme> all_schemes() {
+    // Generalised-alpha appears twice: its spectral radius changes the scheme.
     return {{"tr_bdf2", dynamics::Integrator::tr_bdf2},
             {"implicit_euler", dynamics::Integrator::implicit_euler},
             {"bdf2", dynamics::Integrator::bdf2},

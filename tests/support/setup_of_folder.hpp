@@ -8,7 +8,7 @@
 
 namespace myo::test {
 
-/// The experiment of a folder, prepared with these settings.
+/// Reads and prepares the experiment of a folder. Fails the test if that is not possible.
 inline setup::Setup setup_of_folder(const Folder& folder, const setup::SetupSettings& settings) {
     const Result<experiment::Experiment> experiment = experiment::read_experiment(folder.path());
     EXPECT_TRUE(experiment) << experiment.error().text();

@@ -8,8 +8,8 @@
 
 namespace myo::test {
 
-/// A file or folder of the measured data, which lie in MYOLOOP_DATA or beside the checkout; empty where it is not
-/// there.
+/// Path of a file or folder of the measured data, in the folder MYOLOOP_DATA or next to the checkout. Empty if it does
+/// not exist.
 inline std::filesystem::path shared_data(const std::string& part) {
     const char* const named = std::getenv("MYOLOOP_DATA");
     const std::filesystem::path folder = named != nullptr ? std::filesystem::path(named)
@@ -17,7 +17,7 @@ inline std::filesystem::path shared_data(const std::string& part) {
     return std::filesystem::exists(folder / part) ? folder / part : std::filesystem::path();
 }
 
-/// What of a folder of the measured data is wanted, sorted; empty where the data are not there.
+/// Entries of a folder of the measured data for which `wanted` is true, sorted. Empty if the data are missing.
 template <class Wanted>
 std::vector<std::filesystem::path> shared_entries(const std::string& part, const Wanted& wanted) {
     std::vector<std::filesystem::path> found;
@@ -29,12 +29,14 @@ std::vector<std::filesystem::path> shared_entries(const std::string& part, const
     return found;
 }
 
+/// Folders of measured experiments.
 inline std::vector<std::filesystem::path> shared_experiments() {
     return shared_entries("experiments", [](const std::filesystem::path& path) {
         return std::filesystem::exists(path / "experiment.toml");
     });
 }
 
+/// Surfaces of measured bodies (STL).
 inline std::vector<std::filesystem::path> shared_bodies() {
     return shared_entries("data/geometry",
                           [](const std::filesystem::path& path) { return path.extension() == ".stl"; });

@@ -5,7 +5,7 @@
 
 namespace myo::test {
 
-/// Mean displacement of the end face where a beam rests under its loads [m]; fails the test where it finds no rest.
+/// Mean displacement of the end face [m] in static equilibrium. Fails the test if no equilibrium is found.
 Eigen::Vector3d tip_at_equilibrium(const model::Model& model, const BeamSpec& spec);
 
 }  // namespace myo::test

@@ -10,7 +10,8 @@
 
 namespace myo::test {
 
-/// A beam of 10 x 3 x 3 cm let go under gravity, once to fit and once to predict, its traces still to be made up.
+/// TOML of a beam of 10 x 3 x 3 cm released under gravity: one trial to fit and one to predict. Their traces are
+/// created by the test.
 inline std::string swung_beam_toml() {
     return R"(schema = "experiment/1"
 name = "swung beam"
@@ -48,13 +49,15 @@ start = "straight"
 )";
 }
 
-/// The experiment of a folder on coarse cells.
+/// Prepares the experiment of a folder on coarse elements, so that tests run fast.
 inline setup::Setup setup_in(const Folder& folder) {
     setup::SetupSettings settings;
     settings.mesh.resolution_m = 0.015;
     return setup_of_folder(folder, settings);
 }
 
+/// Writes the swung beam into a folder and prepares it. Its traces hold the markers at rest, every 10 ms from 0 to
+/// end_s; a test replaces them.
 inline setup::Setup swung_beam(const Folder& folder, double end_s = 0.6) {
     std::string text = "time_s";
     const char* const names[] = {"tip_left", "tip_right", "tip_low", "middle"};

@@ -11,23 +11,28 @@
 
 namespace myo::test {
 
-/// A workbench without a display, driven by named items as a person would by mouse and keyboard.
+/// Drives a workbench without a display through named items, as a user would with mouse and keyboard. Size in pixels.
 class Driver {
 public:
     explicit Driver(int width = 1280, int height = 800);
-    /// Another backend than the beam.
+    /// Uses another backend instead of the swinging beam. The member `backend` is then not the one in use.
     Driver(std::shared_ptr<ui::commands::Backend> backend, int width, int height);
 
+    /// Draws one frame.
+    ///
+    /// @param seconds  since the last one
     void frame(double seconds = 1.0 / 60.0);
-    /// Frames until every event is consumed and has shown its effect.
+    /// Draws frames until every event has been consumed and has shown its effect.
     void settle();
-    /// Frames until no job runs; false after that many seconds.
+    /// Draws frames until no job runs. Returns false after `seconds`.
     bool wait_for_job(int seconds = 20);
 
-    /// Looks through the steps for an item that is not shown. Asserts (gtest) that it is there.
+    /// Rectangle of an item. Opens the tasks one after another if it is not visible. Fails the test if it is in none of
+    /// them.
     ui::platform::Rectangle item(const std::string& name);
     bool has(const std::string& name) { return window->items().find(name).has_value(); }
 
+    // Input. Each call draws the frames that the input needs.
     void click(const std::string& name, int button = 0);
     void double_click(const std::string& name);
     void click_at(const ImVec2& place, int button = 0);
@@ -48,14 +53,14 @@ public:
     std::optional<ui::panels::WorkbenchWindow> window;
 };
 
-/// Pixel of the window where a point of the scene [m] falls. Asserts (gtest) that it does.
+/// Pixel of the window at which a point of the scene [m] is drawn. Fails the test if it is not visible.
 ImVec2 pixel_of(Driver& driver, const Eigen::Vector3d& point);
 
-/// Whether a picture has this colour, nearly, at most `radius` pixels from the place in x and in y.
+/// Whether an image has approximately this colour at most `radius` pixels from a place, in x and in y.
 bool color_near(const ui::platform::Image& image, const ImVec2& place, const ImVec4& color, int radius);
 
-/// Share of the pixels in a part of two pictures of one size whose colours differ visibly, by more than 24 of 765 in
-/// all.
+/// Share of the pixels in a part of two images of equal size whose colours differ visibly: by more than 24 of 765 in
+/// the sum of the channels.
 double differing_share(const ui::platform::Image& a, const ui::platform::Image& b, const ui::platform::Rectangle& part);
 
 }  // namespace myo::test

@@ -8,21 +8,21 @@
 
 namespace myo::test {
 
-/// A beam whose tip sinks and swings by a closed form: deflection ~ 1 / E, frequency ~ sqrt(E). Stands in for the core,
-/// so that the workbench can be driven in milliseconds.
+/// Backend with a beam whose tip sinks and swings by a closed form: deflection ~ 1 / E, frequency ~ sqrt(E). It
+/// replaces the core, so that tests drive the workbench within milliseconds.
 class SwingingBeam : public ui::commands::Backend {
 public:
     static constexpr double measured_modulus = 2.5e5;  // of the "measured" beam [Pa]
 
-    /// Each step of a run waits this long [s].
+    /// Delay of each step of a run [s].
     std::atomic<double> step_delay_s = 0.0;
 
     std::vector<ui::commands::Choice> materials() const override;
-    /// Height above the rest position, in mm and with a sign; and x, which never changes.
+    /// Fields: height above the rest position in mm, signed; and x, which never changes.
     const std::vector<ui::commands::FieldKind>& fields() const override;
     Eigen::VectorXd field(const std::string& id, const ui::commands::MeshedBody& body,
                           const ui::commands::RunResult& run, std::size_t trial, std::size_t frame) const override;
-    /// Each frame of a field waits this long [s].
+    /// Delay of each frame of a field [s].
     std::atomic<double> field_delay_s = 0.0;
     std::vector<ui::commands::Choice> integrators() const override;
     bool needs_unit(const std::filesystem::path& path) const override { return path.extension() == ".stl"; }
@@ -42,7 +42,7 @@ public:
     Result<ui::commands::SearchResult> calibrate(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,
                                                  const ui::commands::Settings& settings, const Progress& progress,
                                                  const LiveSearch& live) override;
-    /// Goes through some levels of the first muscle; the last is the best.
+    /// Tries some levels of the first muscle; the last one is the best.
     Result<ui::commands::SearchResult> optimize(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,
                                                 const ui::commands::Settings& settings,
                                                 const ui::commands::OptimizeRequest& request, const Progress& progress,
@@ -55,21 +55,20 @@ public:
     std::vector<ui::commands::ReportLine> preview(const std::filesystem::path& path) const override {
         return {{"Path", path.string()}};
     }
-    /// Projects are kept in memory; the file itself holds nothing.
+    /// Projects are kept in memory; the file itself is empty.
     Result<ui::commands::Project> read_project(const std::filesystem::path& file) const override;
     Result<void> write_project(const std::filesystem::path& file, const ui::commands::Project& project) const override;
     Result<std::vector<std::string>> write_report(const std::filesystem::path& folder, const ui::commands::Scene& scene,
                                                   const ui::commands::RunResult& run,
                                                   const ui::commands::SearchResult* found,
                                                   const ui::commands::DiagnosisView* diagnosis) const override;
-    /// A diagnosis as the core might make it of the beam, nothing in it computed: linear drag takes away most of the
-    /// residual in z.
+    /// Returns a fixed diagnosis of the kind that the core computes: linear drag explains most of the residual in z.
     Result<ui::commands::DiagnosisView> diagnose(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,
                                                  const ui::commands::Settings& settings, const Progress& progress,
                                                  const LiveDiagnosis& live) override;
 
-    /// A recording of the beam's declared markers under other names, from 0.3 s before its release on, shifted by 0.5
-    /// m; what is added to an experiment is kept.
+    /// A recording of the beam's declared markers under other names, shifted by 0.5 m, beginning 0.3 s before the
+    /// release. Trials that are added to an experiment are kept in `added`.
     Result<ui::commands::RecordingFile> read_recording(const std::filesystem::path& path,
                                                        const ui::commands::ReadingOptions& options) const override;
     std::vector<ui::commands::SceneMarker> declared_markers(const ui::commands::Scene& scene) const override {
@@ -91,27 +90,27 @@ public:
                                                 const ui::commands::ImportChoices& choices) const override;
     mutable std::vector<ui::commands::ImportChoices> added;
 
-    /// A calibration goes no further than its first evaluation while this holds, unless it is cancelled.
+    /// While set, a calibration stops after its first evaluation until it is cancelled or the flag is cleared.
     std::atomic<bool> hold_search = false;
-    /// The diagnosis goes no further than its first ranking while this holds, unless it is cancelled.
+    /// While set, a diagnosis stops after its first ranking until it is cancelled or the flag is cleared.
     std::atomic<bool> hold_diagnosis = false;
-    /// Files of signals.
+    /// Signal files by path.
     mutable std::map<std::filesystem::path, fibre::Signal> signals;
     mutable std::map<std::filesystem::path, ui::commands::Project> projects;
-    /// Writing a project takes this long [s].
+    /// Delay of writing a project [s].
     std::atomic<double> write_delay_s = 0.0;
     mutable std::vector<std::filesystem::path> reports;
-    /// It finds no effect that explains, and a force instead.
+    /// The diagnosis finds no effect that explains the residual, but a missing force.
     std::atomic<bool> unexplained = false;
-    bool fewer_foretold = false;  // predictions tell of half the elements
-    /// What its checks say of the start: when it is opened, and after each job.
+    bool fewer_foretold = false;  // predict() returns half the elements
+    /// State of the check of the start: when an experiment is opened, and after each job.
     std::atomic<ui::commands::CheckState> start_opened = ui::commands::CheckState::green,
                                           start_after = ui::commands::CheckState::green;
-    /// Runs choose this step where none was set [s]; 0: they do not.
+    /// Time step that runs choose if the user has set none [s]; 0: they do not choose.
     std::atomic<double> chosen_step_s = 0.0;
 };
 
-/// Where a point of the beam is at time t.
+/// Position of a point of the beam at time t [s] for its position at rest [m].
 Eigen::Vector3d beam_point(const Eigen::Vector3d& rest, double youngs_modulus_Pa, double t);
 
 }  // namespace myo::test

@@ -25,218 +25,242 @@
 #include "mesh/surface_mesh.hpp"
 #include "mesh/volume_mesh.hpp"
 
-// The seam between the workbench and the numerical core: plain values, and one abstract class that makes them.
+// Interface between the workbench and the numerical core: plain values, and one abstract class that creates them. The
+// library `ui` contains no physics; the application implements Backend with the core, tests with a closed form.
 
 namespace myo::ui::commands {
 
-/// What a time step does to a vibration.
+/// Effect of a time step on a vibration.
 struct StepQuality {
-    double frequency_error = 0.0;  // relative
-    CheckState state = CheckState::green;
+    double frequency_error = 0.0;          // relative, without unit
+    CheckState state = CheckState::green;  // green: the error can be neglected
 };
 
-/// One entry of a list to choose from.
+/// One entry of a list to choose from, such as a material or a time scheme.
 struct Choice {
-    std::string id;
-    std::string label;
-    std::string explanation;  // shown on hovering; may hold the equation
-    // For integrators only, of a vibration of an angular frequency [rad/s] under the settings. Empty = none worth
-    // showing.
-    std::function<double(double, const Settings&)> numerical_damping_ratio = {};  // that the scheme itself adds
+    std::string id;           // in settings and project files
+    std::string label;        // shown
+    std::string explanation;  // tooltip; may contain the equation
+    // The following is set for time schemes only. Each function takes the angular frequency of a vibration [rad/s] and
+    // the settings. An empty function means that the scheme has nothing worth showing.
+    std::function<double(double, const Settings&)> numerical_damping_ratio = {};  // damping ratio that the scheme adds
     std::function<double(double, const Settings&)> critical_velocity_force =
-        {};                            // [1/s] above which it grows; slow: keep the result
-    bool has_spectral_radius = false;  // to choose
-    std::function<StepQuality(double, const Settings&)> step_quality = {};  // of the settings' step
+        {};                            // [1/s] above which the motion grows; slow: keep the result
+    bool has_spectral_radius = false;  // the user can choose it
+    std::function<StepQuality(double, const Settings&)> step_quality = {};  // for the time step in the settings
 };
 
-/// A quantity that has a value everywhere in the body.
+/// A scalar quantity that is defined everywhere in the body and can colour it.
 struct FieldKind {
-    std::string id;
-    std::string label;
+    std::string id;              // in project files
+    std::string label;           // shown
     std::string unit;            // shown
     double per_unit = 1.0;       // SI per shown unit
-    bool signed_values = false;  // its zero is in the middle of the colours
-    std::string explanation;
+    bool signed_values = false;  // values have a sign: zero gets the middle colour
+    std::string explanation;     // tooltip
 };
 
 /// One line of a report: "Volume error", "0.02 %".
 struct ReportLine {
     std::string label;
     std::string value;
-    bool warning = false;
-    std::string explanation = {};  // on hovering
+    bool warning = false;          // the value should be noticed
+    std::string explanation = {};  // tooltip
 };
 
-/// What the cameras saw, in the mesh frame; t = 0 at release.
+/// One trial of an experiment: measured markers in the mesh frame over time. t = 0 is the release.
 struct SceneTrial {
     std::string name;
     std::string role;                                      // "fit" or "validate"
-    Eigen::VectorXd time_s;                                // T
-    std::vector<Eigen::Matrix3Xd> measured;                // per marker of the scene, 3 x T [m], NaN = occluded
-    std::map<std::string, fibre::Signal> activation = {};  // a(t) of the experiment's own muscles, by their names
+    Eigen::VectorXd time_s;                                // T sample times [s], ascending
+    std::vector<Eigen::Matrix3Xd> measured;                // per marker of the scene, 3 x T [m]; NaN = occluded
+    std::map<std::string, fibre::Signal> activation = {};  // declared signals a(t) by muscle name
 };
 
-/// Between its samples, on the mean [s]; 0 where it has fewer than two.
+/// Mean interval between the samples of a trial [s]. Returns 0 if there are fewer than two.
 inline double sample_interval_s(const SceneTrial& trial) {
     const Eigen::Index last = trial.time_s.size() - 1;
     return last > 0 ? (trial.time_s[last] - trial.time_s[0]) / static_cast<double>(last) : 0.0;
 }
 
-/// What was opened: a body, how it is held, and its measurements. A plain mesh has no markers and no trials.
+/// What was opened: a body, its support and its measurements. A plain mesh has no markers and no trials.
+///
+/// Created by the backend and shared read-only between the UI thread and the jobs.
 struct Scene {
-    std::filesystem::path path;
+    std::filesystem::path path;  // the opened folder or file
     std::string name;
     std::string description;
-    mesh::SurfaceMesh surface;  // may be empty
-    std::optional<Box> clamp_m;
-    Eigen::Vector3d gravity_m_s2 = Eigen::Vector3d::Zero();
-    std::vector<SceneMarker> markers;
+    mesh::SurfaceMesh surface;                               // surface of the body [m]; may be empty
+    std::optional<Box> clamp_m;                              // box that holds the body; empty: none
+    Eigen::Vector3d gravity_m_s2 = Eigen::Vector3d::Zero();  // world frame
+    std::vector<SceneMarker> markers;                        // of the experiment
     std::vector<SceneTrial> trials;
-    Settings settings;          // declared or default values
+    Settings settings;          // declared values, defaults for the rest
     double frequency_Hz = 0.0;  // of the dominant measured vibration; 0 = unknown
-    double
-        damping_ratio = std::numeric_limits<double>::quiet_NaN();  // of that vibration; NaN = it does not swing freely
-    std::vector<std::string> calibrated;  // labels of what calibration moves; empty = it cannot be calibrated
-    std::vector<std::string> warnings;
-    CheckRows checks;                    // of the experiment as it is declared; none of a plain mesh
-    std::shared_ptr<const void> source;  // the backend's own
+    // Damping ratio of that vibration; NaN if it does not swing freely.
+    double damping_ratio = std::numeric_limits<double>::quiet_NaN();
+    // labels of the parameters that calibration changes; empty: nothing to calibrate
+    std::vector<std::string> calibrated;
+    std::vector<std::string> warnings;   // from reading the files
+    CheckRows checks;                    // of the experiment as declared; empty for a plain mesh
+    std::shared_ptr<const void> source;  // owned by the backend, opaque to the workbench
 };
 
-/// Whether there is a fit trial with measured markers, which a diagnosis needs.
+/// Whether the scene has a trial of role fit with measured markers, which a diagnosis requires.
 inline bool can_be_diagnosed(const Scene& scene) {
     for (const SceneTrial& trial : scene.trials)
         if (trial.role == "fit" && !trial.measured.empty()) return true;
     return false;
 }
 
+/// Size of a mesh before it is built.
 struct MeshPrediction {
-    double elements = 0.0;
-    double dofs = 0.0;
-    bool exact = false;  // else an estimate
+    double elements = 0.0;  // number of cells
+    double dofs = 0.0;      // degrees of freedom
+    bool exact = false;     // counted, otherwise estimated
 };
 
+/// A meshed body. Shared read-only by jobs and the view.
 struct MeshedBody {
-    mesh::VolumeMesh mesh;
-    mesh::BoundaryFaces boundary;
-    double dofs = 0.0;
-    std::vector<ReportLine> report;
-    std::map<std::string, fibre::CellPaint> muscles;  // where the experiment's own muscles are, by their names
-    std::shared_ptr<const void> source;               // the backend's own
+    mesh::VolumeMesh mesh;                            // nodes in the rest frame [m]
+    mesh::BoundaryFaces boundary;                     // faces on the boundary, for drawing
+    double dofs = 0.0;                                // degrees of freedom
+    std::vector<ReportLine> report;                   // quality of the mesh, as shown
+    std::map<std::string, fibre::CellPaint> muscles;  // declared muscles on this mesh, by name
+    std::shared_ptr<const void> source;               // owned by the backend, opaque to the workbench
 };
 
-/// A part of a scene's motion.
+/// The first part of one trial, for a preview.
 struct RunExtent {
-    std::size_t trial = 0;
-    double end_s = 0.0;  // of that trial it is from 0 until here
+    std::size_t trial = 0;  // index in Scene::trials
+    double end_s = 0.0;     // from 0 to this time of the trial [s]
 };
 
-/// An example that comes with the program.
+/// An example experiment that comes with the program.
 struct Example {
     std::filesystem::path path;
     std::string name;
     std::string description;
 };
 
-/// A part of the program that others have made.
+/// A third-party library or font in the program, for the dialog with its licences.
 struct Library {
     std::string name;
     std::string version;
     std::string licence;
 };
 
-/// Does the work. Its functions are called from a background thread, one at a time, except those marked quick, which
-/// the workbench calls while it draws, and which must return within a millisecond.
+/// Does the numerical work for the workbench.
+///
+/// Functions marked quick are called on the UI thread while a frame is drawn; they must return within a millisecond.
+/// All others are called from a background thread, one at a time unless stated otherwise. A long function reports its
+/// progress and checks `progress.cancelled()`.
 class Backend {
 public:
     virtual ~Backend() = default;
 
-    /// Quantities that can colour the body (quick).
+    /// Quantities that can colour the body. Quick.
     virtual const std::vector<FieldKind>& fields() const = 0;
-    /// Its values at the nodes [SI] in one frame of a run of this body. May be called from any thread, beside
-    /// everything else.
+    /// Values of a field at the nodes [SI unit of the field] in one frame of a run of this body.
+    ///
+    /// Called from any thread, concurrently with everything else. The number of values is the number of nodes.
     virtual Eigen::VectorXd field(const std::string& id, const MeshedBody& body, const RunResult& run,
                                   std::size_t trial, std::size_t frame) const = 0;
 
-    virtual std::vector<Choice> materials() const = 0;    // quick
-    virtual std::vector<Choice> integrators() const = 0;  // quick
+    virtual std::vector<Choice> materials() const = 0;    // quick; material laws to choose from
+    virtual std::vector<Choice> integrators() const = 0;  // quick; time schemes to choose from
 
     virtual std::vector<Example> examples() const = 0;   // quick
-    virtual std::string version() const = 0;             // quick, of the program
+    virtual std::string version() const = 0;             // quick; of the program
     virtual std::vector<Library> libraries() const = 0;  // quick
 
-    /// What is known of a file before it is opened: "Name", "Trials", ...; empty when nothing (quick).
+    /// Facts about a file or folder that is not open, for the file browser: "Name", "Trials", … Empty if nothing is
+    /// known. Quick.
     virtual std::vector<ReportLine> preview(const std::filesystem::path& path) const = 0;
 
+    /// Reads a project file. Values that the project names but that are missing are reported in Project::warnings.
     virtual Result<Project> read_project(const std::filesystem::path& file) const = 0;
-    /// Masks of painted muscles go into files beside it, in `<name>.files`.
+    /// Writes a project file. Masks of painted muscles go into separate files in the folder `<name>.files`.
     virtual Result<void> write_project(const std::filesystem::path& file, const Project& project) const = 0;
 
-    /// Whether the numbers in this file have a unit that only a person knows (quick).
+    /// Whether a file contains lengths without a unit, so that the user has to be asked. Quick.
     virtual bool needs_unit(const std::filesystem::path& path) const = 0;
 
-    /// @param path             an experiment folder, its experiment.toml, or a mesh file
-    /// @param metres_per_unit  of a mesh file without unit; else ignored
+    /// Reads an experiment or a mesh.
+    ///
+    /// @param path  an experiment folder, its experiment.toml, or a mesh file
+    /// @param metres_per_unit  length unit of a mesh file without unit; ignored otherwise
     virtual Result<Scene> open(const std::filesystem::path& path, std::optional<double> metres_per_unit,
                                const Progress& progress) = 0;
 
-    /// How large the mesh will be (quick).
+    /// Estimates the size of the mesh that these settings would give. Quick.
     virtual MeshPrediction predict(const Scene& scene, const Settings& settings) const = 0;
 
+    /// Builds the mesh of the scene's body with the element type and edge length of the settings.
     virtual Result<MeshedBody> mesh(const Scene& scene, const Settings& settings, const Progress& progress) = 0;
 
-    /// All trials of the scene, in its order.
-    /// @param only  part to be run, moving as in the whole run; empty: all. Other trials have no frames and no markers
-    /// then, markers after its end are NaN. May be called from any thread, beside everything else.
+    /// Simulates all trials of the scene, in the scene's order. Called from any thread, concurrently with everything
+    /// else.
+    ///
+    /// @param only  part to simulate, with the same motion as in the whole run; empty: everything. Other trials then
+    ///              have no frames and no markers, and markers after the end of the part are NaN.
     virtual Result<RunResult> simulate(const Scene& scene, const MeshedBody& body, const Settings& settings,
                                        const std::optional<RunExtent>& only, const Progress& progress) = 0;
 
-    /// `live` gets what a search knows after its evaluations, from the calling thread; may be empty.
+    /// Receives intermediate results of a search after its evaluations, on the search's thread. May be empty.
     using LiveSearch = std::function<void(std::shared_ptr<const SearchView>)>;
-    /// Cancelled, it gives the best values so far; an error when there are none yet.
+    /// Fits the unknown parameters to the trials of role fit. If cancelled, returns the best values so far, or an error
+    /// if there are none.
     virtual Result<SearchResult> calibrate(const Scene& scene, const MeshedBody& body, const Settings& settings,
                                            const Progress& progress, const LiveSearch& live) = 0;
-    /// Signals of the muscles with which the markers of a trial follow their traces. Cancelled likewise.
+    /// Finds muscle signals with which the markers of a trial follow their measured paths. Cancelling works as in
+    /// calibrate().
     virtual Result<SearchResult> optimize(const Scene& scene, const MeshedBody& body, const Settings& settings,
                                           const OptimizeRequest& request, const Progress& progress,
                                           const LiveSearch& live) = 0;
 
-    /// The column of a muscle in a file of signals, `time_s,<muscle>,...`; a file of one column may have any name
-    /// (quick).
+    /// Reads the signal of a muscle from a CSV file `time_s,<muscle>,...`. In a file with one signal the column may
+    /// have any name. Quick.
     virtual Result<fibre::Signal> read_signal(const std::filesystem::path& path, const std::string& muscle) const = 0;
-    /// Writes the same form (quick).
+    /// Writes a signal in the same format. Quick.
     virtual Result<void> write_signal(const std::filesystem::path& path, const std::string& muscle,
                                       const fibre::Signal& signal) const = 0;
 
-    /// Writes simulated markers, and the pages of a search and a diagnosis where there are some (null: none), into a
-    /// folder; the files' names. Short.
+    /// Writes a report into a folder: simulated markers as tables, and the pages of a search and a diagnosis if they
+    /// are given (may be null). Called on the UI thread, as it is short.
+    ///
+    /// @return names of the files
     virtual Result<std::vector<std::string>> write_report(const std::filesystem::path& folder, const Scene& scene,
                                                           const RunResult& run, const SearchResult* found,
                                                           const DiagnosisView* diagnosis) const = 0;
 
-    /// A file of motion capture.
+    /// Reads a motion capture file.
     virtual Result<RecordingFile> read_recording(const std::filesystem::path& path,
                                                  const ReadingOptions& options) const = 0;
-    /// Markers that the experiment declares, those on the mount included; none for a plain mesh (quick).
+    /// Markers declared by the experiment, including those on the mount; empty for a plain mesh. Quick.
     virtual std::vector<SceneMarker> declared_markers(const Scene& scene) const = 0;
-    /// Where the choices put the recording (quick).
+    /// Evaluates the user's import choices: placement of the recording, residuals, and what is missing. Quick.
     virtual ImportView view_import(const Scene& scene, const RecordingFile& file,
                                    const ImportChoices& choices) const = 0;
-    /// Which label may be which marker: by their names and distances where markers are declared; else those without a
-    /// place get the nearest one of the body (quick, some milliseconds).
+    /// Proposes which label is which marker: by names and distances if the experiment declares markers. On a plain
+    /// mesh, labels without a position get the nearest point of the body. Takes some milliseconds; called on the UI
+    /// thread.
     virtual Result<ImportChoices> propose_markers(const Scene& scene, const MeshedBody& body, const RecordingFile& file,
                                                   const ImportChoices& choices) const = 0;
-    /// The start with which the recording follows the run of a trial best [s, the file's time] (quick, some
-    /// milliseconds).
+    /// Finds the start time [s, in the file's time] with which the recording follows the simulated trial best. Takes
+    /// some milliseconds; called on the UI thread.
+    ///
+    /// @param time_s  sample times of the run's markers
     virtual Result<double> align_import(const Scene& scene, const SimulatedTrial& run, const Eigen::VectorXd& time_s,
                                         const RecordingFile& file, const ImportChoices& choices) const = 0;
-    /// Makes a trial of it; the experiment that has it now.
+    /// Adds the recording as a trial to the experiment, or to a new one. Returns the path of the experiment.
     virtual Result<std::filesystem::path> add_recording(const Scene& scene, const Settings& settings,
                                                         const RecordingFile& file,
                                                         const ImportChoices& choices) const = 0;
 
-    /// What the model lacks. `live` gets what is known so far after every stage, from the calling thread; may be empty.
-    /// Cancelled, it gives that, too.
+    /// Receives the intermediate result after each part of a diagnosis, on the diagnosis' thread. May be empty.
     using LiveDiagnosis = std::function<void(std::shared_ptr<const DiagnosisView>)>;
+    /// Finds out what the model lacks. If cancelled, returns what is known so far, without a verdict.
     virtual Result<DiagnosisView> diagnose(const Scene& scene, const MeshedBody& body, const Settings& settings,
                                            const Progress& progress, const LiveDiagnosis& live) = 0;
 };

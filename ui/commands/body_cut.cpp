@@ -11,12 +11,15 @@ namespace myo::ui::commands {
 
 void BodyCut::apply(const WorkbenchState& state, MotionSummary& motion) {
     if (!state.body || !state.ground || !motion.body) return;
+    // Without a cut the original boundary is restored, but only if a cut is shown: a new pointer would upload it again.
     const ClipPlane& plane = state.view.clip;
     if (!plane.on) {
         if (motion.body->kept.empty()) return;
         motion.body = std::make_shared<viewport::DrawnBody>(viewport::DrawnBody{state.body->boundary, {}});
     } else {
         if (body_ == state.body && plane_ == plane && motion.body == cut_) return;
+        // The table of faces depends on the mesh only. Building it is the slow part, so it is kept while the plane
+        // moves.
         if (body_ != state.body) table_ = mesh::face_table(state.body->mesh);
         body_ = state.body;
         plane_ = plane;
@@ -32,15 +35,18 @@ void BodyCut::apply(const WorkbenchState& state, MotionSummary& motion) {
 }
 
 Eigen::Matrix3Xd outline_of(const ClipPlane& plane, const Box& box) {
+    // Intersections of the plane with the edges of the box, sorted by their angle about the middle.
     std::vector<Eigen::Vector3d> points;
     for (const viewport::DrawnLine& edge : viewport::box_lines(box, viewport::Color::Ones(), 1.0)) {
         for (Eigen::Index i = 0; i + 1 < edge.points.cols(); ++i) {
             const double a = plane.normal.dot(edge.points.col(i)) - plane.position_m,
                          b = plane.normal.dot(edge.points.col(i + 1)) - plane.position_m;
+            // Both ends on the same side: the edge is not cut.
             if ((a > 0.0) == (b > 0.0)) continue;
             points.push_back(edge.points.col(i) + a / (a - b) * (edge.points.col(i + 1) - edge.points.col(i)));
         }
     }
+    // The plane only touches the box, or misses it.
     if (points.size() < 3) return Eigen::Matrix3Xd(3, 0);
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     for (const Eigen::Vector3d& p : points) middle += p / static_cast<double>(points.size());

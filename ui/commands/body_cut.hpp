@@ -5,21 +5,23 @@
 
 namespace myo::ui::commands {
 
-/// The body as the view's plane cuts it. Keeps the faces of the body, so that moving the plane takes one pass over
-/// them.
+/// Cuts the drawn body by the view's clip plane. Keeps the table of the body's faces, so that moving the plane costs
+/// one pass over the faces.
 class BodyCut {
 public:
-    /// Puts what is left of the body into the summary of its motion; does nothing when it is there already.
+    /// Replaces body and surface in `motion` by the part that the plane leaves. Does nothing if `motion` already shows
+    /// this cut, or if no body is meshed.
     void apply(const WorkbenchState& state, MotionSummary& motion);
 
 private:
-    std::shared_ptr<const MeshedBody> body_;  // of the table
-    mesh::FaceTable table_;
+    std::shared_ptr<const MeshedBody> body_;          // body of table_
+    mesh::FaceTable table_;                           // faces of all cells of body_
     ClipPlane plane_;                                 // of the last cut
-    std::shared_ptr<const viewport::DrawnBody> cut_;  // by it
+    std::shared_ptr<const viewport::DrawnBody> cut_;  // result of the last cut
 };
 
-/// Closed line in which a plane cuts a box; empty where it misses it.
+/// Closed polygon in which a plane cuts a box [m], 3 x n with the first point repeated at the end. No columns if the
+/// plane misses the box.
 Eigen::Matrix3Xd outline_of(const ClipPlane& plane, const Box& box);
 
 }  // namespace myo::ui::commands

@@ -6,7 +6,7 @@
 
 namespace myo::ui::commands {
 
-/// Extent of the open body along the axes [m]; zero when nothing is open.
+/// Extent of the open body along the axes [m]. Zero if nothing is open.
 inline Eigen::Vector3d body_size(const WorkbenchState& state) {
     if (state.scene && state.scene->surface.vertices.cols() > 0)
         return mesh::bounding_box(state.scene->surface.vertices).size();

@@ -8,7 +8,7 @@ namespace myo::ui::commands {
 
 BrushSettings brush_for(const Eigen::Vector3d& size_m) {
     BrushSettings brush;
-    // Whole half millimetres, as one would type them.
+    // Multiples of half a millimetre, as a user would type them.
     const auto rounded = [](double metres) { return std::max(1.0, std::round(metres / 5e-4)) * 5e-4; };
     brush.radius_m = rounded(0.06 * size_m.norm());
     brush.depth_m = rounded(0.4 * size_m.minCoeff());
@@ -20,6 +20,7 @@ Eigen::Vector3d fixed_axis(BrushDirection direction, const PaintGround& ground) 
         case BrushDirection::x: return Eigen::Vector3d::UnitX();
         case BrushDirection::y: return Eigen::Vector3d::UnitY();
         case BrushDirection::z: return Eigen::Vector3d::UnitZ();
+        // Without a stroke direction (a fill, or a single click) the longest axis is the best guess.
         case BrushDirection::stroke:
         case BrushDirection::longest: break;
     }
@@ -28,7 +29,8 @@ Eigen::Vector3d fixed_axis(BrushDirection direction, const PaintGround& ground) 
 
 fibre::Brush make_brush(const BrushSettings& settings, const PaintGround& ground, bool erase) {
     fibre::Brush brush;
-    // A cell is painted by its middle: of a coarse mesh, a small brush still reaches those it is held over.
+    // A cell is painted if its centre lies in the brush. On a coarse mesh a small brush must still reach the cell under
+    // it.
     const double least_m = 0.6 * ground.places.edge_m;
     brush.radius_m = std::max(settings.radius_m, least_m);
     brush.depth_m = settings.through ? std::numeric_limits<double>::infinity() : std::max(settings.depth_m, least_m);

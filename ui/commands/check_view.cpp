@@ -9,7 +9,7 @@ namespace {
 
 using Order = std::array<CheckState, 3>;
 
-/// "1 red, 2 amber" of the states that occur.
+/// "1 red, 2 amber": counts of the states that occur, in the given order.
 std::string counted(const CheckRows& rows, const Order& order) {
     std::string words;
     for (const CheckState state : order) {

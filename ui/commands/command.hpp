@@ -8,63 +8,72 @@
 
 #include "commands/workbench_state.hpp"
 
-// What a person can ask for. Panels emit these; Workbench carries them out at the end of the frame.
+// Requests of the user. Panels emit these values during a frame; Workbench executes them after the frame, so that all
+// panels of a frame see the same state. A new command is a struct here, an entry in Command and a line in
+// Workbench::execute().
 
 namespace myo::ui::commands {
 
+/// Opens an experiment folder, a mesh file or a project.
 struct Open {
     std::filesystem::path path;
-    std::optional<double> metres_per_unit;
+    std::optional<double> metres_per_unit;  // length unit of a mesh file without unit; empty: ask
 };
-/// Files from elsewhere: the first body or project among them is opened, the first recording imported.
+/// Files dropped on the window: opens the first body or project among them and imports the first recording.
 struct Drop {
     std::vector<std::filesystem::path> files;
 };
+/// Answer to the question about the unit of a mesh file.
 struct AnswerUnit {
-    std::optional<double> metres_per_unit;
-};  // empty = do not open
-/// `goes_on`: the same drag as in the last frame, one step for undo.
+    std::optional<double> metres_per_unit;  // empty: do not open the file
+};                                          // empty = do not open
+/// Replaces the settings. `goes_on` marks a further change of the same drag, which undo treats as one edit.
 struct ChangeSettings {
     Settings settings;
-    std::string what;
+    std::string what;  // name of the edit, for merging in undo
     bool goes_on = false;
 };
 struct Undo {};
 struct Redo {};
 struct BuildMesh {};
 struct Run {};
-/// Whether every edit is followed by a short run, and how long that is [s]; empty: chosen for the trial.
+/// Switches the live preview: a short run after every edit.
 struct ChangePreview {
     bool on = false;
-    std::optional<double> length_s;
+    std::optional<double> length_s;  // of the trial [s]; empty: chosen by the program
 };
+// Jobs. Each starts at once, or waits in the queue while another job runs.
 struct Calibrate {};
+/// Sets how the next search for muscle signals works.
 struct ChangeOptimize {
     OptimizeRequest request;
 };
 struct Optimize {};
 struct Diagnose {};
-/// A row of the diagnosis, by its key.
+/// Selects a row of the diagnosis.
 struct ChooseCandidate {
-    std::string key;
+    std::string key;  // DiagnosisRow::key
 };
-/// Takes the effects of a fitted row, and the values that were fitted with them, into the settings.
+/// Adds the effects of a fitted row to the settings, together with the parameters fitted with them.
 struct AddEffect {
-    std::string key;
+    std::string key;  // DiagnosisRow::key
 };
+/// Selects the muscle that is edited.
 struct ChooseMuscle {
-    int muscle = 0;
+    int muscle = 0;  // index in Settings::muscles; limited to the range
 };
-/// New paint of a muscle on the body that is shown; one step for undo.
+/// Replaces the paint of a muscle on the shown body. One undo entry.
 struct Paint {
     int muscle = 0;
     std::shared_ptr<const fibre::CellPaint> paint;
-    std::string what;
+    std::string what;  // name of the edit, for undo
 };
+/// Reads the signal of a muscle from a CSV file.
 struct ImportSignal {
     int muscle = 0;
     std::filesystem::path path;
 };
+/// Writes a signal to a CSV file.
 struct ExportSignal {
     std::string muscle;
     fibre::Signal signal;
@@ -73,17 +82,18 @@ struct ExportSignal {
 struct ChangeBrush {
     BrushSettings brush;
 };
-/// Of the running job.
+/// Cancels the running job.
 struct Cancel {};
+/// Pauses or continues the running job.
 struct Pause {
     bool paused = true;
 };
-/// A job that waits, by its id.
+/// Removes a waiting job from the queue.
 struct Unqueue {
-    int id = 0;
+    int id = 0;  // QueuedJob::id
 };
-/// An ended job, by its id: its settings and what it brought are shown again; its markers are drawn beside the shown
-/// run's; it is forgotten.
+/// Commands for an ended job, by JobRecord::id: show its settings and results again; draw its markers together with
+/// those of the shown run; remove it from the list.
 struct RestoreRecord {
     int id = 0;
 };
@@ -94,96 +104,118 @@ struct CompareRecord {
 struct ForgetRecord {
     int id = 0;
 };
-/// Into the project's file; asks where when there is none.
+/// Saves to the project's file. Asks for a name if there is none.
 struct Save {};
+/// Saves to this file, which becomes the project's file.
 struct SaveAs {
     std::filesystem::path file;
 };
+/// Opens or closes the dialog that asks for a file name.
 struct AskWhereToSave {
     bool asks = true;
-};  // false: the person gave it up
+};  // false: the user cancelled the dialog
+/// Answer to the question about unsaved changes.
 enum class UnsavedAnswer { save, discard, cancel };
+/// Decides about unsaved changes; the waiting action continues or is dropped.
 struct AnswerUnsaved {
     UnsavedAnswer answer = UnsavedAnswer::cancel;
 };
-/// Projects of sessions that did not end well, the newest last. Until the person has taken that up, or has thrown away
-/// one after the other, nothing else is opened.
+/// Offers the recovery files of sessions that ended unexpectedly, newest last. Until the user has recovered one or
+/// discarded all, nothing else is opened.
 struct OfferRecovery {
     std::vector<std::filesystem::path> files;
 };
+/// Opens a recovery file.
 struct Recover {
     std::filesystem::path file;
 };
+/// Deletes the newest recovery file.
 struct DiscardRecovery {};
-/// Asked for again while the question about a running job is open, it is the answer.
+/// Closes the window. While the question about a running job is open, a second Quit confirms it.
 struct Quit {};
-/// Whether the running job shall be stopped to quit.
+/// Answer to the question whether the running job may be cancelled to quit.
 struct AnswerStop {
     bool stops = false;
 };
+/// Selects the trial that view, plots and timeline show.
 struct ChooseTrial {
-    int trial = 0;
+    int trial = 0;  // index in Scene::trials; limited to the range
 };
+/// Selects the marker that the plots show.
 struct ChooseMarker {
-    int marker = 0;
+    int marker = 0;  // index in Scene::markers; limited to the range
 };
+/// Sets the shown time; limited to time_span().
 struct SetTime {
     double time_s = 0.0;
 };
+/// Starts or stops playing the shown motion.
 struct Play {
     bool playing = true;
 };
+/// Playback speed relative to real time; limited to 0.01 … 10.
 struct SetSpeed {
     double speed = 1.0;
 };
 struct ChangeView {
     ViewOptions view;
 };
+/// Frequency at which the numerical damping of the time scheme is shown; limited to 0.01 … 1000 Hz.
 struct SetDampingFrequency {
     double frequency_Hz = 5.0;
 };
+/// Sets colours and scale of the window.
 struct SetTheme {
     platform::ThemeName theme = platform::ThemeName::dark;
     float scale = 1.0f;
 };
+/// Sizes of the window's parts, after the user dragged an edge.
 struct SetLayout {
     LayoutSizes layout;
 };
+/// Adds or removes a folder in the list of the file browser.
 struct Bookmark {
     std::filesystem::path folder;
     bool kept = true;
 };
+/// Replaces all preferences, when the program starts.
 struct UsePreferences {
     Preferences preferences;
 };
 struct ClearLog {};
+/// Appends a message of the window itself to the log.
 struct Tell {
     LogLevel level = LogLevel::information;
     std::string text;
 };
-/// A file of motion capture, to become a trial. What was chosen for the same file is kept.
+/// Reads a motion capture file, to be added as a trial. Choices made before for the same file are kept.
 struct ReadRecording {
     std::filesystem::path path;
     ReadingOptions reading = {};
 };
+/// Replaces the import choices.
 struct ChangeImport {
     ImportChoices choices;
 };
-/// The label that is looked at; with `placing`, clicks on the body say where it sits.
+/// Selects a label of the recording. With `placing`, clicks in the view assign or place it.
 struct ChooseLabel {
     int label = 0;
     bool placing = false;
 };
+/// Proposes an assignment of labels to markers.
 struct ProposeMarkers {};
-/// Start of the recording by its likeness to the shown run.
+/// Finds the start of the recording by comparing it with the shown run.
 struct AlignImport {};
+/// Adds the imported recording as a trial.
 struct AddRecording {};
+/// Closes the import without adding a trial.
 struct GiveUpImport {};
-/// Pages and tables of what was found, into a folder.
+/// Writes pages and tables of the results into a folder.
 struct WriteReport {
     std::filesystem::path folder;
 };
 
+/// All commands.
 using Command = std::variant<
     Open, Drop, AnswerUnit, ChangeSettings, Undo, Redo, BuildMesh, Run, ChangePreview, Calibrate, ChangeOptimize,
     Optimize, Diagnose, ChooseCandidate, AddEffect, ChooseMuscle, Paint, ImportSignal, ExportSignal, ChangeBrush,

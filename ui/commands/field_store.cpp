@@ -12,9 +12,10 @@ namespace {
 
 constexpr const char* force_field = "effect_force";
 
-// Frames among which the range of a trial is looked for: extremes change little from one frame to the next.
+// Number of frames that are searched for the range of a trial. Extremes change little from one frame to the next.
 constexpr std::size_t range_frames = 24;
 
+/// Least and greatest finite value; {inf, -inf} if there is none.
 std::array<double, 2> range_of(const Eigen::VectorXd& values) {
     std::array<double, 2> range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (const double v : values)
@@ -22,7 +23,7 @@ std::array<double, 2> range_of(const Eigen::VectorXd& values) {
     return range;
 }
 
-/// Size of the force on the patch that a node is in. Null: none is known.
+/// Magnitude of the force on the patch of each node. Null if no force is known.
 std::shared_ptr<const FieldFrame> force_frame(const WorkbenchState& state) {
     const PatchForces* const forces = shown_forces(state);
     const Eigen::Matrix3Xd now = forces ? force_at_time(*forces, state.time_s) : Eigen::Matrix3Xd();
@@ -61,7 +62,7 @@ std::string needed_for(const FieldKind& kind, const WorkbenchState& state) {
 }
 
 void FieldStore::take(Answer answer) {
-    if (!(answer.source == source_)) return;  // the person has gone on
+    if (!(answer.source == source_)) return;  // the request has changed since: this answer is of no use
     if (answer.range) range_ = answer.range;
     if (answer.values.size() > 0) frame_ = answer.frame;
     auto frame = std::make_shared<FieldFrame>();
@@ -71,6 +72,7 @@ void FieldStore::take(Answer answer) {
 }
 
 std::shared_ptr<const FieldFrame> FieldStore::update(const WorkbenchState& state, const Backend& backend) {
+    // Never wait for the background thread here: the UI must not stall.
     if (job_.valid() && job_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) take(job_.get());
     const SimulatedTrial* const trial = state.simulated_trial();
     if (state.view.field == force_field) {
@@ -88,8 +90,8 @@ std::shared_ptr<const FieldFrame> FieldStore::update(const WorkbenchState& state
         return nullptr;
     }
     if (!(wanted == source_)) {
-        // Of another field or body nothing can be shown; of another run of the same the last values will do until its
-        // own are there.
+        // Values of another field or body cannot be shown on this one. Values of another run of the same field and body
+        // stay visible until the new ones arrive, so that a preview does not flicker.
         const bool keeps = source_.field == wanted.field && source_.body == wanted.body;
         if (!keeps) shown_.reset();
         source_ = wanted;
@@ -98,7 +100,9 @@ std::shared_ptr<const FieldFrame> FieldStore::update(const WorkbenchState& state
     }
     const TimePlace place = place_in_time(trial->frame_time_s, state.time_s);
     const auto nearest = static_cast<std::size_t>(place.weight < 0.5 ? place.index : place.next);
+    // One request at a time: the backend is free for the next frame that is shown.
     if (job_.valid()) return shown_;
+    // First the values of the shown frame, then the range of the trial, which takes up to range_frames times as long.
     if (frame_ != nearest) {
         job_ = std::async(std::launch::async, [wanted, nearest, &backend] {
             return Answer{
@@ -117,7 +121,7 @@ std::shared_ptr<const FieldFrame> FieldStore::update(const WorkbenchState& state
             return Answer{wanted, 0, {}, range};
         });
     }
-    // What is quick is there at once.
+    // Fast fields are ready within this frame, without a frame of old values.
     if (job_.valid() && job_.wait_for(std::chrono::milliseconds(4)) == std::future_status::ready) take(job_.get());
     return shown_;
 }

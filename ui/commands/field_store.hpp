@@ -11,36 +11,39 @@
 
 namespace myo::ui::commands {
 
-/// What can colour the body: the backend's fields of a run, then the force of the diagnosis' chosen row.
+/// Fields that can colour the body: the backend's fields of a run, then the force of the selected diagnosis row.
 std::vector<FieldKind> field_kinds(const Backend& backend);
 
-/// That which the state's view shows; empty: none, or one that is not there.
+/// The field that the state's view shows. Empty if none is selected, or the id is unknown.
 std::optional<FieldKind> shown_field(const WorkbenchState& state, const Backend& backend);
 
-/// Whether it needs a diagnosis, not a run alone.
+/// Whether a field needs a diagnosis and not only a run.
 bool of_diagnosis(const FieldKind& kind);
 
-/// What must be done before a field has values; empty: it has some.
+/// What the user has to do before a field has values, as a sentence; empty if it has some.
 std::string needed_for(const FieldKind& kind, const WorkbenchState& state);
 
 /// Values of a field in one frame.
 struct FieldFrame {
-    Eigen::VectorXd values;                            // per node [SI]
-    std::optional<std::array<double, 2>> trial_range;  // over the trial, once that is known
+    Eigen::VectorXd values;                            // per node [SI unit of the field]
+    std::optional<std::array<double, 2>> trial_range;  // least and greatest value over the trial; empty until known
 };
 
-/// The chosen field at the shown time. Large bodies take longer than a frame: values come from a thread beside the
-/// drawing, the last ones are shown meanwhile.
+/// Provides the values of the selected field at the shown time.
+///
+/// Computing the values of a large body takes longer than a frame, so they are computed on a background thread; the
+/// last values stay visible meanwhile. Used on the UI thread; one store per view.
 class FieldStore {
 public:
-    /// Takes what has come and asks for what is missing. Null: nothing to show, or nothing yet. Another pointer
-    /// whenever the content is another.
+    /// Takes finished values and requests missing ones. Never blocks for more than some milliseconds.
+    ///
+    /// @return the values to show; null if there are none, or none yet. The pointer changes whenever the content does.
     std::shared_ptr<const FieldFrame> update(const WorkbenchState& state, const Backend& backend);
-    /// Whether another update will bring more.
+    /// Whether a later update will bring more: the next frame has to be drawn.
     bool waits() const { return job_.valid() || (frame_ && !range_); }
 
 private:
-    /// What values belong to.
+    /// What a set of values belongs to.
     struct Source {
         std::shared_ptr<const RunResult> run;
         std::shared_ptr<const MeshedBody> body;
@@ -48,6 +51,7 @@ private:
         std::size_t trial = 0;
         bool operator==(const Source&) const = default;
     };
+    /// Inputs of the force field, which is computed at once and needs no thread.
     struct ForceKey {
         std::shared_ptr<const DiagnosisView> diagnosis;
         std::shared_ptr<const MeshedBody> body;
@@ -56,20 +60,22 @@ private:
         double time_s = 0.0;
         bool operator==(const ForceKey&) const = default;
     };
+    /// Result of the background thread.
     struct Answer {
         Source source;
         std::size_t frame = 0;
         Eigen::VectorXd values;
-        std::optional<std::array<double, 2>> range;  // of the trial, where that was asked for
+        std::optional<std::array<double, 2>> range;  // of the trial, if it was requested
     };
+    /// Stores an answer, unless it belongs to an earlier request.
     void take(Answer answer);
 
     Source source_;
-    std::optional<ForceKey> force_key_;  // of what is shown, where that is a force
-    std::optional<std::size_t> frame_;   // of what is shown
-    std::optional<std::array<double, 2>> range_;
-    std::shared_ptr<const FieldFrame> shown_;
-    std::future<Answer> job_;  // its end waits for it
+    std::optional<ForceKey> force_key_;           // key of shown_ if that is a force
+    std::optional<std::size_t> frame_;            // frame of shown_
+    std::optional<std::array<double, 2>> range_;  // of the trial; empty: not known yet
+    std::shared_ptr<const FieldFrame> shown_;     // values that update() returns
+    std::future<Answer> job_;                     // its destructor waits for the thread
 };
 
 }  // namespace myo::ui::commands

@@ -11,12 +11,12 @@
 namespace myo::ui::commands {
 namespace {
 
-constexpr double longest_part = 0.3;    // of the rest shape's diagonal, for the largest force
-constexpr double shortest_part = 0.02;  // of the longest arrow: shorter ones are dots
-constexpr double seen_part = 0.1;       // a time is one to look at where the longest arrow is at least so long
-constexpr double translucent = 0.4;
+constexpr double longest_part = 0.3;  // length of the largest force's arrow, as share of the diagonal of the rest shape
+constexpr double shortest_part = 0.02;  // shorter arrows, as share of the longest, are left out
+constexpr double seen_part = 0.1;       // share of the longest arrow above which forces count as visible
+constexpr double translucent = 0.4;     // opacity of the body
 
-/// Middles of the patches.
+/// Centres of the patches, as the mean of their nodes.
 Eigen::Matrix3Xd middles(const Eigen::Matrix3Xd& nodes, const Eigen::VectorXi& patch_of_node, int patches) {
     Eigen::Matrix3Xd sum = Eigen::Matrix3Xd::Zero(3, patches);
     Eigen::VectorXd count = Eigen::VectorXd::Zero(patches);
@@ -27,7 +27,7 @@ Eigen::Matrix3Xd middles(const Eigen::Matrix3Xd& nodes, const Eigen::VectorXi& p
     return sum * count.cwiseMax(1.0).cwiseInverse().asDiagonal();
 }
 
-/// A shaft with four barbs, in one stroke; ends with a gap.
+/// Appends an arrow as one polyline: a shaft and four barbs, then a gap.
 void append_arrow(Eigen::Matrix3Xd& points, Eigen::Index& at, const Eigen::Vector3d& from,
                   const Eigen::Vector3d& along) {
     const Eigen::Vector3d tip = from + along, side = 0.09 * along.norm() * along.unitOrthogonal(),
@@ -48,6 +48,7 @@ const PatchForces* shown_forces(const WorkbenchState& state) {
     const DiagnosisRow* const row = state.diagnosis_row();
     const auto trial = static_cast<std::size_t>(state.trial);
     if (!row || !state.body || trial >= row->force.size() || !row->force[trial]) return nullptr;
+    // Patches are lists of nodes, so they fit only the mesh that was diagnosed.
     const bool same_body = same_mesh(state.diagnosis_settings, state.body_settings) &&
                            state.diagnosis->patch_of_node.size() == state.body->mesh.nodes.cols();
     const PatchForces& forces = *row->force[trial];
@@ -65,6 +66,7 @@ double time_with_forces(const PatchForces& forces, double time_s) {
     const auto largest = [&](Eigen::Index k) {
         return forces.force_N[static_cast<std::size_t>(k)].colwise().norm().maxCoeff();
     };
+    // Keep the time if its forces are visible; otherwise go to the largest ones.
     const TimePlace place = place_in_time(forces.time_s, time_s);
     if (place.index >= 0 && largest(place.index) > seen_part * forces.largest_N) return time_s;
     Eigen::Index best = 0;
@@ -79,7 +81,9 @@ void add_force_arrows(viewport::DrawnScene& drawn, const WorkbenchState& state, 
     const Eigen::Matrix3Xd now = force_at_time(*forces, state.time_s);
     if (now.cols() == 0) return;
     const double metres_per_N = longest_part * drawn.extent.size().norm() / forces->largest_N;
+    // Arrows start at the drawn positions, so that they move with the body.
     const Eigen::Matrix3Xd from = middles(drawn.positions, state.diagnosis->patch_of_node, state.diagnosis->patches);
+    // append_arrow() writes 10 points per arrow; short arrows are left out.
     Eigen::Matrix3Xd points(3, 10 * from.cols());
     Eigen::Index used = 0;
     for (Eigen::Index p = 0; p < from.cols(); ++p) {

@@ -5,19 +5,21 @@
 
 namespace myo::ui::commands {
 
-/// The force of the diagnosis' chosen row in the shown trial, where it was worked out for the body that is shown; else
-/// null.
+/// Forces of the selected diagnosis row in the shown trial. Null if there are none, or if they were computed for
+/// another mesh than the shown one.
 const PatchForces* shown_forces(const WorkbenchState& state);
 
-/// Force on each patch (3 x patches) at a time [N]; without columns outside of what is known.
+/// Force on each patch at a time, 3 x patches [N], interpolated between samples. No columns if there are no samples.
 Eigen::Matrix3Xd force_at_time(const PatchForces& forces, double time_s);
 
-/// A time at which arrows of these forces can be seen: this one where they can, else that of the largest.
+/// A time [s] at which arrows of these forces are visible: `time_s` if they are visible there, otherwise the time of
+/// the largest force.
 double time_with_forces(const PatchForces& forces, double time_s);
 
-/// Arrows of that force at the state's time, each the sum over a patch of nodes and drawn from its middle, with their
-/// scale: one for the whole trial, so that lengths can be compared in time. Sees the drawn positions; makes the body
-/// translucent, as arrows start inside.
+/// Adds force arrows at the state's time to a drawn scene, and their scale. Does nothing if no forces are shown.
+///
+/// Each arrow is the sum over a patch of nodes and starts at its centre. One scale holds for the whole trial, so that
+/// lengths can be compared over time. Requires drawn.positions; makes the body translucent, as arrows start inside it.
 void add_force_arrows(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme);
 
 }  // namespace myo::ui::commands

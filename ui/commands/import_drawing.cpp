@@ -9,12 +9,13 @@ namespace myo::ui::commands {
 void add_import(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme) {
     const RecordingImport& import = *state.import;
     const measurement::Recording& recording = *import.file.recording;
-    // Rings of those that no label is yet, with their names, to be clicked on.
+    // Rings for declared markers that no label is assigned to yet, with their names: targets for clicks.
     for (const SceneMarker& own : import.declared) {
         const auto is_own = [&](const ImportedMarker& m) { return m.name == own.name; };
         if (std::none_of(import.choices.markers.begin(), import.choices.markers.end(), is_own))
             drawn.markers.push_back({own.rest_m, viewport::color_of(theme.text), true, own.name, -1});
     }
+    // state.time_s counts from the chosen start, the recording from the beginning of the file.
     const TimePlace place = place_in_time(recording.time_s, state.time_s + import.choices.start_s);
     for (std::size_t i = 0; i < recording.labels.size(); ++i) {
         const ImportedMarker& marker = import.choices.markers[i];
@@ -30,6 +31,7 @@ void add_import(viewport::DrawnScene& drawn, const WorkbenchState& state, const 
                                      false, label, -1});
         const Eigen::Vector3d target = import.view.target_m.col(static_cast<Eigen::Index>(i));
         if (!target.allFinite()) continue;
+        // The target ring and the line to it show how far the label lies from its marker before the start.
         drawn.markers.push_back({target, viewport::color_of(chosen ? theme.accent : theme.simulated), true, "", -1});
         const Eigen::Vector3d before = import.view.before_m.col(static_cast<Eigen::Index>(i));
         if (!before.allFinite()) continue;

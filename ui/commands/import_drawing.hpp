@@ -6,8 +6,9 @@
 
 namespace myo::ui::commands {
 
-/// The markers of a recording that is being imported, at the state's time, where its choices put them; before the start
-/// lines lead from there to where they sit on the body.
+/// Adds the markers of the recording that is being imported to a drawn scene, at the state's time and placed by the
+/// current choices. Lines lead from their positions before the start to their places on the body. Requires
+/// state.import.
 void add_import(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme);
 
 }  // namespace myo::ui::commands

@@ -20,18 +20,18 @@ struct Job::Content {
     Clock::time_point start = Clock::now();
     JobKind kind;
     std::atomic<bool> cancel = false;
-    mutable std::mutex mutex;  // guards what follows
-    std::condition_variable goes_on;
+    mutable std::mutex mutex;         // guards the members below
+    std::condition_variable goes_on;  // notified when the job continues or is cancelled
     bool paused = false;
     Clock::time_point paused_since;
     Clock::duration paused_for{0};
     ProgressEvent progress;
-    double stage_start_s = 0.0;  // working time at which the present count began
-    std::optional<Completion> result;
-    std::function<void()> wake;
+    double stage_start_s = 0.0;        // working time at which the present count began
+    std::optional<Completion> result;  // set once, when the work has ended
+    std::function<void()> wake;        // called on the job's thread
     std::thread thread;
 
-    /// Since the start, without pauses. The mutex is held.
+    /// Working time since the start [s], without pauses. The caller holds the mutex.
     double working_s() const {
         const Clock::time_point now = Clock::now();
         return std::chrono::duration<double>(now - start - paused_for -
@@ -39,6 +39,7 @@ struct Job::Content {
             .count();
     }
 
+    // A new task, a new unit or a count that goes back starts a new estimate of the remaining time.
     void take(const ProgressEvent& event) {
         if (event.task != progress.task || event.unit != progress.unit || event.done < progress.done)
             stage_start_s = working_s();
@@ -54,6 +55,7 @@ Job::Job(std::string name, Work work, std::function<Completion(const std::string
     c->wake = std::move(wake);
     c->kind = kind;
     c->thread = std::thread([c, work = std::move(work), failed = std::move(failed)] {
+        // Runs on the job's thread. It blocks here while the job is paused, so the work needs no code for pausing.
         const Progress progress(
             [c](const ProgressEvent& event) {
                 {
@@ -68,7 +70,7 @@ Job::Job(std::string name, Work work, std::function<Completion(const std::string
         try {
             completion = work(progress);
         } catch (const std::exception& problem) {
-            // Out of memory, above all: a mesh too fine must not end the program.
+            // Mainly std::bad_alloc: a mesh that is too fine must not end the program.
             completion = failed(problem.what());
         }
         {
@@ -85,6 +87,7 @@ Job::~Job() {
 }
 
 void Job::cancel() {
+    // Under the mutex, so that a work that is about to wait for the end of a pause does not miss the notification.
     {
         const std::lock_guard lock(content_->mutex);
         content_->cancel = true;
@@ -117,6 +120,7 @@ JobView Job::view() const {
     }
     view.name = content_->name;
     view.searches = content_->kind.searches;
+    // Outside the mutex: the job's thread reports progress often and must not wait for this.
     view.remaining_s = remaining_time(view.fraction(), stage_s);
     if (content_->kind.staged)
         view.remaining_of = TimeLeft::of_stage;

@@ -10,61 +10,71 @@
 
 namespace myo::ui::commands {
 
-/// What a job's time left is of.
+/// What the estimate of the remaining time refers to.
 enum class TimeLeft {
-    exact,     // all of it, as far as it goes on evenly
-    at_most,   // it may end earlier: only the greatest number of its evaluations is known
-    of_stage,  // the present stage; others come after it
+    exact,     // the whole job, if it continues at the same rate
+    at_most,   // upper limit: only the maximum number of evaluations is known
+    of_stage,  // the present part only; others follow
 };
 
-/// What a person sees of a running job.
+/// State of a running job as it is shown.
 struct JobView {
     std::string name;
-    ProgressEvent progress;
-    double elapsed_s = 0.0;
-    std::optional<double> remaining_s;  // empty while it cannot be told
+    ProgressEvent progress;             // last report of the work
+    double elapsed_s = 0.0;             // without pauses
+    std::optional<double> remaining_s;  // empty while it cannot be estimated
     TimeLeft remaining_of = TimeLeft::exact;
-    bool cancelling = false;
+    bool cancelling = false;  // cancelled, but the work has not ended yet
     bool paused = false;
-    bool searches = false;  // for values: what it knows so far is shown
+    bool searches = false;  // it is a search, whose intermediate results are shown
 
-    /// Whether it knows its end; a stage that is only named does not.
+    /// Whether progress is a fraction of a known total. A part that is only named has none.
     bool counts() const { return progress.total > 0.0 && progress.unit != "stage"; }
-    /// Done part, 0 to 1; 0 when the total is unknown.
+    /// Fraction done, 0 to 1; 0 if the total is unknown.
     double fraction() const { return counts() ? std::min(1.0, std::max(0.0, progress.done / progress.total)) : 0.0; }
 };
 
-/// Time left when `fraction` took `elapsed` seconds: linear, and only once it means something (2 % and half a second).
+/// Remaining time [s] by linear extrapolation. Empty before 2 % and half a second, when it would mean nothing.
+///
+/// @param fraction  done so far, 0 to 1
+/// @param elapsed_s  time that this took
 std::optional<double> remaining_time(double fraction, double elapsed_s);
 
-/// How a job counts, and what it is.
+/// Properties of a job that the display needs.
 struct JobKind {
-    bool staged = false;  // its progress counts anew in every stage
-    bool searches = false;
+    bool staged = false;    // its count restarts in each part
+    bool searches = false;  // it is a search
 };
 
-/// Long work on its own thread, which hands its result over when asked at the start of a frame.
+/// A long computation on its own thread. The UI thread polls it once per frame and takes its result.
 ///
-/// The work gets a Progress whose cancel flag is the job's, and returns what shall be done with the result on the
-/// caller's thread. Exceptions of the work become a call of `failed`. The destructor cancels and waits.
+/// `work` runs on the job's thread. It gets a Progress whose cancel flag belongs to the job, and returns the
+/// completion: a function that the UI thread executes to show the result. An exception in the work is turned into a
+/// call of `failed`. The destructor cancels the job and waits for its thread.
 class Job {
 public:
     using Completion = std::function<void()>;
     using Work = std::function<Completion(const Progress&)>;
 
-    /// @param wake  called from the work's thread when there is something new to draw; may be empty
+    /// Starts the thread.
+    ///
+    /// @param name  shown
+    /// @param failed  makes the completion for an exception, from its message
+    /// @param wake  called on the job's thread when there is something new to draw; may be empty
     Job(std::string name, Work work, std::function<Completion(const std::string&)> failed, std::function<void()> wake,
         JobKind kind = {});
     ~Job();
     Job(const Job&) = delete;
     Job& operator=(const Job&) = delete;
 
+    /// Sets the cancel flag; the work ends at its next check. Also ends a pause.
     void cancel();
-    /// The work waits at its next report of progress until it goes on or is cancelled; its time stands still.
+    /// Pauses the work at its next progress report, until it continues or is cancelled. Paused time does not count.
     void pause(bool paused);
+    /// A copy of the present state, for display.
     JobView view() const;
 
-    /// The completion, once, when the work is done.
+    /// Returns the completion, once, after the work has ended; empty before and afterwards.
     std::optional<Completion> take_result();
 
 private:

@@ -11,38 +11,40 @@
 
 namespace myo::ui::commands {
 
-/// A job that waits for the running one.
+/// A job that waits for the running one to end.
 struct QueuedJob {
-    int id = 0;
-    std::string name;
+    int id = 0;        // unique in the session
+    std::string name;  // name of the job: "Simulate"
 };
 
+/// How a job ended. `stopped` is a cancelled job.
 enum class JobOutcome { done, stopped, failed };
 
-/// A body with what was worked out of it, and the settings of its mesh.
+/// A mesh with the data derived from it and the settings that it was built with.
 struct PlacedBody {
     std::shared_ptr<const MeshedBody> body;
     std::shared_ptr<const PaintGround> ground;
     Settings settings;
 };
 
-/// A job that has ended, with what it brought: to be compared, and to be taken up again.
+/// A job that has ended, with its results. It can be compared with others and shown again.
 struct JobRecord {
-    int id = 0;
-    std::string name;   // "Simulate"
-    std::string clock;  // when it began, "14:05:09"
-    double seconds = 0.0;
+    int id = 0;            // unique in the session
+    std::string name;      // "Simulate"
+    std::string clock;     // local time of its start, "14:05:09"
+    double seconds = 0.0;  // wall time; 0: not measured
     JobOutcome outcome = JobOutcome::done;
-    std::string summary;  // "rms 1.32 mm"
-    Settings settings;    // after it: with what a search found
-    PlacedBody on;
-    std::shared_ptr<const RunResult> run;  // null: none, or given up to save memory
-    std::shared_ptr<const SearchResult> found;
-    std::shared_ptr<const SearchView> search;
-    std::shared_ptr<const DiagnosisView> diagnosis;
-    std::shared_ptr<const CheckReport> checks;  // null: none were made
-    bool compared = false;                      // its markers are drawn beside those of the shown run
+    std::string summary;                             // shown in the list: "rms error 1.32 mm"
+    Settings settings;                               // of the job; for a search with the values that it found
+    PlacedBody on;                                   // mesh that it worked on
+    std::shared_ptr<const RunResult> run;            // null: no run, or released to save memory
+    std::shared_ptr<const SearchResult> found;       // null: not a search
+    std::shared_ptr<const SearchView> search;        // history of the search; null: not a search
+    std::shared_ptr<const DiagnosisView> diagnosis;  // null: not a diagnosis
+    std::shared_ptr<const CheckReport> checks;       // null: no checks
+    bool compared = false;                           // its markers are drawn together with those of the shown run
 
+    /// Whether its mesh and settings still exist, so that it can be shown again.
     bool can_be_restored() const { return outcome != JobOutcome::failed && on.body; }
 };
 

@@ -9,9 +9,10 @@
 namespace myo::ui::commands {
 
 double preview_length_s(const WorkbenchState& state) {
-    constexpr double usual_s = 0.5;
+    constexpr double usual_s = 0.5;  // default length
     const double asked = state.preview.length_s.value_or(usual_s);
     const SceneTrial* const trial = state.scene_trial();
+    // Not beyond the last sample: there is nothing to compare with.
     return trial && trial->time_s.size() > 0 ? std::min(asked, trial->time_s[trial->time_s.size() - 1]) : asked;
 }
 
@@ -20,6 +21,7 @@ std::string preview_text(const WorkbenchState& state) {
     if (!preview.on) return "";
     if (!preview.problem.empty()) return "Preview failed: " + preview.problem;
     const std::string from_0_to = "Preview 0\xe2\x80\x93";
+    // A run with a problem still has frames up to it, so both are mentioned.
     if (const SimulatedTrial* const trial = state.trial_of(preview.run.get())) {
         const std::string error = std::isfinite(trial->rms_m)
                                       ? ", rms error " + plot::value_label(1e3 * trial->rms_m, 3) + " mm"

@@ -5,15 +5,17 @@
 
 namespace myo::ui::commands {
 
-/// What a running job knows so far, on its way from its thread to the frame: the latest only.
+/// Hands the latest value of a running job from its thread to the UI thread. Earlier values that were not taken are
+/// dropped. Both functions may be called from any thread.
 template <class Value>
 class LiveValue {
 public:
+    /// Replaces the value. Called by the job.
     void set(std::shared_ptr<const Value> value) {
         const std::lock_guard lock(mutex_);
         latest_ = std::move(value);
     }
-    /// What came since the last call; null when nothing did.
+    /// Returns the value set since the last call; null if there is none. Called once per frame.
     std::shared_ptr<const Value> take() {
         const std::lock_guard lock(mutex_);
         return std::move(latest_);

@@ -8,9 +8,9 @@
 namespace myo::ui::commands {
 namespace {
 
-constexpr int digits = 9;  // a nanometre in a metre, far below any camera's noise
+constexpr int digits = 9;  // significant digits: a nanometre in a metre, far below the noise of any camera
 
-/// In quotes when it holds what would end the field, quotes doubled.
+/// Quotes a CSV field if it contains a character that would end it; quotes inside are doubled.
 /// Source: RFC 4180, section 2.
 std::string quoted(const std::string& name) {
     if (name.find_first_of(",\"\n\r") == std::string::npos) return name;
@@ -19,12 +19,14 @@ std::string quoted(const std::string& name) {
     return field + "\"";
 }
 
+/// One group of three columns of the table.
 struct Curve {
     std::string name;
     const Eigen::VectorXd* time_s = nullptr;  // T
     Eigen::Matrix3Xd position_m;              // 3 x T
 };
 
+/// Adds the curves of a trial: measured, and with a run simulated and residual. `before` is the prefix of their names.
 void add_trial(std::vector<Curve>& curves, const std::string& before, const SceneTrial& trial, std::size_t marker,
                const Eigen::Matrix3Xd* simulated_m) {
     const Eigen::Matrix3Xd& measured_m = trial.measured[marker];
@@ -34,7 +36,7 @@ void add_trial(std::vector<Curve>& curves, const std::string& before, const Scen
     curves.push_back({before + "residual", &trial.time_s, *simulated_m - measured_m});
 }
 
-/// Way of a marker in a run at the times of its trial, or null.
+/// Simulated path of a marker at the sample times of its trial; null if the run does not have it.
 const Eigen::Matrix3Xd* simulated_way(const SceneTrial& trial, const RunResult* run, std::size_t t,
                                       std::size_t marker) {
     if (!run || t >= run->trials.size() || marker >= run->trials[t].markers.size()) return nullptr;
@@ -50,9 +52,11 @@ std::vector<ComparedMarker> compared_markers(const WorkbenchState& state) {
     const auto m = static_cast<std::size_t>(state.marker);
     for (std::size_t k = 0; trial && k < state.history.size(); ++k) {
         const JobRecord& record = state.history[k];
+        // The shown run has columns of its own.
         const SimulatedTrial* const other = record.compared && record.run != state.run
                                                 ? state.trial_of(record.run.get())
                                                 : nullptr;
+        // A run of an earlier version of the experiment has other sample times.
         if (!other || m >= other->markers.size() || other->markers[m].cols() != trial->time_s.size()) continue;
         compared.push_back({k, record.name + " " + record.clock, &other->markers[m]});
     }
@@ -84,6 +88,7 @@ std::string marker_curves_csv(const WorkbenchState& state, double first_s, doubl
         curves.push_back({other.name, &trial->time_s, *other.position_m});
     for (const OverlaidMarker& other : overlaid_markers(state, overlaid))
         add_trial(curves, other.measured->name + "_", *other.measured, m, other.simulated_m);
+    // Trials have different sample times. The table has a line for each time of any of them, with gaps as nan.
     std::set<double> times;
     for (const Curve& curve : curves) times.insert(curve.time_s->begin(), curve.time_s->end());
     std::string text = "time_s";
@@ -96,6 +101,7 @@ std::string marker_curves_csv(const WorkbenchState& state, double first_s, doubl
         std::string line = format_number(time, digits);
         for (std::size_t c = 0; c < curves.size(); ++c) {
             const Eigen::VectorXd& at = *curves[c].time_s;
+            // Times ascend in the table and in each trial, so one pass with an index per trial suffices.
             while (next[c] < at.size() && at(next[c]) < time) ++next[c];
             const bool sampled = next[c] < at.size() && at(next[c]) == time;
             for (int axis = 0; axis < 3; ++axis)

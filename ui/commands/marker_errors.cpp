@@ -18,10 +18,12 @@ std::vector<MarkerError> marker_errors(const Scene& scene, const SceneTrial& tri
         double largest = 0.0;
         int seen = 0, count = 0, samples = 0;
         for (Eigen::Index t = 0; t < measured.cols(); ++t) {
+            // Before the start the body is held, so these samples say nothing about the motion.
             if (trial.time_s(t) < 0.0) continue;
             ++samples;
             if (!measured.col(t).allFinite()) continue;
             ++seen;
+            // An occluded marker has NaN in all coordinates.
             if (!predicted || !simulated->markers[m].col(t).allFinite()) continue;
             const Eigen::Vector3d difference = simulated->markers[m].col(t) - measured.col(t);
             sum += difference;
@@ -33,6 +35,7 @@ std::vector<MarkerError> marker_errors(const Scene& scene, const SceneTrial& tri
         if (samples > 0) error.seen = static_cast<double>(seen) / samples;
         if (count > 0) {
             error.rms_axis_m = (squares / count).cwiseSqrt();
+            // over coordinates, not distances: three per sample
             error.rms_m = std::sqrt(squares.sum() / (3.0 * count));
             error.bias_m = sum / count;
             error.largest_axis_m = largest_axis;

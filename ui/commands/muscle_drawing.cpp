@@ -16,30 +16,31 @@ using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-constexpr float strongest_tint = 0.8f;
-constexpr double fibre_length = 0.7;       // of the distance between cells
-constexpr double lift = 0.04;              // of it, above the face
-constexpr std::size_t most_fibres = 4000;  // of a muscle: more are drawn one in so many
-constexpr float dark_fibre = 0.35f;        // on its own colour
+constexpr float strongest_tint = 0.8f;     // opacity of the muscle colour on a face with full weight
+constexpr double fibre_length = 0.7;       // share of the distance between cells
+constexpr double lift = 0.04;              // share of the same distance, above the face
+constexpr std::size_t most_fibres = 4000;  // per muscle; with more, every n-th one is drawn
+constexpr float dark_fibre = 0.35f;        // brightness of fibres that lie on their own colour
 
-/// Columns of a matrix that belong to a cell or a face.
+/// Positions of the nodes of one cell or face: one column of `nodes`.
 Matrix3Xd nodes_of(const Matrix3Xd& positions, const Eigen::MatrixXi& nodes, Index column) {
     return positions(Eigen::all, nodes.col(column));
 }
 
-/// Deformation gradient that fits a cell's nodes best.
+/// Deformation gradient of a cell, by least squares over its nodes. Sufficient for drawing a direction.
 Matrix3d deformation(const Matrix3Xd& rest, const Matrix3Xd& now) {
     const Matrix3Xd X = rest.colwise() - rest.rowwise().mean(), x = now.colwise() - now.rowwise().mean();
     return x * X.transpose() * (X * X.transpose()).inverse();
 }
 
-/// Line through `middle` that ends with a gap.
+/// Appends a line through `middle` with the half vector `half`, followed by a gap.
 void append(std::vector<Vector3d>& points, const Vector3d& middle, const Vector3d& half) {
     points.push_back(middle - half);
     points.push_back(middle + half);
     points.push_back(Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()));
 }
 
+/// All fibres of one colour as a single polyline with gaps.
 viewport::DrawnLine lines_of(const std::vector<Vector3d>& points, const Eigen::Vector3f& color, double width) {
     viewport::DrawnLine line;
     line.points = Eigen::Map<const Matrix3Xd>(points.empty() ? nullptr : points.front().data(), 3,
@@ -49,7 +50,7 @@ viewport::DrawnLine lines_of(const std::vector<Vector3d>& points, const Eigen::V
     return line;
 }
 
-/// Fibres of one muscle: those on the surface, and those inside.
+/// Adds the fibres of one muscle. Cells with a face on the surface show their fibre on it, all others inside.
 void add_fibres(viewport::DrawnScene& drawn, const MeshedBody& body, const fibre::CellPaint& paint, double spacing_m,
                 const Eigen::Vector3f& color, double width) {
     const mesh::BoundaryFaces& boundary = drawn.body->faces;
@@ -64,6 +65,7 @@ void add_fibres(viewport::DrawnScene& drawn, const MeshedBody& body, const fibre
     for (Index c = 0; c < mesh.cell_count(); ++c)
         if (paint.weights(c) > 0.0 && drawn.body->has(c) && !at_surface[static_cast<std::size_t>(c)])
             inside.push_back(c);
+    // Stride over both lists together, so that the density is the same on the surface and inside.
     const std::size_t stride = std::max<std::size_t>(1, (faces.size() + inside.size() + most_fibres - 1) / most_fibres);
     const double half = 0.5 * fibre_length * spacing_m;
     std::vector<Vector3d> on_surface, within;
@@ -74,6 +76,7 @@ void add_fibres(viewport::DrawnScene& drawn, const MeshedBody& body, const fibre
         Vector3d along = deformation(nodes_of(mesh.nodes, mesh.cells, cell),
                                      nodes_of(drawn.positions, mesh.cells, cell)) *
                          paint.directions.col(cell);
+        // On the surface only the tangential part is drawn; a fibre that points inwards would vanish in the body.
         along -= along.dot(normal) * normal;
         append(on_surface, corners.rowwise().mean() + lift * spacing_m * normal, half * along);
     }
@@ -90,6 +93,7 @@ void add_fibres(viewport::DrawnScene& drawn, const MeshedBody& body, const fibre
 
 void add_muscles(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme,
                  const fibre::CellPaint* live) {
+    // Paint of another mesh, or for another list of muscles, cannot be drawn.
     if (!state.view.fibres || !state.body || !drawn.body || drawn.body->faces.count() == 0 || !state.ground ||
         state.paint.size() != state.settings.muscles.size())
         return;
@@ -101,12 +105,14 @@ void add_muscles(viewport::DrawnScene& drawn, const WorkbenchState& state, const
         if (paint.count() != state.body->mesh.cell_count() || !(paint.weights.maxCoeff() > 0.0)) continue;
         const Eigen::Vector3f color = viewport::color_of(theme.muscle(state.settings.muscles[m].color)).head<3>();
         for (Index f = 0; f < boundary.count(); ++f) {
+            // Overlapping muscles mix their colours by weight; the fourth row collects the total weight.
             const auto weight = static_cast<float>(paint.weights(boundary.cell(f)));
             sums.col(f) += weight * color.homogeneous();
         }
         add_fibres(drawn, *state.body, paint, state.ground->places.edge_m, color, chosen ? 2.2 : 1.4);
     }
     if (!(sums.row(3).maxCoeff() > 0.0f)) return;
+    // From weighted sums to a mean colour and an opacity.
     for (auto tint : sums.colwise()) {
         if (tint(3) > 0.0f) tint.head<3>() /= tint(3);
         tint(3) = strongest_tint * std::min(1.0f, tint(3));

@@ -5,10 +5,10 @@
 
 namespace myo::ui::commands {
 
-/// Colours the faces of painted cells and draws their fibres, on the surface where cells have a face there, else
-/// inside.
+/// Tints the faces of painted cells and draws the fibres of all muscles. Does nothing without a meshed body, or if the
+/// view hides muscles.
 ///
-/// @param live  paint of the chosen muscle while a stroke goes on; null: as it is in the state
+/// @param live  paint of the selected muscle during a stroke; null: the paint in the state
 void add_muscles(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme,
                  const fibre::CellPaint* live);
 

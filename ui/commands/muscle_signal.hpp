@@ -4,7 +4,8 @@
 
 namespace myo::ui::commands {
 
-/// a(t) of a muscle in a trial: its own, its partner's share, what the trial recorded, or passive.
+/// Signal a(t) of a muscle in the shown trial: that of the muscle it follows, scaled; its own; the trial's recording;
+/// otherwise passive, a = 1.
 fibre::Signal signal_of(const WorkbenchState& state, const Muscle& muscle);
 
 }  // namespace myo::ui::commands

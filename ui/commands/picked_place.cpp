@@ -23,10 +23,12 @@ std::string triple(const char* format, const Vector3d& v) {
     return number(format, v.x()) + ", " + number(format, v.y()) + ", " + number(format, v.z());
 }
 
+/// Position in millimetres, or "not seen" for an occluded marker.
 std::string in_mm(const Vector3d& place_m) {
     return place_m.allFinite() ? triple("%.2f", 1e3 * place_m) + " mm" : "not seen";
 }
 
+/// Appends the muscles that act in a cell, with their weight, fibre direction and activation.
 void add_muscles_of_cell(std::vector<ReportLine>& lines, int cell, const WorkbenchState& state) {
     for (std::size_t m = 0; m < state.paint.size() && m < state.settings.muscles.size(); ++m) {
         if (!state.paint[m] || cell >= state.paint[m]->count() || !(state.paint[m]->weights(cell) > 0.0)) continue;
@@ -44,6 +46,7 @@ std::vector<ReportLine> lines_about_body(const PickedPlace& place, const Workben
                                   {"At rest", in_mm(rest)},
                                   {"Now", in_mm(now)},
                                   {"Displacement", number("%.3f mm", 1e3 * (now - rest).norm())}};
+    // The field may still belong to another mesh for a frame.
     if (scene.field && place.node < scene.field->values.size())
         lines.push_back({scene.field->name, number("%.4g ", scene.field->values[place.node]) + scene.field->unit});
     lines.push_back({"Element", std::to_string(place.cell) + ", " + to_string(state.body->mesh.type)});
@@ -59,6 +62,7 @@ std::vector<ReportLine> lines_about_marker(int marker, const WorkbenchState& sta
                                   {"At rest", in_mm(state.scene->markers[m].rest_m)}};
     const SceneTrial* const trial = state.scene_trial();
     if (!trial || trial->time_s.size() == 0) return lines;
+    // Measured and simulated markers have the same sample times; a run of another version of the experiment does not.
     const TimePlace when = place_in_time(trial->time_s, state.time_s);
     const Vector3d measured = at_time(trial->measured[m], when);
     lines.push_back({"Measured", in_mm(measured)});
@@ -85,6 +89,8 @@ std::optional<std::size_t> pick_one(const std::vector<Vector3d>& places_m, const
         const auto at = viewport::project(camera, size, places_m[i]);
         if (!at) continue;
         const double distance = (at->head<2>() - pixel).norm();
+        // A marker's sphere reaches out of the body, so it counts as hidden only if its centre lies clearly behind the
+        // hit.
         const bool behind = hit &&
                             ray.direction.dot(places_m[i] - ray.origin_m) > hit->distance_m + 2.0 * scene.marker_radius;
         double& nearest = behind ? nearest_hidden : nearest_seen;
@@ -98,6 +104,7 @@ std::optional<std::size_t> pick_one(const std::vector<Vector3d>& places_m, const
 std::optional<PickedPlace> pick_place(const WorkbenchState& state, const viewport::DrawnScene& scene,
                                       const viewport::Camera& camera, const viewport::ViewSize& size,
                                       const Eigen::Vector2d& pixel, double reach) {
+    // While a new mesh replaces the old one, the drawn positions do not match the state for a frame.
     const bool body = state.body && scene.body && scene.surface &&
                       scene.positions.cols() == state.body->mesh.node_count();
     const viewport::Ray ray = viewport::ray_through(camera, size, pixel);
@@ -108,11 +115,13 @@ std::optional<PickedPlace> pick_place(const WorkbenchState& state, const viewpor
         if (marker.number < 0 || !marker.position.allFinite()) continue;
         const auto seen = viewport::project(camera, size, marker.position);
         if (!seen || (seen->head<2>() - pixel).norm() > nearest) continue;
+        // Markers take precedence over the body, unless the body hides them.
         const double depth = ray.direction.dot(marker.position - ray.origin_m);
         if (hit && depth > hit->distance_m + 2.0 * scene.marker_radius) continue;
         nearest = (seen->head<2>() - pixel).norm();
         picked = PickedPlace{marker.number, marker.ring, {-1, -1, -1}, Vector3d::Zero(), -1, -1};
     }
+    // A place on the body is stored by the nodes of its triangle, so that it moves with them.
     if (picked || !hit) return picked;
     PickedPlace place;
     for (std::size_t k = 0; k < 3; ++k)
@@ -121,6 +130,7 @@ std::optional<PickedPlace> pick_place(const WorkbenchState& state, const viewpor
     const int face = hit->triangle / scene.surface->triangles_per_face();
     place.cell = scene.body->faces.cell(face);
     const Vector3d at = hit->place(*scene.surface, scene.positions);
+    // The nearest node of the face, for the values of node fields.
     double closest = std::numeric_limits<double>::infinity();
     for (const int node : scene.body->faces.nodes.col(face)) {
         const double squared_distance = (scene.positions.col(node) - at).squaredNorm();

@@ -14,36 +14,39 @@
 
 namespace myo::ui::commands {
 
-/// A marker, or a place on the body that moves with it.
+/// Something the user clicked in the view: a marker, or a material point of the body's surface.
 struct PickedPlace {
-    int marker = -1;                                    // of the scene; -1: on the body
-    bool simulated = false;                             // the marker
-    std::array<int, 3> corners{-1, -1, -1};             // nodes between which the place lies
-    Eigen::Vector3d weights = Eigen::Vector3d::Zero();  // of them, sum 1
-    int node = -1;                                      // nearest of the picked face
-    int cell = -1;                                      // behind it
+    int marker = -1;                                    // index in the scene; -1: on the body
+    bool simulated = false;                             // markers: the simulated one instead of the measured one
+    std::array<int, 3> corners{-1, -1, -1};             // nodes of the triangle that contains the point
+    Eigen::Vector3d weights = Eigen::Vector3d::Zero();  // barycentric coordinates in the triangle, sum 1
+    int node = -1;                                      // node of the face nearest to the point
+    int cell = -1;                                      // cell that the face belongs to
 };
 
-/// What lies under a pixel of the view: a marker at most `reach` pixels away that the body does not hide, else the
-/// body.
+/// Finds what is visible under a pixel of the view: a marker within `reach` pixels that the body does not hide,
+/// otherwise the body. Empty if there is neither.
 std::optional<PickedPlace> pick_place(const WorkbenchState& state, const viewport::DrawnScene& scene,
                                       const viewport::Camera& camera, const viewport::ViewSize& size,
                                       const Eigen::Vector2d& pixel, double reach);
 
-/// The place at most `reach` pixels away from a pixel and nearest to it, of those that the body hides only where it
-/// hides all; empty without one.
+/// Finds the point nearest to a pixel within `reach` pixels. Points that the body hides are considered only if no other
+/// point is in reach. Empty if none is.
+///
+/// @param places_m  the points to choose from [m]
+/// @return  index in places_m
 std::optional<std::size_t> pick_one(const std::vector<Eigen::Vector3d>& places_m, const viewport::DrawnScene& scene,
                                     const viewport::Camera& camera, const viewport::ViewSize& size,
                                     const Eigen::Vector2d& pixel, double reach);
 
-/// Where it is drawn now [m]; NaN for a marker that is not.
+/// Drawn position [m] in this frame. NaN if the marker is not drawn.
 Eigen::Vector3d place_now(const PickedPlace& place, const viewport::DrawnScene& scene);
-/// Where it is at rest [m]. The state's body is the one that was picked.
+/// Position at rest [m]. Requires that the state still has the picked body or marker.
 Eigen::Vector3d place_at_rest(const PickedPlace& place, const WorkbenchState& state);
 
-/// What there is to say of it at the state's time, with units.
+/// Properties of a picked place at the state's time, with units, for the card in the view.
 ///
-/// @param error  of a marker; null: none is known
+/// @param error  of the picked marker; null: unknown
 std::vector<ReportLine> lines_about(const PickedPlace& place, const WorkbenchState& state,
                                     const viewport::DrawnScene& scene, const MarkerError* error);
 

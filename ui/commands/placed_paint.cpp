@@ -5,12 +5,13 @@
 namespace myo::ui::commands {
 namespace {
 
-constexpr std::size_t most_kept = 32;
+constexpr std::size_t most_kept = 32;  // entries; undo rarely goes back further
 
 }  // namespace
 
 std::shared_ptr<const fibre::CellPaint> PlacedPaint::of(const Muscle& muscle,
                                                         const std::shared_ptr<const MeshedBody>& body) {
+    // Declared muscles are already placed by the backend; they share the ownership of the body.
     if (!muscle.paint) {
         const auto declared = body->muscles.find(muscle.declared);
         if (declared != body->muscles.end()) return {body, &declared->second};

@@ -7,21 +7,21 @@
 
 namespace myo::ui::commands {
 
-/// Paint of muscles on the body that is shown. Resampling a mask takes some frames' time, so the last ones are kept:
-/// undo and redo go back to them.
+/// Cache of muscle paint, resampled on meshes. Resampling a mask takes the time of several frames; undo and redo return
+/// to earlier masks, so the last ones are kept.
 class PlacedPaint {
 public:
-    /// The muscle on the body, rest frame; blank where it is nowhere.
+    /// Paint of a muscle on the cells of a body, rest frame. Blank if the muscle is neither painted nor declared.
     std::shared_ptr<const fibre::CellPaint> of(const Muscle& muscle, const std::shared_ptr<const MeshedBody>& body);
 
-    /// A mask was made from this paint.
+    /// Stores paint together with the mask that was made from it, so that of() does not resample it.
     void remember(const std::shared_ptr<const MeshedBody>& body, const std::shared_ptr<const fibre::PaintedMask>& mask,
                   const std::shared_ptr<const fibre::CellPaint>& paint);
 
 private:
     struct Entry {
         std::shared_ptr<const MeshedBody> body;
-        std::shared_ptr<const fibre::PaintedMask> mask;  // null: no paint at all
+        std::shared_ptr<const fibre::PaintedMask> mask;  // null: blank paint
         std::shared_ptr<const fibre::CellPaint> paint;
     };
     std::deque<Entry> entries_;  // newest last

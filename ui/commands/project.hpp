@@ -10,18 +10,19 @@
 
 namespace myo::ui::commands {
 
-/// What a project file holds: on which experiment or mesh it stands, and all that was set, painted and drawn on it.
+/// Content of a project file: the experiment or mesh it refers to, and everything set and painted on it.
 struct Project {
-    std::filesystem::path source;           // experiment folder, its experiment.toml, or a mesh file; absolute
-    std::optional<double> metres_per_unit;  // of a mesh file without unit
+    std::filesystem::path source;           // experiment folder, its experiment.toml, or a mesh file; absolute path
+    std::optional<double> metres_per_unit;  // length unit of a mesh file without unit
     Settings settings;
     ViewOptions view;
-    std::string trial;                       // that was shown; empty: the first
-    std::vector<std::string> warnings = {};  // of reading it: what it names and is not there
+    std::string trial;                       // shown trial; empty: the first
+    std::vector<std::string> warnings = {};  // from reading: names that the experiment no longer has
 
     bool operator==(const Project&) const = default;
 };
 
+// File name extension of projects.
 inline constexpr const char* project_ending = ".myoloop";
 inline bool is_project(const std::filesystem::path& path) { return path.extension() == project_ending; }
 

@@ -6,6 +6,7 @@
 namespace myo::ui::commands {
 
 std::string marker_name(const std::string& label) {
+    // Names become columns of CSV files and keys in TOML, so other characters are replaced.
     std::string name = label;
     std::replace_if(
         name.begin(), name.end(),
@@ -14,6 +15,7 @@ std::string marker_name(const std::string& label) {
 }
 
 void assign_marker(ImportChoices& choices, std::size_t label, const std::string& declared) {
+    // A marker belongs to one label: take it away from the label that had it.
     for (ImportedMarker& other : choices.markers)
         if (other.name == declared) other = {};
     choices.markers[label] = {declared, std::nullopt};

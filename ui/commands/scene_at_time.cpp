@@ -14,9 +14,9 @@
 namespace myo::ui::commands {
 namespace {
 
-constexpr double trail_s = 0.5;  // how far back trails reach
+constexpr double trail_s = 0.5;  // length of the trails
 
-// Grows a box, which starts empty, by points.
+// Bounding box of points that are added one after the other. Points that are not finite are ignored.
 struct Bounds {
     Box box;
     bool empty = true;
@@ -31,6 +31,7 @@ struct Bounds {
     }
 };
 
+/// Bounds of body and markers at rest.
 Bounds rest_bounds(const WorkbenchState& state) {
     Bounds bounds;
     if (state.body) bounds.include(state.body->mesh.nodes);
@@ -41,7 +42,7 @@ Bounds rest_bounds(const WorkbenchState& state) {
     return bounds;
 }
 
-// Samples in [t - trail_s, t].
+// Samples of a track in [t - trail_s, t].
 Eigen::Matrix3Xd trail(const Eigen::Matrix3Xd& track, const Eigen::VectorXd& time_s, double t) {
     const double* begin = time_s.data();
     const auto first = std::lower_bound(begin, begin + time_s.size(), t - trail_s) - begin;
@@ -53,6 +54,7 @@ void add_line(viewport::DrawnScene& scene, Eigen::Matrix3Xd points, const viewpo
     if (points.cols() > 1) scene.lines.push_back({std::move(points), color, width});
 }
 
+/// Adds measured and simulated markers, trails and error lines of the shown trial.
 void add_markers(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme) {
     const SceneTrial* trial = state.scene_trial();
     const SimulatedTrial* simulated = state.simulated_trial();
@@ -61,6 +63,7 @@ void add_markers(viewport::DrawnScene& drawn, const WorkbenchState& state, const
     for (std::size_t m = 0; m < state.scene->markers.size(); ++m) {
         const std::string label = state.scene->markers[m].name;
         const int number = static_cast<int>(m);
+        // No trial, or a trial without samples: the markers at rest are all there is to show.
         if (place.index < 0) {
             drawn.markers.push_back(
                 {state.scene->markers[m].rest_m, viewport::color_of(theme.measured), false, label, number});
@@ -78,7 +81,7 @@ void add_markers(viewport::DrawnScene& drawn, const WorkbenchState& state, const
             simulated->markers[m].cols() != trial->time_s.size())
             continue;
         const Eigen::Vector3d predicted = at_time(simulated->markers[m], place);
-        // The label stays with the measured marker while that is seen.
+        // The label belongs to the measured marker while that is visible.
         drawn.markers.push_back({predicted, viewport::color_of(theme.simulated), true,
                                  measured.allFinite() && view.measured ? "" : label, number});
         if (view.trails) {
@@ -93,7 +96,7 @@ void add_markers(viewport::DrawnScene& drawn, const WorkbenchState& state, const
     }
 }
 
-/// The rings of compared runs at the shown time; not to be picked.
+/// Adds the markers of compared runs at the shown time as rings. They cannot be picked (number -1).
 void add_compared(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme) {
     const SceneTrial* trial = state.scene_trial();
     if (!trial || !state.view.simulated) return;
@@ -108,8 +111,8 @@ void add_compared(viewport::DrawnScene& drawn, const WorkbenchState& state, cons
     }
 }
 
-/// The range is that fixed by hand, or the trial's, so that colours can be compared in time, or until that is known the
-/// frame's.
+/// Adds the field that colours the body. The range of the colours is the one fixed by the user; otherwise that of the
+/// trial, so that colours can be compared over time; until it is known, that of the frame.
 void add_field(viewport::DrawnScene& drawn, const ViewOptions& view, const FieldKind& kind, const FieldFrame& frame) {
     if (frame.values.size() != drawn.positions.cols()) return;
     viewport::DrawnField field;
@@ -120,13 +123,14 @@ void add_field(viewport::DrawnScene& drawn, const ViewOptions& view, const Field
     field.values = frame.values / kind.per_unit;
     std::array<double, 2> range = frame.trial_range.value_or(
         std::array<double, 2>{frame.values.minCoeff(), frame.values.maxCoeff()});
-    if (const auto fixed = view.field_ranges.find(kind.id); fixed != view.field_ranges.end())
-        range = fixed->second;
+    if (const auto fixed = view.field_ranges.find(kind.id); fixed != view.field_ranges.end()) range = fixed->second;
+    // A signed field has its zero in the middle of the colours.
     else if (kind.signed_values)
         range = {-std::max(std::abs(range[0]), std::abs(range[1])), std::max(std::abs(range[0]), std::abs(range[1]))};
     field.lowest = range[0] / kind.per_unit;
     field.highest = range[1] / kind.per_unit;
-    // A field without differences, as a stress at rest, is shown in one colour, not as noise.
+    // A field without differences, such as the stress at rest, is drawn in one colour; rounding errors must not look
+    // like a pattern.
     const double least = 1e-9 * std::max(std::abs(field.lowest), std::abs(field.highest)) + 1e-12;
     if (!(field.highest - field.lowest > least)) field.highest = field.lowest + std::max(1e-3, std::abs(field.lowest));
     drawn.field = std::move(field);
@@ -149,7 +153,7 @@ TimePlace place_in_time(const Eigen::VectorXd& time_s, double t) {
 
 Eigen::Vector3d at_time(const Eigen::Matrix3Xd& track, const TimePlace& place) {
     assert(place.index >= 0 && place.next < track.cols());
-    // A sample that is hit exactly counts even when its neighbour is a gap.
+    // A sample that is hit exactly counts even if its neighbour is a gap.
     if (place.weight <= 0.0) return track.col(place.index);
     if (place.weight >= 1.0) return track.col(place.next);
     return (1.0 - place.weight) * track.col(place.index) + place.weight * track.col(place.next);
@@ -179,7 +183,8 @@ MotionSummary summarize_motion(const WorkbenchState& state) {
         for (const Eigen::Matrix3Xd& track : trial->measured) bounds.include(track);
     }
     if (const SimulatedTrial* trial = state.simulated_trial()) {
-        // Every frame of a long run would take seconds; extremes change little from one to the next.
+        // Including every frame of a long run would take seconds. Extremes change little between frames, so about 40
+        // frames suffice.
         const std::size_t stride = std::max<std::size_t>(1, trial->frames.size() / 40);
         for (std::size_t f = 0; f < trial->frames.size(); f += stride) {
             bounds.include(trial->frames[f]);
@@ -202,6 +207,7 @@ viewport::DrawnScene scene_at_time(const WorkbenchState& state, const platform::
     drawn.body_opacity = state.view.opacity;
     drawn.extent = motion.rest;
     drawn.reach = motion.reach;
+    // 1.2 % of the diagonal: visible, without covering the body.
     drawn.marker_radius = 0.012 * motion.rest.size().norm();
     if (kind && field) add_field(drawn, state.view, *kind, *field);
     if (state.view.clamp && state.scene->clamp_m) {
@@ -212,7 +218,7 @@ viewport::DrawnScene scene_at_time(const WorkbenchState& state, const platform::
     if (state.view.clip.on && state.body)
         add_line(drawn, outline_of(state.view.clip, motion.rest), viewport::color_of(theme.accent, 0.9f), 1.5);
     add_muscles(drawn, state, theme, live);
-    if (drawn.field && !live) drawn.tints.resize(4, 0);  // one meaning of colour at a time
+    if (drawn.field && !live) drawn.tints.resize(4, 0);  // a colour must have one meaning at a time
     add_force_arrows(drawn, state, theme);
     if (state.import)
         add_import(drawn, state, theme);

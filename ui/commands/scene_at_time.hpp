@@ -10,41 +10,47 @@
 
 namespace myo::ui::commands {
 
-/// Two neighbouring samples and the weight of the later one; index -1 when there are none. Outside the range: its end.
+/// Position of a time between two samples: their indices and the weight of the later one. Before the first or after the
+/// last sample it is that sample. index is -1 if there are no samples.
 struct TimePlace {
     Eigen::Index index = -1;
     Eigen::Index next = -1;
-    double weight = 0.0;
+    double weight = 0.0;  // 0 to 1
 };
+/// Finds the samples around time `t` [s].
+///
+/// @param time_s  ascending; may be empty
 TimePlace place_in_time(const Eigen::VectorXd& time_s, double t);
 
-/// Linear between samples; NaN when either is. Asserts a place.
+/// Interpolates a track linearly. NaN if a required sample is a gap. Asserts that the place exists.
 Eigen::Vector3d at_time(const Eigen::Matrix3Xd& track, const TimePlace& place);
 
-/// Node positions at the current time; the rest shape without a run.
+/// Node positions at the shown time, 3 x n [m]. The rest shape if there is no run; the surface if there is no mesh.
 Eigen::Matrix3Xd positions_at_time(const WorkbenchState& state);
 
-/// What of a picture does not change with time.
+/// The part of a picture that does not change with time. Computed when scene, body, run or trial change, not in each
+/// frame.
 struct MotionSummary {
-    Box rest;   // of body and markers at rest
-    Box reach;  // of all that the trial's motion covers
-    std::shared_ptr<const viewport::DrawnSurface>
-        surface;  // triangles of the body or, before it is meshed, of the surface; may be null
+    Box rest;   // of body and markers at rest [m]
+    Box reach;  // of the whole motion of the trial [m]
+    // Triangles of the body; before it is meshed, of the surface. May be null.
+    std::shared_ptr<const viewport::DrawnSurface> surface;
     std::shared_ptr<const viewport::DrawnBody> body;  // null: not meshed
 };
+/// Computes the summary for the shown trial.
 MotionSummary summarize_motion(const WorkbenchState& state);
 
-/// The 3D picture of the state's trial at its time.
+/// Creates the 3D picture of the shown trial at the shown time. Empty if nothing is open.
 ///
-/// @param motion  of the same scene, body, run and trial
-/// @param live    paint of the chosen muscle while a stroke goes on; may be null
-/// @param field   values that colour the body, of this kind; may be null
+/// @param motion  summary of the same scene, body, run and trial
+/// @param live  paint of the selected muscle during a stroke; may be null
+/// @param kind, field  field that colours the body and its values; may be null
 viewport::DrawnScene scene_at_time(const WorkbenchState& state, const platform::Theme& theme,
                                    const MotionSummary& motion, const fibre::CellPaint* live = nullptr,
                                    const FieldKind* kind = nullptr, const FieldFrame* field = nullptr);
 
-/// Places in the history of the ended jobs whose simulated markers are drawn as rings, in the colours that their curves
-/// have in the plots. The shown run is left out.
+/// Indices in the history of the ended jobs that are compared and have a run. Their markers are drawn as rings, in the
+/// colours of their curves in the plots. The shown run is left out.
 std::vector<std::size_t> compared_records(const WorkbenchState& state);
 
 }  // namespace myo::ui::commands

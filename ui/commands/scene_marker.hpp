@@ -6,9 +6,10 @@
 
 namespace myo::ui::commands {
 
+/// A marker of an experiment and its position at rest in the mesh frame.
 struct SceneMarker {
     std::string name;
-    Eigen::Vector3d rest_m = Eigen::Vector3d::Zero();
+    Eigen::Vector3d rest_m = Eigen::Vector3d::Zero();  // [m]
 };
 
 }  // namespace myo::ui::commands

@@ -8,56 +8,57 @@
 #include "commands/run_result.hpp"
 #include "commands/settings.hpp"
 
-// What comes out of a search for parameters or signals, and what is known of it while it runs.
+// Results of a search for parameters or signals, and its intermediate results.
 
 namespace myo::ui::commands {
 
-/// A number that was looked for, in the unit it is shown in.
+/// A parameter of a search, in the unit in which it is shown.
 struct ParameterRow {
-    std::string name;  // "Young's modulus E"
-    std::string unit;  // "kPa"
-    double start = 0.0;
-    double value = 0.0;
+    std::string name;        // "Young's modulus E"
+    std::string unit;        // "kPa"
+    double start = 0.0;      // value at the start of the search
+    double value = 0.0;      // best value
     double deviation = 0.0;  // one standard deviation; NaN = unknown
 };
 
-/// One evaluation. NaN where the model could not be run.
+/// One evaluation of the model. NaN if the model could not be simulated.
 struct SearchPoint {
-    double loss = std::numeric_limits<double>::quiet_NaN();
-    double rms_m = std::numeric_limits<double>::quiet_NaN();
-    double gradient_norm = std::numeric_limits<double>::quiet_NaN();
+    double loss = std::numeric_limits<double>::quiet_NaN();           // in SearchView::loss_unit
+    double rms_m = std::numeric_limits<double>::quiet_NaN();          // error of the markers
+    double gradient_norm = std::numeric_limits<double>::quiet_NaN();  // length of the loss's gradient
 };
 
-/// A search as far as it has come.
+/// State of a search while it runs, and its history afterwards.
 struct SearchView {
-    std::string loss_unit;                  // "mm²"; empty: none
-    std::vector<SearchPoint> log;           // every evaluation, in order
-    std::vector<ParameterRow> parameters;   // of the best evaluation, deviations unknown
+    std::string loss_unit;                  // "mm²"; empty: without unit
+    std::vector<SearchPoint> log;           // all evaluations in order
+    std::vector<ParameterRow> parameters;   // of the best evaluation; deviations are unknown
     Settings settings;                      // with the best values
-    std::shared_ptr<const RunResult> best;  // run with them; null before there is one
+    std::shared_ptr<const RunResult> best;  // run with the best values; null: none yet
 };
 
+/// Result of a calibration or of an optimisation of signals.
 struct SearchResult {
-    std::string title;  // "Calibrated"
-    std::vector<ParameterRow> parameters;
-    std::vector<std::string> notes;  // of signals, in words
+    std::string title;                     // "Calibrated"
+    std::vector<ParameterRow> parameters;  // with standard deviations, if they are known
+    std::vector<std::string> notes;        // findings about signals, as sentences
     double rms_before_m = 0.0;
     double rms_after_m = 0.0;
-    int evaluations = 0;
-    Settings settings;     // with the values that were found
-    RunResult run;         // with them
-    bool stopped = false;  // by the user: these are the best values up to then
-    std::string problem;
-    std::vector<std::string> warnings;  // what a person should know before trusting the values
-    std::shared_ptr<const void> page;   // about it, for the report: the backend's own; may be null
+    int evaluations = 0;                // runs of the model
+    Settings settings;                  // with the values found
+    RunResult run;                      // with the values found
+    bool stopped = false;               // cancelled by the user: the best values up to then
+    std::string problem;                // what went wrong; empty: nothing
+    std::vector<std::string> warnings;  // what the user should know before relying on the values
+    std::shared_ptr<const void> page;   // page for the report, owned by the backend; may be null
 };
 
-/// How muscle signals are looked for that make the markers of a trial follow their traces.
+/// How to search for muscle signals with which the markers of a trial follow their measured paths.
 struct OptimizeRequest {
-    std::string trial;
-    double frequency_Hz = 10.0;          // of the signals' knots
-    double lowest = 0.6, highest = 1.6;  // of every muscle's target stretch
-    int max_evaluations = 60;
+    std::string trial;                   // name of the trial
+    double frequency_Hz = 10.0;          // knots per second of each signal
+    double lowest = 0.6, highest = 1.6;  // limits of the target stretch a of every muscle
+    int max_evaluations = 60;            // maximum number of evaluations
 
     bool operator==(const OptimizeRequest&) const = default;
 };

@@ -5,6 +5,7 @@
 namespace myo::ui::commands {
 
 Settings within_limits(Settings s) {
+    // NaN passes through clamp unchanged; number fields reject it before.
     const auto limit = [](double& value, const Limits& limits) {
         value = std::clamp(value, limits.lowest, limits.highest);
     };

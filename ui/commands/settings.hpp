@@ -10,44 +10,44 @@
 
 namespace myo::ui::commands {
 
-/// An effect that was added to the model of the file.
+/// An effect that the user added to the experiment's model.
 struct AddedEffect {
     using Value = std::variant<double, std::vector<double>, std::string, std::vector<std::string>>;
 
-    std::string id;
-    std::map<std::string, Value> parameters;  // by their names, SI units
+    std::string id;                           // id in the core's catalogue
+    std::map<std::string, Value> parameters;  // by name, SI units
     std::string name;                         // "Quadratic drag"
-    std::string value;                        // "coefficient 903 ± 12 kg/m³"
+    std::string value;                        // as shown: "coefficient 903 ± 12 kg/m³"
 
     bool operator==(const AddedEffect&) const = default;
 };
 
-/// What a person can set before a run. SI units.
+/// All values that the user can set before a run, in SI units. Part of the project file and of undo.
 struct Settings {
     mesh::CellType element = mesh::CellType::hex8;
-    double resolution_m = 0.005;  // edge length aimed at
-    std::string material;         // id of a Choice
-    double youngs_modulus_Pa = 2.6e5;
+    double resolution_m = 0.005;       // target edge length of the elements
+    std::string material;              // id in WorkbenchState::materials
+    double youngs_modulus_Pa = 2.6e5;  // in small strains
     double poissons_ratio = 0.49;
     double density_kg_m3 = 1070.0;
-    double damping_s = 0.0;        // Kelvin-Voigt time
-    std::string integrator;        // id of a Choice
-    double spectral_radius = 0.5;  // at infinite frequency, for schemes that have it to choose
-    double time_step_s = 0.01;
-    bool own_step = false;             // a person set time_step_s; else runs shorten it to suit what moves
+    double damping_s = 0.0;            // Kelvin-Voigt time
+    std::string integrator;            // id in WorkbenchState::integrators
+    double spectral_radius = 0.5;      // at infinite frequency, for time schemes in which it can be chosen
+    double time_step_s = 0.01;         // of the time scheme
+    bool own_step = false;             // the user set time_step_s; otherwise runs adapt it to the vibration
     double velocity_force_1_s = 0.0;   // Lambda of f = Lambda M v
-    std::vector<AddedEffect> effects;  // beside those that the experiment declares
-    std::vector<Muscle> muscles;       // names differ
+    std::vector<AddedEffect> effects;  // in addition to those that the experiment declares
+    std::vector<Muscle> muscles;       // with unique names
 
     bool operator==(const Settings&) const = default;
 };
 
-/// Whether two settings give the same mesh.
+/// Whether two settings lead to the same mesh.
 inline bool same_mesh(const Settings& a, const Settings& b) {
     return a.element == b.element && a.resolution_m == b.resolution_m;
 }
 
-/// Ranges within which the workbench lets a value be set; the backend may still refuse.
+/// Ranges that the workbench allows for the settings, SI units. The backend may still reject a value.
 struct Limits {
     double lowest;
     double highest;
@@ -62,7 +62,7 @@ inline constexpr Limits velocity_force_limits{-100.0, 100.0};
 inline constexpr Limits muscle_stiffness_limits{1.0, 1e9};
 inline constexpr Limits muscle_ratio_limits{-10.0, 10.0};
 
-/// Every number brought back into its range.
+/// Returns the settings with every number limited to its range.
 Settings within_limits(Settings settings);
 
 }  // namespace myo::ui::commands

@@ -15,12 +15,15 @@ std::string label_of(const std::vector<Choice>& choices, const std::string& id) 
     return found != choices.end() ? found->label : id;
 }
 
-/// Rows of one kind of setting after the other.
+/// Collects the rows of a table that has one column per settings object. Settings that are equal everywhere get no row.
 class Rows {
 public:
     explicit Rows(const std::vector<const Settings*>& of) : of_(of) {}
 
-    /// @param alike  whether two settings have the same there, though they may read alike without
+    /// Adds a row, unless all settings are equal.
+    ///
+    /// @param words  the value of one settings object as text
+    /// @param alike  whether two are equal; texts may be equal although values differ
     void add(const std::string& name, const std::function<std::string(const Settings&)>& words,
              const std::function<bool(const Settings&, const Settings&)>& alike) {
         const auto same = [&](const Settings* s) { return alike(*of_.front(), *s); };
@@ -28,7 +31,7 @@ public:
         SettingDifference row{name, {}};
         for (const Settings* s : of_) {
             std::string text = words(*s);
-            // Two that differ shall not look the same.
+            // Values that differ must not look the same.
             for (std::size_t before = 0; before < row.values.size(); ++before)
                 if (row.values[before] == text && !alike(*of_[before], *s)) text += " (other)";
             row.values.push_back(std::move(text));
@@ -50,7 +53,7 @@ private:
     std::vector<SettingDifference> rows_;
 };
 
-/// Every name that some settings have, each once, in the order of their first appearance.
+/// All names in these lists, each once, in the order of their first appearance.
 template <class Entry>
 std::vector<std::string> names_of(const std::vector<const Settings*>& of, std::vector<Entry> Settings::*list,
                                   std::string Entry::*name) {
@@ -61,6 +64,7 @@ std::vector<std::string> names_of(const std::vector<const Settings*>& of, std::v
     return names;
 }
 
+/// The entry with a given name; null if the list does not have it.
 template <class Entry>
 const Entry* named(const std::vector<Entry>& list, std::string Entry::*name, const std::string& wanted) {
     const auto found = std::find_if(list.begin(), list.end(),
@@ -73,6 +77,7 @@ void add_effects(const std::vector<const Settings*>& of, Rows& rows) {
         const auto effect = [name](const Settings& s) { return named(s.effects, &AddedEffect::name, name); };
         rows.add(
             name, [=](const Settings& s) { return effect(s) ? effect(s)->value : std::string(none); },
+            // Equal if both have it with the same values, or neither has it.
             [=](const Settings& a, const Settings& b) {
                 return (effect(a) && effect(b) && *effect(a) == *effect(b)) || (!effect(a) && !effect(b));
             });
@@ -90,6 +95,7 @@ std::string signal_words(const Muscle& muscle) {
 void add_muscles(const std::vector<const Settings*>& of, Rows& rows) {
     using Words = std::function<std::string(const Muscle&)>;
     using Alike = std::function<bool(const Muscle&, const Muscle&)>;
+    // A muscle may exist in some settings only: those without it show a dash.
     for (const std::string& name : names_of(of, &Settings::muscles, &Muscle::name)) {
         const auto muscle = [name](const Settings& s) { return named(s.muscles, &Muscle::name, name); };
         const auto add = [&](const std::string& what, const Words& words, const Alike& alike) {

@@ -7,14 +7,17 @@
 
 namespace myo::ui::commands {
 
-/// A setting in which some settings differ from others, and how each of them has it.
+/// A setting that differs between jobs, and its value in each of them.
 struct SettingDifference {
     std::string name;                 // "Young's modulus E"
-    std::vector<std::string> values;  // of each, "260 kPa"
+    std::vector<std::string> values;  // one per settings object: "260 kPa"
 };
 
-/// What differs, in the order of the panels; empty where all are alike.
-/// @param of  not null
+/// Compares settings for the table of jobs.
+///
+/// @param of  settings to compare, not null
+/// @param materials, integrators  to replace ids by labels
+/// @return  the differences in the order of the panels; empty if all are equal or there are fewer than two
 std::vector<SettingDifference> settings_differences(const std::vector<const Settings*>& of,
                                                     const std::vector<Choice>& materials,
                                                     const std::vector<Choice>& integrators);

@@ -8,9 +8,9 @@
 namespace myo::ui::commands {
 namespace {
 
-constexpr double step_rise_s = 1e-3;
-constexpr double closest_knots_s = 1e-4;
-constexpr double knots_per_period = 32.0;
+constexpr double step_rise_s = 1e-3;       // rise time of a step: a signal is continuous
+constexpr double closest_knots_s = 1e-4;   // minimum distance of knots
+constexpr double knots_per_period = 32.0;  // of a sine
 
 }  // namespace
 
@@ -23,6 +23,7 @@ fibre::Signal make_signal(const SignalRecipe& recipe) {
         case SignalShape::sine: break;
     }
     fibre::Signal signal{{}, {}};
+    // The number of periods may be fractional; the last knot lies exactly at the end.
     const double whole = std::max(0.0, recipe.end_s - recipe.start_s) * recipe.frequency_Hz;  // periods
     const auto knots = static_cast<int>(std::ceil(whole * knots_per_period));
     for (int k = 0; k <= knots; ++k) {
@@ -38,6 +39,7 @@ fibre::Signal with_knot_moved(fibre::Signal signal, std::size_t knot, double tim
                                      : -std::numeric_limits<double>::infinity();
     const double latest = knot + 1 < signal.times_s.size() ? signal.times_s[knot + 1] - closest_knots_s
                                                            : std::numeric_limits<double>::infinity();
+    // Two neighbours may be too close for any place between them; then only the value changes.
     if (earliest <= latest) signal.times_s[knot] = std::clamp(time_s, earliest, latest);
     signal.values[knot] = value;
     return signal;

@@ -7,16 +7,16 @@
 namespace myo::ui::commands {
 namespace {
 
-/// Measured by `myoloop bench scaling`, 4 to 66 thousand degrees of freedom; between assembly (1) and factorisation
-/// (2).
+/// Exponent measured by `myoloop bench scaling` for 4 to 66 thousand degrees of freedom. It lies between that of
+/// assembly (1) and of factorisation (2).
 constexpr double benchmark_exponent = 1.5;
-/// Of smaller bodies, where assembly is nearly all: 1.6 ms at 1,080 degrees of freedom, 6.8 ms at 4,608.
+/// Exponent for smaller bodies, where assembly dominates: 1.6 ms at 1,080 degrees of freedom, 6.8 ms at 4,608.
 constexpr double small_exponent = 1.0;
-/// The default model in README's table of times, on the machine named there.
+/// The default model in the README's table of times, on the machine named there.
 constexpr StepCost benchmark_cost{mesh::CellType::hex8, 4608.0, 6.8e-3};
-constexpr double least_size_ratio = 1.5;
+constexpr double least_size_ratio = 1.5;  // smaller ratios would turn noise into an exponent
 
-/// Slope of log(seconds) over log(DOF) by least squares.
+/// Slope of log(seconds) over log(DOF) by least squares. Requires at least two different sizes.
 double slope(const std::vector<StepCost>& costs) {
     double n = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
     for (const StepCost& cost : costs) {
@@ -40,6 +40,7 @@ StepPrediction predict_step(const std::vector<StepCost>& costs, mesh::CellType e
     std::vector<StepCost> same;
     std::copy_if(costs.begin(), costs.end(), std::back_inserter(same),
                  [&](const StepCost& cost) { return cost.element == element; });
+    // Same elements first: the cost per degree of freedom differs between element types.
     const StepCost from = !same.empty() ? same.back() : !costs.empty() ? costs.back() : benchmark_cost;
     const double exponent = std::max(from.dofs, dofs) <= benchmark_cost.dofs ? small_exponent : benchmark_exponent;
     StepPrediction prediction{0.0, from, exponent, false, !costs.empty()};
@@ -47,7 +48,7 @@ StepPrediction predict_step(const std::vector<StepCost>& costs, mesh::CellType e
     if (!same.empty()) {
         const auto [least, most] = std::minmax_element(same.begin(), same.end(), by_size);
         if (most->dofs >= least_size_ratio * least->dofs) {
-            // Noise of a busy machine must not make small bodies dear.
+            // Timing noise on a busy machine must not make small bodies look expensive.
             prediction.exponent = std::clamp(slope(same), 0.5, 2.5);
             prediction.fitted = true;
         }

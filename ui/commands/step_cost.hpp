@@ -7,32 +7,34 @@
 
 namespace myo::ui::commands {
 
-/// What a time step of a run took.
+/// Measured cost of one time step.
 struct StepCost {
     mesh::CellType element = mesh::CellType::hex8;
-    double dofs = 0.0;
-    double seconds = 0.0;  // wall time of the run over the steps of all its trials
+    double dofs = 0.0;     // degrees of freedom
+    double seconds = 0.0;  // wall time of the run divided by the steps of all its trials
 
     bool operator==(const StepCost&) const = default;
 };
 
+// Number of measurements kept in the preferences.
 inline constexpr std::size_t most_step_costs = 24;
 
-/// Appends it, in place of an earlier one of the same mesh. The oldest go where there are too many.
+/// Appends a measurement. It replaces an earlier one of the same element type and size; the oldest is dropped if there
+/// are too many. Ignores values that are not positive.
 void remember(std::vector<StepCost>& costs, const StepCost& cost);
 
-/// What a step would take, from the newest run with these elements (else the newest of all, else the documented
-/// benchmark).
+/// Predicted cost of one time step, extrapolated from the newest run with these elements; without one from the newest
+/// run, otherwise from the documented benchmark.
 struct StepPrediction {
-    double seconds = 0.0;
-    StepCost from;
-    double exponent = 0.0;  // p of seconds ~ DOF^p
-    bool fitted = false;    // p comes from these runs, not from the benchmark
-    bool measured = false;  // on this machine; else `from` is the benchmark's
+    double seconds = 0.0;   // wall time per step
+    StepCost from;          // measurement it is extrapolated from
+    double exponent = 0.0;  // p in seconds ~ DOF^p
+    bool fitted = false;    // p was fitted to runs on this machine; otherwise it is that of the benchmark
+    bool measured = false;  // `from` was measured on this machine; otherwise it is the benchmark
 };
 
-/// p is fitted where runs with these elements differ in size by a factor of 1.5 at least; else it is that of `myoloop
-/// bench scaling`, and 1 below its sizes.
+/// Predicts the cost for a mesh of this size. p is fitted if runs with these elements differ in size by a factor of at
+/// least 1.5. Otherwise it is that of `myoloop bench scaling`, and 1 below the sizes measured there.
 StepPrediction predict_step(const std::vector<StepCost>& costs, mesh::CellType element, double dofs);
 
 }  // namespace myo::ui::commands

@@ -5,14 +5,17 @@
 
 namespace myo::ui::commands {
 
-/// Past and future values of something that is edited.
+/// Undo and redo for a value that is edited as a whole.
 ///
-/// An edit that goes on (a slider being dragged) replaces the value without a new step.
+/// A continued edit (the same drag of a slider) replaces the value without a new entry. Keeps the last 200 entries.
+/// Used on the UI thread.
 template <class Value>
 class UndoStack {
 public:
-    /// @param before   the value until now
-    /// @param what     what is edited, for merging
+    /// Records an edit and discards the redo entries.
+    ///
+    /// @param before  value before the edit
+    /// @param what  name of the edit, for merging
     /// @param goes_on  this edit continues the previous one of the same name
     void record(const Value& before, const std::string& what, bool goes_on) {
         future_.clear();
@@ -24,13 +27,15 @@ public:
     bool can_undo() const { return !past_.empty(); }
     bool can_redo() const { return !future_.empty(); }
 
+    /// The previous or next value. Returns `now` unchanged if there is none.
     Value undo(const Value& now) { return step(past_, future_, now); }
     Value redo(const Value& now) { return step(future_, past_, now); }
     void clear() { *this = UndoStack(); }
 
 private:
-    static constexpr std::size_t limit = 200;
+    static constexpr std::size_t limit = 200;  // number of entries
 
+    /// Moves one entry between the lists. Clears the name, so that the next edit gets an entry of its own.
     Value step(std::vector<Value>& from, std::vector<Value>& to, const Value& now) {
         last_.clear();
         if (from.empty()) return now;
@@ -40,9 +45,9 @@ private:
         return value;
     }
 
-    std::vector<Value> past_;
-    std::vector<Value> future_;
-    std::string last_;
+    std::vector<Value> past_;    // newest last
+    std::vector<Value> future_;  // next redo last
+    std::string last_;           // name of the last edit
 };
 
 }  // namespace myo::ui::commands

@@ -8,23 +8,23 @@
 
 namespace myo::ui::commands {
 
-/// What the 3D view shows.
+/// What the 3D view shows. Saved with the project; not part of undo.
 struct ViewOptions {
-    bool edges = true;
-    bool grid = true;
-    bool measured = true;
-    bool simulated = true;
-    bool trails = true;
-    bool errors = true;  // lines from simulated to measured
-    bool labels = true;
-    bool clamp = true;
-    std::string field;      // id of the quantity that colours the body; empty: none
-    std::string color_map;  // id of the colours of values without a sign; empty: the usual ones
-    std::map<std::string, std::array<double, 2>>
-        field_ranges;          // fixed by hand, by the field's id [SI]; the others follow the run
-    bool fibres = true;        // muscles: colours and lines
-    bool effect_force = true;  // arrows of the chosen effect's force, once there is a diagnosis
-    double opacity = 1.0;
+    bool edges = true;      // element edges
+    bool grid = true;       // ground grid
+    bool measured = true;   // measured markers
+    bool simulated = true;  // simulated markers
+    bool trails = true;     // path of the markers over the last half second
+    bool errors = true;     // lines between measured and simulated markers
+    bool labels = true;     // names of the markers
+    bool clamp = true;      // box that holds the body
+    std::string field;      // id of the field that colours the body; empty: none
+    std::string color_map;  // id of the colour map for unsigned fields; empty: the default
+    // Ranges fixed by the user, by the field's id [SI]; other fields use the range of the trial.
+    std::map<std::string, std::array<double, 2>> field_ranges;
+    bool fibres = true;        // muscle colours and fibre lines
+    bool effect_force = true;  // force arrows of the selected diagnosis row
+    double opacity = 1.0;      // of the body, 0 to 1
     ClipPlane clip;
 
     bool operator==(const ViewOptions&) const = default;

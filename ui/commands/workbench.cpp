@@ -10,8 +10,8 @@
 namespace myo::ui::commands {
 namespace {
 
-/// A finer mesh of the same cells has no fewer than the one at hand, which a finely triangulated surface may have
-/// filled with more than its edge length asks for.
+/// Corrects the predicted size by the mesh at hand: a finer mesh of the same element type is not smaller. A finely
+/// triangulated surface may produce more elements than its edge length alone suggests.
 MeshPrediction no_smaller_than_coarser(MeshPrediction prediction, const WorkbenchState& state,
                                        const Settings& settings) {
     if (!state.body || prediction.exact || state.body_settings.element != settings.element ||
@@ -22,6 +22,7 @@ MeshPrediction no_smaller_than_coarser(MeshPrediction prediction, const Workbenc
     return prediction;
 }
 
+/// Combines lambdas into one visitor for std::visit.
 template <class... F>
 struct Overloaded : F... {
     using F::operator()...;
@@ -40,6 +41,7 @@ std::array<double, 2> time_span(const WorkbenchState& state) {
         span[1] = first ? time[time.size() - 1] : std::max(span[1], time[time.size() - 1]);
         first = false;
     };
+    // During an import the timeline shows the recording; its times count from the chosen start.
     if (state.import) {
         include(state.import->file.recording->time_s.array() - state.import->choices.start_s);
         return span;
@@ -50,6 +52,7 @@ std::array<double, 2> time_span(const WorkbenchState& state) {
 }
 
 const DiagnosisRow* WorkbenchState::diagnosis_row() const {
+    // An id that no longer exists, and an empty one, fall back to the verdict's row, then to the best effect.
     if (!diagnosis || diagnosis->rows.empty()) return nullptr;
     if (const DiagnosisRow* const asked = diagnosis->row(candidate); asked && !candidate.empty()) return asked;
     for (const DiagnosisRow& row : diagnosis->rows)
@@ -59,6 +62,7 @@ const DiagnosisRow* WorkbenchState::diagnosis_row() const {
 
 Workbench::Workbench(std::shared_ptr<Backend> backend, std::function<void()> wake)
     : backend_(std::move(backend)), wake_(std::move(wake)) {
+    // Valid ids before anything is opened, so that the panels always find the selected entries.
     state_.materials = backend_->materials();
     state_.integrators = backend_->integrators();
     state_.examples = backend_->examples();
@@ -68,6 +72,7 @@ Workbench::Workbench(std::shared_ptr<Backend> backend, std::function<void()> wak
 
 void Workbench::log(LogLevel level, const std::string& text) {
     if (state_.log.size() >= most_log_lines)
+        // A tenth at once, as erasing at the front of a vector moves all other lines.
         state_.log.erase(state_.log.begin(), state_.log.begin() + most_log_lines / 10);
     state_.log.push_back({level, text});
     ++state_.logged;
@@ -156,6 +161,7 @@ void Workbench::execute(const Command& asked) {
                    [&](const Play& c) {
                        const auto span = time_span(state_);
                        state_.playing = c.playing && span[1] > span[0];
+                       // Playing at the end starts again from the beginning.
                        if (state_.playing && state_.time_s >= span[1]) state_.time_s = span[0];
                    },
                    [&](const SetSpeed& c) { state_.speed = std::clamp(c.speed, 0.01, 10.0); },
@@ -190,6 +196,7 @@ void Workbench::execute(const Command& asked) {
                    [&](const AddRecording&) { add_recording(); },
                    [&](const GiveUpImport&) { give_up_import(); },
                },
+               // Values that follow from others are updated once here, not in each handler.
                asked);
     state_.can_undo = undo_.can_undo();
     state_.can_redo = undo_.can_redo();
@@ -197,16 +204,17 @@ void Workbench::execute(const Command& asked) {
 }
 
 void Workbench::advance(double seconds) {
+    // Values of running jobs first: their completion below must see the last ones.
     take_autosaved();
     take_live();
     if (job_) {
         if (auto completion = job_->take_result()) {
-            // The completion may start the next part of the task.
+            // The completion may start the next job of the same request.
             job_.reset();
             state_.job.reset();
             if (*completion) (*completion)();
             if (!job_) begin_next();
-            if (!task_) state_.asks_to_stop = false;  // whoever asked sees first what it brought
+            if (!task_) state_.asks_to_stop = false;  // the user who was asked sees the result first
         }
         if (job_) state_.job = job_->view();
     }
@@ -214,7 +222,7 @@ void Workbench::advance(double seconds) {
     if (state_.playing) {
         const auto span = time_span(state_);
         state_.time_s += seconds * state_.speed;
-        // What a search has found so far plays again and again, and so does a preview.
+        // The best iterate of a search and a preview are played in a loop.
         if (state_.time_s >= (state_.previewing() ? state_.preview.end_s : span[1]) &&
             (state_.searching() || state_.previewing())) {
             state_.time_s = span[0];
@@ -230,6 +238,7 @@ void Workbench::take_live() {
         if (auto known = live_diagnosis_->take()) state_.diagnosis = std::move(known);
     if (live_search_)
         if (auto known = live_search_->take()) {
+            // The first motion of a search is played, as it is what the user waits for.
             const bool first = known->best && !(state_.search && state_.search->best);
             state_.search = std::move(known);
             if (first) execute(Play{});
@@ -239,6 +248,7 @@ void Workbench::take_live() {
 void Workbench::choose_trial(int trial) {
     const int count = state_.scene ? static_cast<int>(state_.scene->trials.size()) : 0;
     state_.trial = std::clamp(trial, 0, std::max(0, count - 1));
+    // Each trial starts at t = 0, if it contains it.
     const auto span = time_span(state_);
     state_.time_s = std::clamp(0.0, span[0], span[1]);
     state_.playing = false;
@@ -248,7 +258,7 @@ void Workbench::choose_trial(int trial) {
 
 void Workbench::change_settings(const ChangeSettings& change) {
     Settings settings = within_limits(change.settings);
-    // Unless the choice is given back to the program.
+    // Setting a step marks it as the user's own, unless the same edit switches the automatic choice.
     const bool given_back = settings.own_step != state_.settings.own_step;
     if (settings.time_step_s != state_.settings.time_step_s && !given_back) settings.own_step = true;
     if (settings == state_.settings) return;
@@ -257,6 +267,7 @@ void Workbench::change_settings(const ChangeSettings& change) {
 }
 
 void Workbench::set_settings(const Settings& settings) {
+    // All changes of the settings pass here: commands, undo, restored jobs and results of searches.
     state_.settings = settings;
     state_.muscle = std::clamp(state_.muscle, 0, std::max(0, static_cast<int>(settings.muscles.size()) - 1));
     place_muscles();
@@ -267,6 +278,7 @@ void Workbench::set_settings(const Settings& settings) {
 }
 
 void Workbench::check_stability() {
+    // Can take long for some schemes, so it is computed per change and not per frame.
     state_.critical_velocity_force_1_s.reset();
     const Choice* integrator = state_.integrator();
     if (integrator && integrator->critical_velocity_force)

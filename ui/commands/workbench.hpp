@@ -14,118 +14,153 @@
 
 namespace myo::ui::commands {
 
-/// The workbench without its looks: carries out commands, runs jobs one after the other, holds the state.
+/// The workbench without its window: executes commands, runs jobs one at a time and holds the state.
 ///
-/// A job works on the settings as they were when it was asked for. What it brings is shown when it ends, but the
-/// settings are changed by it only where nobody has changed them meanwhile.
+/// All functions are called on the UI thread. A job uses the settings of the time of its request. Its result is shown
+/// when it ends; the settings are changed by it only if the user has not changed them since.
 class Workbench {
 public:
-    /// @param wake  called from another thread when there is something new to show; may be empty
+    /// @param backend  shared with the jobs' threads
+    /// @param wake  called on another thread when there is something new to show; may be empty
     explicit Workbench(std::shared_ptr<Backend> backend, std::function<void()> wake = {});
 
+    /// The state; the reference is valid as long as the workbench.
     const WorkbenchState& state() const { return state_; }
+    /// The backend, of which panels may call the quick functions.
     const Backend& backend() const { return *backend_; }
+    /// Executes one command. Called after a frame, so that all panels of a frame see the same state.
     void execute(const Command& command);
 
-    /// To be called at the start of each frame: takes results of jobs and moves the time of a playing trial.
+    /// Takes results of jobs and moves the time of a playing trial. Called at the start of each frame.
+    ///
     /// @param seconds  since the last call
     void advance(double seconds);
 
-    /// Something changes by itself, so frames must go on.
+    /// Something changes without input, so the next frame has to be drawn.
     bool animating() const { return state_.playing; }
 
-    /// Writes unsaved work into a file from which it can be recovered, where it has changed since the last call;
-    /// removes the file where all is saved. Writes on a thread beside the drawing: painted bodies are large. A failure
-    /// is logged once.
+    /// Saves unsaved work to a recovery file if it has changed since the last call; removes the file if everything is
+    /// saved. Writes on a background thread, as painted bodies are large. A failure is logged once.
     void autosave(const std::filesystem::path& file);
-    /// Waits until nothing is being written any more.
+    /// Waits until the background writing has ended. Called before the program ends.
     void finish_autosave();
 
 private:
-    /// A job that was asked for.
+    /// A requested job, waiting or running.
     struct Task {
-        int id = 0;
+        int id = 0;  // unique in the session
         std::string name;
-        std::string clock;
-        Settings settings;
-        std::shared_ptr<const Scene> scene;
-        std::function<void()> begin;
-        PlacedBody on;  // what it works on, once that is meshed
+        std::string clock;                   // local time of its start
+        Settings settings;                   // at the time of the request
+        std::shared_ptr<const Scene> scene;  // at the time of the request
+        std::function<void()> begin;         // starts the first part of the work, on the UI thread
+        PlacedBody on;                       // mesh it works on, after meshing
     };
 
-    // workbench_jobs.cpp
+    // Jobs: workbench_jobs.cpp. A request (Task) consists of one or more jobs, such as meshing and then simulating.
+    /// Starts a request, or appends it to the queue while another one runs.
     void request(const std::string& name, std::function<void()> begin);
+    /// Starts a request on the UI thread.
     void begin(Task task);
+    /// Starts the next request in the queue, if any.
     void begin_next();
-    /// The work of the task that has begun.
+    /// Starts the next job of the current request on its own thread.
     void start(const std::string& name, Job::Work work, JobKind kind = {});
-    /// Meshes the body for the task, unless it is, and goes on.
+    /// Calls `then` once task_->on holds the body for the current request; meshes it first if the settings require
+    /// another mesh.
     void with_body(std::function<void()> then);
+    /// Whether anything is open; otherwise logs a hint.
     bool may_compute();
+    /// Ends the current request and adds its record to the history.
     void end_task(JobOutcome outcome, const std::string& summary, JobRecord with = {});
+    /// Shows the results and settings of an ended job again.
     void restore(int id);
+    /// Removes an ended job from the history.
     void forget(int id);
+    /// Copies the queue into the state.
     void update_queue();
 
-    // workbench_scene.cpp
+    // Opening: workbench_scene.cpp.
     void open(const std::filesystem::path& path, std::optional<double> metres_per_unit);
     void drop(const std::vector<std::filesystem::path>& files);  // workbench_drop.cpp
+    /// Shows an opened scene and resets everything that belonged to the previous one.
     void show_scene(Scene scene, std::optional<double> metres_per_unit);
+    /// Shows an opened scene with the settings of its project.
     void show_project(const std::filesystem::path& file, Project project, Scene scene);
+    /// Meshes the body of the current request, shows it, and continues with `then` (may be empty).
     void build_mesh(std::function<void()> then);
-    /// Frames on another body cannot be shown on it: they go.
+    /// Shows a mesh. The run of another mesh cannot be shown on it and is removed.
     void show_body(const PlacedBody& on);
 
-    // workbench_project.cpp
+    // Projects, quitting and recovery: workbench_project.cpp.
     Project project() const;
+    /// Saves to the project's file, or asks for a name.
     void save();
+    /// Saves to this file. Errors are logged.
     void save_as(std::filesystem::path file);
     void answer_unsaved(UnsavedAnswer answer);
+    /// Executes the action that waited for the decision about unsaved changes.
     void go_on_with_pending();
+    /// Closes the window, after the questions that are necessary.
     void quit();
     void write_report(const std::filesystem::path& folder);
+    /// Puts a path at the front of the recent files.
     void remember_recent(const std::filesystem::path& path);
+    /// Opens a recovery file. Its content counts as unsaved.
     void recover(const std::filesystem::path& file);
     void discard_recovery();
+    /// Deletes the recovery file of the shown project.
     void forget_recovered();
+    /// Takes the result of the background writing, if it has ended.
     void take_autosaved();
 
-    // workbench_search.cpp
+    // Simulation and searches: workbench_search.cpp.
     void run();
     void calibrate();
     void optimize();
+    /// Work of a search, on the job's thread.
     using Search = std::function<Result<SearchResult>(const Progress&, const Backend::LiveSearch&)>;
+    /// Starts a search as a job of the current request. `verb` appears in messages: "Calibrated".
     void search(const std::string& verb, Search search);
+    /// Shows a run, made with these settings.
     void show_run(std::shared_ptr<const RunResult> run, const Settings& settings);
+    /// Shows the result of a search and takes over its settings, unless the user has changed them.
     void show_found(const std::string& verb, SearchResult result);
 
-    // workbench_preview.cpp
+    // Live preview: workbench_preview.cpp.
     void change_preview(const ChangePreview& asked);
-    /// Something it shows has changed: the running one is given up, another begins as soon as it can.
+    /// Call it after any change that the preview depends on: cancels the running preview and starts a new one as soon
+    /// as possible.
     void want_preview();
+    /// Cancels the running preview; its result will be ignored.
     void give_up_preview();
-    /// Nothing of it is shown any more.
+    /// Cancels the preview and removes its run from the view.
     void stop_preview();
+    /// Starts a preview if one is wanted and nothing else is running.
     void begin_preview();
     void show_preview(double end_s, Result<RunResult> result);
+    /// Takes the result of a preview and starts the next one. Called once per frame.
     void advance_preview();
 
-    // workbench_diagnosis.cpp
+    // Diagnosis: workbench_diagnosis.cpp.
     void diagnose();
+    /// Shows the result of a diagnosis and ends its request.
     void show_diagnosis(DiagnosisView diagnosis);
-    /// Moves the time to where the chosen row's force can be seen, unless the motion plays.
+    /// Moves the time to where the forces of the selected row are visible, unless the motion plays.
     void look_at_forces();
+    /// Adds the effects of a fitted row to the settings.
     void add_effect(const std::string& key);
 
-    // workbench_muscles.cpp
+    // Muscles: workbench_muscles.cpp.
     void paint(const Paint& asked);
     void import_signal(const ImportSignal& asked);
     void export_signal(const ExportSignal& asked);
-    /// Puts the settings' muscles on the body.
+    /// Computes the paint of all muscles on the shown body.
     void place_muscles();
 
-    // workbench_import.cpp
+    // Import of recordings: workbench_import.cpp.
     void read_recording(const std::filesystem::path& path, const ReadingOptions& reading);
+    /// Starts the import of a recording that was read.
     void begin_import(RecordingFile file);
     void change_import(const ImportChoices& choices);
     void choose_label(int label, bool placing);
@@ -134,20 +169,24 @@ private:
     void add_recording();
     void give_up_import();
 
+    /// Applies an edit of the user, with an undo entry.
     void change_settings(const ChangeSettings& change);
+    /// Sets the settings and everything that depends on them, without an undo entry.
     void set_settings(const Settings& settings);
+    /// Computes the critical velocity force for the present settings.
     void check_stability();
     void choose_trial(int trial);
+    /// Takes intermediate results of the running search or diagnosis.
     void take_live();
     void log(LogLevel level, const std::string& text);
     void log_failure(const Error& error, const std::string& what);
 
-    // workbench_checks.cpp
-    /// Shows what the task's checks found and tells what is not fine, but for what was told before.
+    // Checks: workbench_checks.cpp.
+    /// Shows the checks of the current request and logs findings that are not green, unless they were reported before.
     void show_checks(const CheckRows& rows, const Settings& settings);
-    /// That the task is done: with the doubts of its checks, where there are some.
+    /// Logs that the request is done, with the findings of its checks.
     void log_done(const std::string& text, const CheckRows& rows);
-    /// The step that a run chose takes the place of one that nobody set.
+    /// Takes over the time step that a run chose, unless the user has set one.
     void take_step(double time_step_s);
 
     std::shared_ptr<Backend> backend_;
@@ -156,19 +195,19 @@ private:
     UndoStack<Settings> undo_;
     PlacedPaint placed_;
     std::deque<Task> queue_;
-    std::optional<Task> task_;  // that runs
-    int next_id_ = 1;
-    std::shared_ptr<LiveValue<DiagnosisView>> live_diagnosis_;
-    std::shared_ptr<LiveValue<SearchView>> live_search_;
-    std::optional<std::filesystem::path>
-        dropped_with_body_;                        // recording that is read once the body it was dropped with is open
-    std::optional<PendingAction> after_recovery_;  // what is opened once all that could be recovered was thrown away
-    Settings autosaved_;                           // as they are in the file of recovery
-    bool autosave_failed_ = false;
-    std::filesystem::path
-        recovered_;                  // file from which the shown project was recovered; to be removed once it is saved
-    bool preview_given_up_ = false;  // what the running preview brings is not wanted any more
-    // Last members: their threads end before anything they use.
+    std::optional<Task> task_;                                  // the running request
+    int next_id_ = 1;                                           // id of the next request
+    std::shared_ptr<LiveValue<DiagnosisView>> live_diagnosis_;  // from the running diagnosis; null: none runs
+    std::shared_ptr<LiveValue<SearchView>> live_search_;        // from the running search; null: none runs
+    // Recording to import after the body it was dropped with is open.
+    std::optional<std::filesystem::path> dropped_with_body_;
+    std::optional<PendingAction> after_recovery_;  // to open after all recovery files were discarded
+    Settings autosaved_;                           // settings in the recovery file
+    bool autosave_failed_ = false;                 // the last attempt failed and was logged
+    // Recovery file of the shown project; removed after it is saved.
+    std::filesystem::path recovered_;
+    bool preview_given_up_ = false;  // the result of the running preview is not wanted
+    // Last members: their destructors wait for threads that use the members above.
     std::future<Result<void>> autosave_job_;
     std::unique_ptr<Job> preview_job_;
     std::unique_ptr<Job> job_;

@@ -3,11 +3,12 @@
 
 #include "commands/workbench.hpp"
 
-// The checks of the workbench's jobs, and the time step that they are about.
+// Checks of the workbench's jobs, and the time step that they concern.
 
 namespace myo::ui::commands {
 namespace {
 
+/// Whether one of the rows has this sentence.
 bool says(const CheckRows& rows, const std::string& sentence) {
     return std::any_of(rows.begin(), rows.end(), [&](const CheckRow& row) { return row.sentence == sentence; });
 }
@@ -19,6 +20,7 @@ void Workbench::show_checks(const CheckRows& rows, const Settings& settings) {
     const std::shared_ptr<const CheckReport> before = std::exchange(
         state_.checks, std::make_shared<const CheckReport>(CheckReport{task_->name, task_->clock, settings, rows}));
     for (const CheckRow& row : rows) {
+        // A finding that was logged before is not repeated after every job.
         if (row.state == CheckState::green || row.told || (before && says(before->rows, row.sentence))) continue;
         log(LogLevel::warning, row.sentence + (row.way_out.empty() ? "" : "; " + row.way_out));
     }
@@ -34,7 +36,7 @@ void Workbench::take_step(double time_step_s) {
         if (settings.own_step) return;
         settings.time_step_s = time_step_s;
     };
-    take(state_.saved_settings);  // no edit that would have to be saved
+    take(state_.saved_settings);  // so that the program's own choice does not count as an unsaved change
     take(autosaved_);
     Settings settings = state_.settings;
     take(settings);

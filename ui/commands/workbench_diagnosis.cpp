@@ -4,7 +4,7 @@
 #include "commands/workbench.hpp"
 #include "plot/ticks.hpp"
 
-// The diagnosis of the workbench: started, shown while it runs, and its effects taken into the model.
+// Diagnosis: started, shown while it runs, and its effects added to the model.
 
 namespace myo::ui::commands {
 
@@ -16,11 +16,14 @@ void Workbench::diagnose() {
     }
     request(diagnose_job, [this] {
         with_body([this] {
+            // Shown from the start, so that the panel follows the intermediate results of this diagnosis only.
             state_.diagnosis.reset();
             state_.candidate.clear();
             state_.diagnosis_settings = task_->settings;
             live_diagnosis_ = std::make_shared<LiveValue<DiagnosisView>>();
             start(diagnose_job,
+                  // The thread owns copies and shared pointers only, so that edits during the diagnosis do not affect
+                  // it.
                   [this, settings = task_->settings, scene = task_->scene, body = task_->on.body,
                    live = live_diagnosis_](const Progress& progress) -> Job::Completion {
                       const auto show = [live](std::shared_ptr<const DiagnosisView> view) {
@@ -66,6 +69,7 @@ void Workbench::show_diagnosis(DiagnosisView diagnosis) {
     look_at_forces();
 }
 
+// At a time without forces the arrows of a row would be missing, without a visible reason.
 void Workbench::look_at_forces() {
     const PatchForces* const forces = shown_forces(state_);
     if (forces && !state_.playing) state_.time_s = time_with_forces(*forces, state_.time_s);
@@ -78,6 +82,7 @@ void Workbench::add_effect(const std::string& key) {
         return;
     }
     Settings settings = state_.settings;
+    // Modulus and damping were fitted together with the effect; without them the effect would not fit.
     settings.effects = row->settings.effects;
     settings.youngs_modulus_Pa = row->settings.youngs_modulus_Pa;
     settings.damping_s = row->settings.damping_s;

@@ -10,6 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A folder may end like a recording, so the type of the path counts too.
 bool is_recording(const fs::path& path) {
     std::error_code ignored;
     return std::find(recording_endings.begin(), recording_endings.end(), lower_case(path.extension().string())) !=
@@ -23,7 +24,8 @@ void Workbench::drop(const std::vector<fs::path>& files) {
     const auto recording = std::find_if(files.begin(), files.end(), is_recording);
     const auto body = std::find_if_not(files.begin(), files.end(), is_recording);
     if (body != files.end()) {
-        if (task_) return open(*body, std::nullopt);  // which says why not; what was dropped with it belongs to it
+        if (task_) return open(*body, std::nullopt);  // open() logs why not; the recording is dropped with it
+        // The recording needs the body, which is opened on another thread, so it waits until that is done.
         dropped_with_body_.reset();
         if (recording != files.end()) dropped_with_body_ = *recording;
         open(*body, std::nullopt);

@@ -3,18 +3,19 @@
 
 #include "commands/workbench.hpp"
 
-// Recordings on their way to become trials.
+// Import of recordings as trials.
 
 namespace myo::ui::commands {
 
 void Workbench::read_recording(const std::filesystem::path& path, const ReadingOptions& reading) {
+    // Checked at the request and again at its start: the body may be opened by the job before it.
     const auto has_body = [this] {
         if (!state_.scene) log(LogLevel::warning, "Open an experiment or a mesh first: the recording needs a body.");
         return state_.scene != nullptr;
     };
     if (!task_ && !has_body()) return;
     request("Read " + path.filename().string(), [this, path, reading, has_body] {
-        if (!has_body()) return;  // what was being opened cannot be
+        if (!has_body()) return;  // the file that was being opened could not be read
         start(task_->name, [this, path, reading](const Progress& progress) -> Job::Completion {
             auto file = std::make_shared<Result<RecordingFile>>(backend_->read_recording(path, reading));
             const bool cancelled = progress.cancelled();
@@ -28,6 +29,7 @@ void Workbench::read_recording(const std::filesystem::path& path, const ReadingO
 }
 
 void Workbench::begin_import(RecordingFile file) {
+    // Reading the same file again, for example with another unit, keeps the assignments of its labels.
     const bool known = state_.import && state_.import->file.path == file.path &&
                        state_.import->file.recording->labels.size() == file.recording->labels.size();
     RecordingImport import;
@@ -37,6 +39,7 @@ void Workbench::begin_import(RecordingFile file) {
         import.choices.markers.resize(file.recording->labels.size());
         import.choices.trial = marker_name(file.path.stem().string());
     }
+    // Another sample rate changes all times, so the start has to be found again.
     if (!known || file.recording->time_s != state_.import->file.recording->time_s)
         import.choices.start_s = file.start_s.value_or(file.recording->time_s[0]);
     import.file = std::move(file);
@@ -64,6 +67,7 @@ void Workbench::choose_label(int label, bool placing) {
     import.placing = placing && state_.body;
     state_.import = std::make_shared<const RecordingImport>(std::move(import));
     if (!placing) return;
+    // Clicks of the brush and of the import must not compete, and labels are placed on the body at rest.
     state_.brush.tool = BrushTool::none;
     state_.playing = false;
     execute(SetTime{0.0});
@@ -111,9 +115,10 @@ void Workbench::add_recording() {
                 if (!*place) return log_failure(place->error(), "Cannot add the trial");
                 if (!*made)
                     return log_failure(made->error(), "The trial was added, but the experiment cannot be opened");
-                if (state_.scene != scene) return;  // something else was opened meanwhile
-                // What was set and painted on this body stays.
+                if (state_.scene != scene) return;  // another scene was opened meanwhile
+                // Everything that was set and painted on this body is kept.
                 const Settings kept = state_.settings;
+                // A copy of the experiment in another folder is not what the open project refers to.
                 const std::filesystem::path project = import.choices.folder.empty() ? state_.project
                                                                                     : std::filesystem::path();
                 show_scene(std::move(**made), std::nullopt);

@@ -4,14 +4,15 @@
 
 #include "commands/workbench.hpp"
 
-// Jobs of the workbench: one runs, others wait, those that have ended are remembered.
+// Jobs: one runs, others wait, and ended ones are kept in the history.
 
 namespace myo::ui::commands {
 namespace {
 
-constexpr std::size_t most_records = 60;
-constexpr double most_bytes = 1.5e9;  // of the frames that records keep
+constexpr std::size_t most_records = 60;  // in the history
+constexpr double most_bytes = 1.5e9;      // memory limit for the frames of all records [bytes]
 
+/// Local time as "14:05:09".
 std::string clock_now() {
     const std::time_t now = std::time(nullptr);
     std::tm local{};
@@ -21,6 +22,7 @@ std::string clock_now() {
     return text;
 }
 
+/// Memory of a run's frames [bytes]; its other data are small.
 double bytes_of(const RunResult& run) {
     double bytes = 0.0;
     for (const SimulatedTrial& trial : run.trials)
@@ -28,7 +30,8 @@ double bytes_of(const RunResult& run) {
     return bytes;
 }
 
-/// Gives up the motion of the oldest records where all together hold too much; their settings stay.
+/// Releases runs and searches of the oldest records if all records together need too much memory. Their settings are
+/// kept. The newest record always keeps its run.
 void save_memory(std::vector<JobRecord>& history) {
     if (history.size() > most_records) history.erase(history.begin());
     double bytes = 0.0;
@@ -63,9 +66,10 @@ void Workbench::request(const std::string& name, std::function<void()> begin_wor
 void Workbench::begin(Task task) {
     task.clock = clock_now();
     task_ = std::move(task);
-    // The function may replace the task it belongs to.
+    // The function may replace task_, and with it itself: keep a copy.
     const std::function<void()> work = task_->begin;
     work();
+    // The request may have ended without starting a job.
     if (!job_) begin_next();
 }
 
@@ -91,7 +95,7 @@ void Workbench::start(const std::string& name, Job::Work work, JobKind kind) {
         };
     };
     if (preview_job_ && !preview_given_up_) {
-        // A job has the machine for itself; the preview comes after it.
+        // A job gets all processor cores; the preview continues after it.
         give_up_preview();
         state_.preview.working = true;
     }
@@ -112,8 +116,9 @@ void Workbench::end_task(JobOutcome outcome, const std::string& summary, JobReco
     with.clock = task_->clock;
     with.outcome = outcome;
     with.summary = summary;
+    // Searches and runs have set the settings that belong to their results.
     if (!with.run && !with.diagnosis) with.settings = task_->settings;
-    // Another body may be shown by now.
+    // Another body may be shown by now, so the one of the request is stored.
     with.on = task_->on.body ? task_->on : PlacedBody{state_.body, state_.ground, state_.body_settings};
     state_.history.push_back(std::move(with));
     save_memory(state_.history);
@@ -123,6 +128,7 @@ void Workbench::restore(int id) {
     const JobRecord* const found = state_.record(id);
     if (!found || !found->can_be_restored()) return;
     const JobRecord record = *found;
+    // An undo entry, so that the user can return to the settings before the restore.
     if (!(record.settings == state_.settings)) undo_.record(state_.settings, "restore", false);
     show_body(record.on);
     state_.run.reset();
@@ -131,6 +137,7 @@ void Workbench::restore(int id) {
     set_settings(record.settings);
     if (record.run) show_run(record.run, record.settings);
     state_.found = record.found;
+    // Intermediate results of a running search or diagnosis take precedence.
     if (record.search && !state_.searching()) state_.search = record.search;
     if (record.checks) state_.checks = record.checks;
     if (record.diagnosis && !state_.diagnosing()) {

@@ -1,13 +1,15 @@
 #include "commands/workbench.hpp"
 
-// Muscles of the workbench: where they are on the body, and what strokes change.
+// Muscles: where they are on the body, and edits of paint and signals.
 
 namespace myo::ui::commands {
 
 void Workbench::paint(const Paint& asked) {
     const auto index = static_cast<std::size_t>(asked.muscle);
     if (!state_.body || !asked.paint || asked.muscle < 0 || index >= state_.settings.muscles.size()) return;
-    if (asked.paint->count() != state_.body->mesh.cell_count()) return;  // of a mesh that is gone
+    // the mesh has been replaced since the stroke began
+    if (asked.paint->count() != state_.body->mesh.cell_count()) return;
+    // Settings hold a mask that does not depend on the mesh. The paint itself is cached: converting it back takes long.
     const auto mask = std::make_shared<const fibre::PaintedMask>(fibre::mask_of_cells(state_.body->mesh, *asked.paint));
     placed_.remember(state_.body, mask, asked.paint);
     Settings settings = state_.settings;

@@ -3,12 +3,13 @@
 
 #include "commands/workbench.hpp"
 
-// Live previews of the workbench: short runs beside everything else, each stopped by the next edit.
+// Live preview: short runs next to everything else, each cancelled by the next edit.
 
 namespace myo::ui::commands {
 
 void Workbench::change_preview(const ChangePreview& asked) {
     const bool longer = asked.length_s != state_.preview.length_s;
+    // The same state again must not cancel the running preview.
     if (asked.on == state_.preview.on && !longer) return;
     state_.preview.on = asked.on;
     state_.preview.length_s = asked.length_s;
@@ -28,6 +29,7 @@ void Workbench::want_preview() {
 void Workbench::give_up_preview() {
     if (!preview_job_) return;
     preview_job_->cancel();
+    // The thread ends at its next check of the flag; advance_preview() then discards the result.
     preview_given_up_ = true;
 }
 
@@ -40,9 +42,10 @@ void Workbench::stop_preview() {
 }
 
 void Workbench::begin_preview() {
+    // Only one preview at a time, and none while a job needs the processor.
     if (!state_.preview.working || preview_job_ || task_) return;
     const bool possible = state_.scene_trial() && state_.mesh_is_current();
-    // What was run whole needs no preview.
+    // A complete run with these settings is better than a preview.
     if (!possible || state_.run_is_current()) return stop_preview();
     const RunExtent extent{static_cast<std::size_t>(state_.trial), preview_length_s(state_)};
     const auto work = [this, extent, settings = state_.settings, scene = state_.scene,
@@ -65,11 +68,12 @@ void Workbench::show_preview(double end_s, Result<RunResult> result) {
     preview.problem = result ? "" : result.error().text();
     preview.run = result ? std::make_shared<const RunResult>(std::move(*result)) : nullptr;
     preview.end_s = end_s;
-    // Later nothing of it would be seen.
+    // Beyond the end of the preview there is nothing to see.
     if (first && preview.run && state_.time_s > end_s) state_.time_s = end_s;
 }
 
 void Workbench::advance_preview() {
+    // A cancelled preview must not overwrite the state, but its thread has to end before the next one starts.
     if (preview_job_)
         if (auto completion = preview_job_->take_result()) {
             preview_job_.reset();

@@ -5,7 +5,7 @@
 
 #include "commands/workbench.hpp"
 
-// The workbench's project: saved, taken up again, never lost.
+// Projects: saving, recovery, and questions before work would be lost.
 
 namespace myo::ui::commands {
 
@@ -13,6 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Deletes a project file and the folder with its masks. Errors are ignored: the files may not exist.
 void remove_project(const fs::path& file) {
     std::error_code ignored;
     fs::remove(file, ignored);
@@ -29,6 +30,7 @@ Project Workbench::project() const {
 
 void Workbench::save() {
     if (!state_.scene) return;
+    // Without a file name, the window asks for one; saving continues in save_as().
     if (state_.project.empty())
         state_.asks_where_to_save = true;
     else
@@ -41,6 +43,7 @@ void Workbench::save_as(fs::path file) {
     if (!is_project(file)) file += project_ending;
     const Result<void> written = backend_->write_project(file, project());
     if (!written) {
+        // What waited for saving is dropped too, as continuing would lose the changes.
         state_.pending.reset();
         return log_failure(written.error(), "Cannot save");
     }
@@ -59,6 +62,7 @@ void Workbench::answer_unsaved(UnsavedAnswer answer) {
     else if (answer == UnsavedAnswer::save)
         save();
     else {
+        // The changes count as saved from here on, so that the pending action does not ask again.
         state_.saved_settings = state_.settings;
         forget_recovered();
         go_on_with_pending();
@@ -81,6 +85,7 @@ void Workbench::go_on_with_pending() {
 }
 
 void Workbench::quit() {
+    // Quitting asks for unsaved changes first, then for a running job. Each answer calls quit() again.
     if (state_.unsaved()) {
         state_.pending = PendingAction{true, {}, {}};
         return;
@@ -116,6 +121,7 @@ void Workbench::autosave(const fs::path& file) {
     if (autosave_job_.valid()) return;  // the last one is still being written
     if (!state_.unsaved()) return remove_project(file);
     if (state_.settings == autosaved_ && fs::exists(file, ignored)) return;
+    // Stored before writing, so that edits during the writing are noticed at the next call.
     autosaved_ = state_.settings;
     autosave_job_ = std::async(std::launch::async, [backend = backend_, file, project = project()] {
         return backend->write_project(file, project);
@@ -136,7 +142,7 @@ void Workbench::finish_autosave() {
 }
 
 void Workbench::recover(const fs::path& file) {
-    // What else was found is offered again at the next start.
+    // Other recovery files are offered again at the next start.
     state_.recovered.clear();
     if (const auto other = std::exchange(after_recovery_, std::nullopt))
         log(LogLevel::information,
@@ -154,7 +160,7 @@ void Workbench::recover(const fs::path& file) {
             return [this, project, scene] {
                 if (!*scene) return log_failure(scene->error(), "Cannot recover");
                 show_project({}, std::move(**project), std::move(**scene));
-                // It is saved nowhere else.
+                // The recovered work is saved nowhere else, so it must count as unsaved.
                 state_.saved_settings = state_.scene->settings;
                 log(LogLevel::done, "Unsaved work was recovered. Save it to keep it.");
                 build_mesh({});

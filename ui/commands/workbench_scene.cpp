@@ -3,7 +3,7 @@
 
 #include "commands/workbench.hpp"
 
-// What the workbench works on: an experiment, a mesh or a project is opened, and its body meshed.
+// Opening an experiment, a mesh or a project, and meshing its body.
 
 namespace myo::ui::commands {
 
@@ -11,7 +11,7 @@ void Workbench::open(const std::filesystem::path& given, std::optional<double> m
     std::filesystem::path path = given.lexically_normal();
     if (!path.has_filename()) path = path.parent_path();  // "folder/"
     if (!state_.recovered.empty()) {
-        // First it is settled what becomes of the work that was found.
+        // The user decides first what happens to the recovered work; then this file is opened.
         after_recovery_ = PendingAction{false, path, metres_per_unit};
         return;
     }
@@ -19,6 +19,7 @@ void Workbench::open(const std::filesystem::path& given, std::optional<double> m
         log(LogLevel::warning, "\"" + task_->name + "\" is still running. Cancel it before another file is opened.");
         return;
     }
+    // Questions that must be answered before the file is opened. The answers call open() again.
     if (state_.unsaved()) {
         state_.pending = PendingAction{false, path, metres_per_unit};
         return;
@@ -61,12 +62,14 @@ void Workbench::open(const std::filesystem::path& given, std::optional<double> m
 }
 
 void Workbench::show_scene(Scene scene, std::optional<double> metres_per_unit) {
+    // From here on everything that belongs to the previous scene is replaced or removed.
     state_.settings = state_.saved_settings = autosaved_ = within_limits(scene.settings);
     state_.project.clear();
     state_.metres_per_unit = metres_per_unit;
     if (scene.frequency_Hz > 0.0) state_.damping_frequency_Hz = scene.frequency_Hz;
     check_stability();
     state_.scene = std::make_shared<Scene>(std::move(scene));
+    // The request that opened the scene continues with meshing, for which it needs the new scene and settings.
     if (task_) task_->scene = state_.scene, task_->settings = state_.settings;
     state_.body.reset();
     state_.ground.reset();
@@ -111,6 +114,7 @@ void Workbench::show_project(const std::filesystem::path& file, Project project,
         log(LogLevel::warning, "The experiment no longer has the muscle " + muscle.declared +
                                    "; the project keeps it as one of its own" +
                                    (muscle.paint ? "." : ", without paint."));
+        // Without a declared counterpart the muscle is kept as one created in the workbench.
         muscle.declared.clear();
     }
     show_scene(std::move(scene), project.metres_per_unit);
@@ -125,6 +129,7 @@ void Workbench::show_project(const std::filesystem::path& file, Project project,
 
 void Workbench::build_mesh(std::function<void()> then) {
     const Settings settings = task_->settings;
+    // Preparing the body for painting takes long on large meshes, so it belongs to the same job.
     const auto scene = task_->scene;
     start("Mesh", [this, settings, scene, then = std::move(then)](const Progress& progress) -> Job::Completion {
         auto body = std::make_shared<Result<MeshedBody>>(backend_->mesh(*scene, settings, progress));
@@ -147,6 +152,8 @@ void Workbench::build_mesh(std::function<void()> then) {
             for (const ReportLine& line : state_.body->report) {
                 if (line.warning) log(LogLevel::warning, line.label + ": " + line.value);
             }
+            // `then` continues the request. Without it, a request that only meshes ends here; opening ends without a
+            // record.
             if (then)
                 then();
             else if (task_->name == "Mesh")

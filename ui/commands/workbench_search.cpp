@@ -4,7 +4,7 @@
 #include "commands/workbench.hpp"
 #include "plot/ticks.hpp"
 
-// Runs of the workbench, and searches for values and signals with which they follow the measurement.
+// Simulations, and searches for parameters and signals that reproduce the measurement.
 
 namespace myo::ui::commands {
 
@@ -36,11 +36,13 @@ void Workbench::run() {
                           end_task(JobOutcome::failed, result->error().text());
                       } else {
                           const double seconds = (*result)->seconds, rms = (*result)->rms_m;
+                          // Only complete runs are timed: an aborted one has a wrong ratio of time to steps.
                           if ((*result)->problem.empty() && (*result)->steps > 0.0)
                               remember(state_.preferences.step_costs,
                                        {settings.element, task_->on.body->dofs, seconds / (*result)->steps});
                           state_.found.reset();
                           show_body(task_->on);
+                          // The run may have shortened the step. The record holds the step that was used.
                           Settings used = settings;
                           if ((*result)->time_step_s > 0.0) {
                               used.time_step_s = (*result)->time_step_s;
@@ -67,6 +69,7 @@ void Workbench::run() {
 void Workbench::search(const std::string& verb, Search find) {
     state_.search.reset();
     state_.search_body = task_->on.body;
+    // A new mailbox for each search: results of an earlier search cannot arrive in this one.
     live_search_ = std::make_shared<LiveValue<SearchView>>();
     const auto live = live_search_;
     start(task_->name,
@@ -75,6 +78,7 @@ void Workbench::search(const std::string& verb, Search find) {
               auto result = std::make_shared<Result<SearchResult>>(find(progress, show));
               const bool cancelled = progress.cancelled();
               return [this, verb, result, cancelled] {
+                  // The last intermediate results, for the plots of the search.
                   take_live();
                   live_search_.reset();
                   if (*result) return show_found(verb, std::move(**result));
@@ -116,6 +120,7 @@ void Workbench::optimize() {
                                    : "Nothing to optimise: the shown trial has no measured markers to follow.");
         return;
     }
+    // The trial is stored in the request, as another one may be shown when the job starts.
     OptimizeRequest request_of = state_.optimize;
     request_of.trial = trial->name;
     request("Optimise", [this, request_of] {
@@ -132,6 +137,7 @@ void Workbench::show_found(const std::string& verb, SearchResult result) {
     show_body(task_->on);
     state_.found = std::make_shared<SearchResult>(std::move(result));
     const SearchResult& found = *state_.found;
+    // Settings that were edited during the search are not overwritten.
     const bool untouched = state_.settings == task_->settings;
     if (untouched) {
         undo_.record(state_.settings, verb, false);
@@ -139,6 +145,7 @@ void Workbench::show_found(const std::string& verb, SearchResult result) {
         state_.can_redo = false;
         set_settings(found.settings);
     }
+    // Shares the ownership of the result instead of copying its run.
     show_run(std::shared_ptr<const RunResult>(state_.found, &found.run), found.settings);
     if (!found.problem.empty()) log(LogLevel::warning, found.problem);
     const std::string errors = "rms error " + plot::millimetres(found.rms_before_m) + " before, " +

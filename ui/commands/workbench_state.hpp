@@ -18,148 +18,167 @@
 
 namespace myo::ui::commands {
 
+/// Severity of a log message; sets its icon and colour.
 enum class LogLevel { information, done, warning, failure };
 
-/// How what is done, but doubtful or wrong by its checks, looks.
+/// Severity of a message about a finished job, from the result of its checks.
 inline LogLevel log_level(CheckState state) {
     if (state == CheckState::green) return LogLevel::done;
     return state == CheckState::amber ? LogLevel::warning : LogLevel::failure;
 }
 
+/// One message of the log.
 struct LogLine {
     LogLevel level = LogLevel::information;
     std::string text;
 };
 
+// Number of messages that are kept.
 inline constexpr std::size_t most_log_lines = 2000;
 
+// Name of the job by which WorkbenchState::diagnosing() recognises it.
 inline constexpr const char* diagnose_job = "Diagnose";
 
-/// What waits until a person has said what is to become of unsaved changes.
+/// An action that waits until the user has decided about unsaved changes.
 struct PendingAction {
-    bool quit = false;  // else to open this
+    bool quit = false;  // close the window; otherwise open the file below
     std::filesystem::path open;
-    std::optional<double> metres_per_unit;
+    std::optional<double> metres_per_unit;  // of the file to open
 };
 
-/// Everything the panels show. Panels read it and emit commands; only Workbench changes it.
+/// Everything that the panels show. Panels read it and emit commands; only Workbench changes it, on the UI thread.
+/// Large parts are shared pointers to constant data, so that a copy of the state is cheap.
 struct WorkbenchState {
-    std::shared_ptr<const Scene> scene;
-    std::shared_ptr<const MeshedBody> body;
-    std::shared_ptr<const PaintGround> ground;                   // of `body`
-    std::vector<std::shared_ptr<const fibre::CellPaint>> paint;  // of the settings' muscles on `body`; null without one
-    std::shared_ptr<const RunResult> run;
-    std::shared_ptr<const SearchResult> found;       // by the last search, while its run is shown
-    std::shared_ptr<const SearchView> search;        // the running search, or the last one
-    std::shared_ptr<const MeshedBody> search_body;   // that it works on
-    std::shared_ptr<const DiagnosisView> diagnosis;  // the last one, or what is known of the running one
-    std::string candidate;                           // key of its chosen row; empty = that of the verdict
-    std::shared_ptr<const CheckReport> checks;      // of the newest job that made some, or the restored one; null: none
-    std::shared_ptr<const RecordingImport> import;  // a recording that is being made a trial; null: none
-    Settings settings;
-    Settings saved_settings;                // as they are in the file
-    std::filesystem::path project;          // its file; empty: never saved
-    std::optional<double> metres_per_unit;  // of the mesh file that was opened
-    Settings diagnosis_settings;            // with which `diagnosis` was started
-    Settings body_settings;                 // with which `body` was meshed
-    Settings run_settings;                  // with which `run` was made
-    MeshPrediction prediction;
-    std::vector<Choice> materials;
-    std::vector<Choice> integrators;
+    std::shared_ptr<const Scene> scene;         // null: nothing is open
+    std::shared_ptr<const MeshedBody> body;     // null: not meshed
+    std::shared_ptr<const PaintGround> ground;  // data for painting on `body`
+    // of the settings' muscles on `body`; empty without a body
+    std::vector<std::shared_ptr<const fibre::CellPaint>> paint;
+    std::shared_ptr<const RunResult> run;            // the shown run; null: none
+    std::shared_ptr<const SearchResult> found;       // result of the last search, while its run is shown
+    std::shared_ptr<const SearchView> search;        // history of the running or last search
+    std::shared_ptr<const MeshedBody> search_body;   // body that `search` works on
+    std::shared_ptr<const DiagnosisView> diagnosis;  // of the last diagnosis, or of the running one so far
+    std::string candidate;                      // key of the selected row of the diagnosis; empty = the verdict's row
+    std::shared_ptr<const CheckReport> checks;  // of the newest job that has checks, or of the restored one; null: none
+    std::shared_ptr<const RecordingImport> import;  // recording that is being imported; null: none
+    Settings settings;                              // as edited now
+    Settings saved_settings;                        // as in the project's file
+    std::filesystem::path project;                  // the project's file; empty: never saved
+    std::optional<double> metres_per_unit;          // of the mesh file that is open
+    Settings diagnosis_settings;                    // settings of `diagnosis`
+    Settings body_settings;                         // settings of `body`
+    Settings run_settings;                          // settings of `run`
+    MeshPrediction prediction;                      // size of the mesh for the present settings
+    std::vector<Choice> materials;                  // to choose from
+    std::vector<Choice> integrators;                // to choose from
     std::vector<Example> examples;
-    OptimizeRequest optimize;  // of the next search for signals; its trial is the shown one
+    OptimizeRequest optimize;  // for the next search for signals; its trial is the shown one
 
-    int trial = 0;
-    int marker = 0;
-    int muscle = 0;  // of the settings' muscles, the one that is edited
+    int trial = 0;   // index of the shown trial
+    int marker = 0;  // index of the shown marker
+    int muscle = 0;  // index of the edited muscle in the settings
     BrushSettings brush;
-    double time_s = 0.0;
+    double time_s = 0.0;  // shown time of the trial
     bool playing = false;
-    double speed = 1.0;                                 // of playing, against real time
-    double damping_frequency_Hz = 5.0;                  // at which the numerical damping is shown
-    std::optional<double> critical_velocity_force_1_s;  // at that frequency; empty where the scheme has none
+    double speed = 1.0;                                 // of playing, relative to real time
+    double damping_frequency_Hz = 5.0;                  // frequency at which the numerical damping is shown
+    std::optional<double> critical_velocity_force_1_s;  // at that frequency [1/s]; empty: the scheme has none
 
     LivePreview preview;
     ViewOptions view;
     Preferences preferences;
 
-    std::vector<LogLine> log;  // the newest last; the oldest are given up beyond most_log_lines
-    std::size_t logged = 0;    // lines since the start
-    std::optional<JobView> job;
-    std::vector<QueuedJob> queue;                        // in the order in which they will run
-    std::vector<JobRecord> history;                      // the newest last
-    std::optional<std::filesystem::path> unit_question;  // a mesh file waits for its unit
-    std::optional<PendingAction> pending;                // waits for an answer about unsaved changes
-    bool asks_to_stop = false;                           // the window shall close, but a job runs
-    bool asks_where_to_save = false;
-    std::vector<std::filesystem::path>
-        recovered;      // projects of a session that did not end well, to be taken up or thrown away
-    bool quit = false;  // the window shall close
+    std::vector<LogLine> log;                            // newest last; at most most_log_lines
+    std::size_t logged = 0;                              // number of messages since the start
+    std::optional<JobView> job;                          // the running job; empty: none
+    std::vector<QueuedJob> queue;                        // waiting jobs in order
+    std::vector<JobRecord> history;                      // ended jobs, newest last
+    std::optional<std::filesystem::path> unit_question;  // mesh file whose unit the user has to choose
+    std::optional<PendingAction> pending;                // waits for the answer about unsaved changes
+    bool asks_to_stop = false;                           // quitting waits for the answer about a running job
+    bool asks_where_to_save = false;                     // the dialog for the project's file name is open
+    // Recovery files of sessions that ended unexpectedly, newest last.
+    std::vector<std::filesystem::path> recovered;
+    bool quit = false;  // the window has to close
     bool can_undo = false;
     bool can_redo = false;
 
+    /// A job is running.
     bool busy() const { return job.has_value(); }
-    /// Something goes on in the background whose result will be seen.
+    /// A job or a preview is running whose result will be shown.
     bool works() const { return busy() || preview.working; }
+    /// The settings differ from the project's file.
     bool unsaved() const { return scene && !(settings == saved_settings); }
+    /// Scale of text and controls; 1 until the preferences are known.
     float scale() const { return preferences.scale > 0.0f ? preferences.scale : 1.0f; }
+    /// The mesh has the element type and edge length of the settings.
     bool mesh_is_current() const { return body && same_mesh(settings, body_settings); }
+    /// The shown run was made with the present settings.
     bool run_is_current() const { return run && settings == run_settings; }
-    /// What was checked is what is set.
+    /// The shown checks belong to the present settings.
     bool checks_are_current() const { return checks && settings == checks->settings; }
+    /// The velocity force exceeds the critical value of the time scheme.
     bool is_unstable() const {
         return settings.velocity_force_1_s > 0.0 && critical_velocity_force_1_s &&
                settings.velocity_force_1_s > *critical_velocity_force_1_s;
     }
     bool diagnosing() const { return job && job->name == diagnose_job; }
-    /// Row of the diagnosis that is shown: the chosen one, or the verdict's, or the best so far; null without any.
+    /// Shown row of the diagnosis: the selected one, otherwise the verdict's, otherwise the best so far. Null if there
+    /// is none.
     const DiagnosisRow* diagnosis_row() const;
-    /// The chosen integrator, or null.
+    /// The selected time scheme; null if its id is unknown.
     const Choice* integrator() const {
         const auto chosen = std::find_if(integrators.begin(), integrators.end(),
                                          [&](const Choice& c) { return c.id == settings.integrator; });
         return chosen != integrators.end() ? &*chosen : nullptr;
     }
+    /// The shown trial; null if there is none.
     const SceneTrial* scene_trial() const {
         return scene && trial >= 0 && trial < static_cast<int>(scene->trials.size())
                    ? &scene->trials[static_cast<std::size_t>(trial)]
                    : nullptr;
     }
-    /// The muscle that is edited, or null.
+    /// The edited muscle; null if there is none.
     const Muscle* chosen_muscle() const {
         return muscle >= 0 && muscle < static_cast<int>(settings.muscles.size())
                    ? &settings.muscles[static_cast<std::size_t>(muscle)]
                    : nullptr;
     }
-    /// Its paint; null without body or muscle.
+    /// Paint of the edited muscle; null without a body or a muscle.
     const fibre::CellPaint* chosen_paint() const {
         return chosen_muscle() && static_cast<std::size_t>(muscle) < paint.size()
                    ? paint[static_cast<std::size_t>(muscle)].get()
                    : nullptr;
     }
-    /// What is shown of the body's motion: the best iterate of a running search on it, else the live preview, else the
-    /// last run; null without any.
+    /// Run that the view and the plots show: the best iterate of a running search on this body, otherwise the live
+    /// preview, otherwise the last run. Null if there is none.
     std::shared_ptr<const RunResult> shown_run() const {
         return searching() && search && search->best && search_body == body ? search->best
                : preview.run                                                ? preview.run
                                                                             : run;
     }
+    /// The shown run is a preview.
     bool previewing() const { return preview.run && shown_run() == preview.run; }
+    /// A search is running.
     bool searching() const { return job && job->searches; }
+    /// The shown trial in the shown run; null if it has none.
     const SimulatedTrial* simulated_trial() const { return trial_of(shown_run().get()); }
-    /// The shown trial in a run of the same scene, or null.
+    /// The shown trial in a run of the same scene; null if it is not there.
     const SimulatedTrial* trial_of(const RunResult* result) const {
         return result && trial >= 0 && trial < static_cast<int>(result->trials.size())
                    ? &result->trials[static_cast<std::size_t>(trial)]
                    : nullptr;
     }
+    /// Record of an ended job by its id; null if it was removed. Valid until the history changes.
     const JobRecord* record(int id) const {
         const auto entry = std::find_if(history.begin(), history.end(), [&](const JobRecord& r) { return r.id == id; });
         return entry != history.end() ? &*entry : nullptr;
     }
 };
 
-/// First and last time that can be shown, of measurement and simulation together; {0, 0} when there is neither.
+/// First and last time that can be shown [s], of measurement and simulation together; of the recording during an
+/// import. {0, 0} if there is nothing.
 std::array<double, 2> time_span(const WorkbenchState& state);
 
 }  // namespace myo::ui::commands

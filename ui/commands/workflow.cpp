@@ -9,6 +9,7 @@
 namespace myo::ui::commands {
 namespace {
 
+/// Whether any trial has measured markers.
 bool is_measured(const Scene& scene) {
     for (const SceneTrial& trial : scene.trials)
         if (!trial.measured.empty()) return true;
@@ -30,6 +31,7 @@ StepStatus mesh_status(const WorkbenchState& state) {
 StepStatus material_status(const WorkbenchState& state) {
     const std::string values = "E = " + plot::plain_label(1e-3 * state.settings.youngs_modulus_Pa, 4) +
                                " kPa, \xce\xbd = " + plot::plain_label(state.settings.poissons_ratio, 4) + ".";
+    // Default values of a plain mesh have not been checked by anyone, so the task is not done yet.
     if (!is_measured(*state.scene) && state.settings == state.scene->settings)
         return {StepState::ready, "A silicone is assumed; set the values of your material. " + values};
     return {StepState::done, values};
@@ -38,6 +40,7 @@ StepStatus material_status(const WorkbenchState& state) {
 StepStatus fibres_status(const WorkbenchState& state) {
     if (state.settings.muscles.empty())
         return {StepState::ready, "No muscles: add one and paint it on the body, or leave it passive."};
+    // The first muscle without paint is what is missing.
     for (std::size_t m = 0; m < state.settings.muscles.size() && m < state.paint.size(); ++m)
         if (state.paint[m] && !(state.paint[m]->weights.maxCoeff() > 0.0))
             return {StepState::ready, "Paint " + state.settings.muscles[m].name + " on the body."};
@@ -76,7 +79,7 @@ StepStatus diagnose_status(const WorkbenchState& state) {
     if (!can_be_diagnosed(*state.scene))
         return {StepState::missing, "A diagnosis needs a trial of role fit with measured markers."};
     if (!state.diagnosis || !state.diagnosis->complete) return {StepState::ready, "Ask what the model lacks."};
-    // An effect that was added is the diagnosis' own advice.
+    // Adding an effect follows the diagnosis' own recommendation, so it does not make the diagnosis outdated.
     Settings bare = state.settings, then = state.diagnosis_settings;
     bare.effects.clear(), then.effects.clear();
     bare.youngs_modulus_Pa = then.youngs_modulus_Pa, bare.damping_s = then.damping_s;
@@ -90,6 +93,7 @@ StepStatus report_status(const WorkbenchState& state) {
     return {StepState::ready, "Write the report, pictures and tables."};
 }
 
+/// State of a task without regard to its checks.
 StepStatus bare_status(const WorkbenchState& state, Step step) {
     switch (step) {
         case Step::body: return body_status(state);
@@ -105,13 +109,14 @@ StepStatus bare_status(const WorkbenchState& state, Step step) {
     return {};
 }
 
-/// Without what a fit is to mend: a run is sound, and its recordings compared, also where its values do not fit yet.
+/// Checks of a run without those that a calibration would resolve: a run is sound even if its parameters do not fit
+/// yet.
 CheckRows checks_of_run(CheckRows rows) {
     std::erase_if(rows, [](const CheckRow& row) { return row.step == step_id(Step::fit); });
     return rows;
 }
 
-/// Checks of the job that a step is done by; of the others, the newest checks of what is set there.
+/// Checks of the job that completes a task. For the other tasks, the newest checks that concern them.
 CheckRows checks_of(const WorkbenchState& state, Step step) {
     if (step == Step::run || step == Step::measure) return checks_of_run(state.run->checks);
     if (step == Step::fit) return state.found->run.checks;
@@ -140,6 +145,7 @@ const char* step_title(Step step) {
 StepStatus step_status(const WorkbenchState& state, Step step) {
     if (!state.scene && step != Step::body) return {StepState::missing, "Open a body first."};
     StepStatus status = bare_status(state, step);
+    // Checks qualify only what has been done with the present settings.
     if (status.state != StepState::done || !state.scene) return status;
     const CheckRows rows = checks_of(state, step);
     status.checks = worst_state(rows);

@@ -10,7 +10,7 @@
 namespace myo::ui::panels {
 namespace {
 
-/// As the packages' own copyright files have it.
+/// Summary of the packages' own copyright files.
 constexpr const char* bound_by =
     "Myoloop's own source is under the MIT licence. A binary that is passed on is bound by more: CHOLMOD's supernodal "
     "module and SPQR are under the GPL 2 or later, METIS's Apache "
@@ -18,6 +18,7 @@ constexpr const char* bound_by =
     "So pass a binary on under the GPL 3, its mesher under the AGPL 3, "
     "and the source with both.";
 
+/// Table of names, versions and licences, as the backend lists them.
 void draw_libraries(const std::vector<commands::Library>& libraries) {
     if (!ImGui::BeginTable("libraries", 3, ImGuiTableFlags_RowBg)) return;
     ImGui::TableSetupColumn("name", ImGuiTableColumnFlags_WidthStretch, 1.0f);
@@ -35,17 +36,20 @@ void draw_libraries(const std::vector<commands::Library>& libraries) {
 
 }  // namespace
 
+// Escape closes the dialog as the button does.
 void draw_about(PanelContext& context, bool& open) {
     if (!open) return;
     const platform::Theme& theme = context.theme;
+    // Width in pixels at scale 1; the licences need lines of some length.
     if (!begin_dialog(theme, "About Myoloop", 560.0f)) return;
     heading(theme, "Myoloop " + context.backend.version());
-    // The list scrolls where the window is low; the button stays in sight.
+    // The list scrolls in a low window, so that the button stays visible.
     ImGui::BeginChild("about",
                       {0.0f, std::min(460.0f * theme.scale, ImGui::GetIO().DisplaySize.y - 170.0f * theme.scale)});
     muted_text(theme, "A workbench for soft robots. It stands on these libraries and fonts:");
     draw_libraries(context.backend.libraries());
     ImGui::Spacing();
+    // The summary comes last: it follows from the licences in the list.
     muted_text(theme, bound_by);
     ImGui::EndChild();
     context.items.mark("about/text");

@@ -4,9 +4,9 @@
 
 namespace myo::ui::panels {
 
-/// The version, and what the program stands on with its licences.
+/// Draws the dialog with the version and the licences of the libraries in use.
 ///
-/// @param open  becomes false when it is closed
+/// @param open  whether it is shown; set to false when the user closes it
 void draw_about(PanelContext& context, bool& open);
 
 }  // namespace myo::ui::panels

@@ -13,6 +13,7 @@ namespace {
 
 using Enabled = std::function<bool(const commands::WorkbenchState&)>;
 
+// Conditions that several actions share.
 Enabled with_scene() {
     return [](const commands::WorkbenchState& s) { return s.scene != nullptr; };
 }
@@ -20,24 +21,29 @@ Enabled working() {
     return [](const commands::WorkbenchState& s) { return s.busy(); };
 }
 
-/// An action that is a command.
+/// Action that only emits a command.
 template <class Asked>
 std::function<void(PanelContext&, viewport::ViewportState&)> emits(Asked asked) {
     return [asked](PanelContext& context, viewport::ViewportState&) { context.emit(asked); };
 }
 
+/// Multiplies the scale of text and controls, within the limits of the preferences.
 void rescale(PanelContext& context, float factor) {
     context.emit(commands::SetTheme{
         context.state.preferences.theme,
+        // The factors 1.25 and 0.8 are inverse, so that larger and smaller cancel.
         std::clamp(context.state.scale() * factor, commands::least_scale, commands::greatest_scale)});
 }
 
+/// Menu File. Dialogs are requested from the window; saving is a command, as the workbench decides whether to ask for a
+/// name.
 void add_file_actions(std::vector<Action>& all) {
     all.push_back({"file.open",
                    "File",
                    "Open\xe2\x80\xa6",
                    {platform::key_o, true, false, "Ctrl+O"},
                    [](PanelContext& context, viewport::ViewportState&) {
+                       // Starts where the open file is, as related files are often next to it.
                        context.window.file = open_dialog(context.state.scene ? context.state.scene->path
                                                                              : std::filesystem::path());
                    }});
@@ -75,6 +81,7 @@ void add_file_actions(std::vector<Action>& all) {
         {"file.quit", "File", "Quit", {platform::key_q, true, false, "Ctrl+Q"}, emits(commands::Quit{}), {}, {}, true});
 }
 
+/// Menu Edit. Painting and erasing need a selected muscle.
 void add_edit_actions(std::vector<Action>& all) {
     all.push_back({"edit.undo",
                    "Edit",
@@ -88,15 +95,18 @@ void add_edit_actions(std::vector<Action>& all) {
                    {ImGuiKey_Y, true, false, "Ctrl+Y"},
                    emits(commands::Redo{}),
                    [](const commands::WorkbenchState& s) { return s.can_redo; }});
+    // Pressing the shortcut of the active tool again returns to the camera.
     const auto toggle = [](commands::BrushTool tool) {
         return [tool](PanelContext& context, viewport::ViewportState&) {
             commands::BrushSettings brush = context.state.brush;
             brush.tool = brush.tool == tool ? commands::BrushTool::none : tool;
             context.emit(commands::ChangeBrush{brush});
+            // The brush settings are in the task Fibres, so that task is shown.
             if (brush.tool != commands::BrushTool::none) context.window.step = commands::Step::fibres;
         };
     };
     const auto has_muscle = [](const commands::WorkbenchState& s) { return s.chosen_muscle() != nullptr; };
+    // State of the menu entry: the tick shows the tool that is active.
     const auto holds = [](commands::BrushTool tool) {
         return [tool](const commands::WorkbenchState& s) { return s.brush.tool == tool; };
     };
@@ -117,6 +127,7 @@ void add_edit_actions(std::vector<Action>& all) {
                    holds(commands::BrushTool::erase)});
 }
 
+/// Menu View. These actions change the camera or the view options; both leave the model as it is.
 void add_view_actions(std::vector<Action>& all) {
     all.push_back({"view.fit",
                    "View",
@@ -124,6 +135,7 @@ void add_view_actions(std::vector<Action>& all) {
                    {platform::key_f, false, false, "F"},
                    [](PanelContext&, viewport::ViewportState& view) { view.fit_requested = true; },
                    with_scene()});
+    // The same directions as the buttons in the view, with their shortcuts.
     struct Look {
         const char* id;
         const char* label;
@@ -178,7 +190,9 @@ void add_view_actions(std::vector<Action>& all) {
                    [](PanelContext& context, viewport::ViewportState& view) {
                        view.measuring = !view.measuring;
                        commands::BrushSettings brush = context.state.brush;
+                       // A click can either measure or paint.
                        brush.tool = commands::BrushTool::none;
+                       // Switching measuring off leaves the tool as it is.
                        if (view.measuring) context.emit(commands::ChangeBrush{brush});
                    },
                    with_scene(),
@@ -196,6 +210,7 @@ void add_view_actions(std::vector<Action>& all) {
                    {},
                    [](PanelContext& context, viewport::ViewportState&) {
                        const bool dark = context.state.preferences.theme == platform::ThemeName::dark;
+                       // The scale is part of the same command and must be kept.
                        context.emit(commands::SetTheme{dark ? platform::ThemeName::light : platform::ThemeName::dark,
                                                        context.state.scale()});
                    },
@@ -215,6 +230,7 @@ void add_view_actions(std::vector<Action>& all) {
     all.push_back({"view.reset_layout", "View", "Reset the layout", {}, emits(commands::SetLayout{})});
 }
 
+/// Menu Run. Each job has one action here; the buttons in the panels emit the same commands.
 void add_run_actions(std::vector<Action>& all) {
     all.push_back({"run.mesh",
                    "Run",
@@ -272,6 +288,7 @@ void add_run_actions(std::vector<Action>& all) {
          true});
 }
 
+/// The tasks of the left column. They have no menu and are found through the palette.
 void add_step_actions(std::vector<Action>& all) {
     for (const commands::Step step : commands::all_steps)
         all.push_back({std::string("step.") + commands::step_id(step),
@@ -281,6 +298,7 @@ void add_step_actions(std::vector<Action>& all) {
                        [step](PanelContext& context, viewport::ViewportState&) { context.window.step = step; }});
 }
 
+/// Menu Help.
 void add_help_actions(std::vector<Action>& all) {
     all.push_back({"help.palette",
                    "Help",
@@ -295,6 +313,7 @@ void add_help_actions(std::vector<Action>& all) {
 }  // namespace
 
 const std::vector<Action>& all_actions() {
+    // Built once: actions hold no state, only functions of the context.
     static const std::vector<Action> actions = [] {
         std::vector<Action> all;
         add_file_actions(all);
@@ -310,16 +329,19 @@ const std::vector<Action>& all_actions() {
 
 void react_to_shortcuts(PanelContext& context, viewport::ViewportState& viewport) {
     const ImGuiIO& io = ImGui::GetIO();
+    // Keys belong to a text field or an open dialog first.
     if (io.WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId)) return;
     for (const Action& action : all_actions()) {
         const Shortcut& keys = action.shortcut;
+        // On many keyboards + requires Shift, so Shift is ignored for this key.
         if (keys.key < 0 || keys.ctrl != io.KeyCtrl || (keys.shift != io.KeyShift && keys.key != platform::key_plus) ||
             !ImGui::IsKeyPressed(keys.key, false))
             continue;
+        // A disabled action ignores its shortcut, as its menu entry ignores clicks.
         if (!action.enabled || action.enabled(context.state)) action.perform(context, viewport);
     }
     if (io.KeyCtrl && io.KeyShift && ImGui::IsKeyPressed(ImGuiKey_Z, false))
-        context.emit(commands::Redo{});  // as many know it
+        context.emit(commands::Redo{});  // the second common shortcut for redo
 }
 
 }  // namespace myo::ui::panels

@@ -9,30 +9,33 @@
 
 namespace myo::ui::panels {
 
-/// Keys that are pressed together.
+/// A keyboard shortcut.
 struct Shortcut {
     int key = -1;  // ImGuiKey or ExtraKey; -1: none
     bool ctrl = false;
     bool shift = false;
-    const char* label = "";  // "Ctrl+S"
+    const char* label = "";  // shown in menus and the palette: "Ctrl+S"
 };
 
-/// Something a person can ask for by menu, by keys and by the command palette alike.
+/// An action that is available in a menu, by a shortcut and in the command palette. To add one, append it in
+/// actions.cpp.
 struct Action {
-    std::string id;     // "file.save"
-    std::string menu;   // "File"
-    std::string label;  // "Save"
+    std::string id;     // unique; item name for tests: "file.save"
+    std::string menu;   // title of the menu that contains it: "File"
+    std::string label;  // shown: "Save project"
     Shortcut shortcut;
+    // Executes the action, usually by emitting a command. Called on the UI thread within a frame.
     std::function<void(PanelContext&, viewport::ViewportState&)> perform;
-    std::function<bool(const commands::WorkbenchState&)> enabled = {};  // empty: always
-    std::function<bool(const commands::WorkbenchState&)> checked = {};  // empty: it is no switch
-    bool separated = false;                                             // a line above it in the menu
+    std::function<bool(const commands::WorkbenchState&)> enabled = {};  // whether it can be used now; empty: always
+    std::function<bool(const commands::WorkbenchState&)> checked = {};  // state of a toggle; empty: not a toggle
+    bool separated = false;                                             // a separator above it in the menu
 };
 
-/// All of them, menus in their order.
+/// All actions in the order of the menus. The list never changes while the program runs.
 const std::vector<Action>& all_actions();
 
-/// Performs what the keys of this frame ask for.
+/// Executes the actions whose shortcuts were pressed in this frame. Does nothing while the user types text or a dialog
+/// is open.
 void react_to_shortcuts(PanelContext& context, viewport::ViewportState& viewport);
 
 }  // namespace myo::ui::panels

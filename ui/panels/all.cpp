@@ -21,6 +21,7 @@
 
 namespace myo::ui::panels {
 
+// The order determines the order of panels within a task, and of the tabs below the view.
 std::vector<std::unique_ptr<Panel>> all_panels() {
     std::vector<std::unique_ptr<Panel>> panels;
     const auto add = [&panels]<class T>(std::type_identity<T>) { panels.push_back(std::make_unique<T>()); };

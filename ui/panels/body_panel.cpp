@@ -11,10 +11,12 @@
 
 namespace myo::ui::panels {
 
+/// The field accepts any path and opens it with Enter; the button next to it opens the file browser. Below: name,
+/// description, size and warnings of what is open, or an explanation of what can be opened.
 void BodyPanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
-    // What was opened from elsewhere (dropped, command line) stands in the field too.
+    // The field also shows what was opened elsewhere: dropped, from the start page, or by the command line.
     if (scene_ != state.scene && state.scene)
         path_ = (state.project.empty() ? state.scene->path : state.project).string();
     scene_ = state.scene;
@@ -25,6 +27,7 @@ void BodyPanel::draw(PanelContext& context) {
         !path_.empty())
         context.emit(commands::Open{path_, std::nullopt});
     context.items.mark("body/path");
+    // Paths are often longer than the field.
     if (!path_.empty()) tooltip(theme, path_);
     ImGui::SameLine();
     if (ImGui::Button(platform::icon::folder, {button, 0.0f}))
@@ -43,12 +46,14 @@ void BodyPanel::draw(PanelContext& context) {
     heading(theme, scene.name);
     if (!scene.description.empty()) muted_text(theme, scene.description);
     ImGui::Spacing();
+    // Millimetres suit soft robots of centimetres to decimetres.
     const Eigen::Vector3d size = 1e3 * commands::body_size(state);
     if (size.maxCoeff() > 0.0)
         text_row(theme, "Size",
                  plot::plain_label(size.x(), 4) + " \xc3\x97 " + plot::plain_label(size.y(), 4) + " \xc3\x97 " +
                      plot::plain_label(size.z(), 4) + " mm");
     if (scene.surface.triangles.cols() > 0)
+        // Scenes from a volume mesh may have no surface of their own.
         text_row(theme, "Surface", with_separators(static_cast<double>(scene.surface.triangles.cols())) + " triangles");
     if (!scene.markers.empty()) text_row(theme, "Markers", std::to_string(scene.markers.size()));
     text_row(theme, "Trials", std::to_string(scene.trials.size()));

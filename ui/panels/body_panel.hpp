@@ -6,7 +6,7 @@
 
 namespace myo::ui::panels {
 
-/// Opens a body, and says what it is.
+/// Opens an experiment, a mesh or a project, and shows its properties.
 class BodyPanel : public Panel {
 public:
     std::string name() const override { return "body"; }
@@ -16,8 +16,8 @@ public:
     void draw(PanelContext& context) override;
 
 private:
-    std::string path_;
-    std::shared_ptr<const commands::Scene> scene_;
+    std::string path_;                              // text in the path field
+    std::shared_ptr<const commands::Scene> scene_;  // scene whose path was written into the field
 };
 
 }  // namespace myo::ui::panels

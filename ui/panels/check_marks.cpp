@@ -9,17 +9,20 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Icon and words that summarise the newest checks.
 struct Mark {
     const char* sign;
     ImVec4 color;
     std::string words;
-    std::string tip;
+    std::string tip;  // tooltip
 };
 
+/// Three cases: no checks yet, checks of earlier settings, or checks of the present settings.
 Mark mark_of(const commands::WorkbenchState& state, const platform::Theme& theme) {
     if (!state.checks) return {platform::icon::shield, theme.muted, "no checks yet", no_checks_words};
     const commands::CheckReport& report = *state.checks;
     const std::string counted = commands::count_words(report.rows) + "\nof " + report.job + ", begun " + report.clock;
+    // Outdated checks get a neutral colour: they say nothing about the present settings.
     if (!state.checks_are_current())
         return {platform::icon::stale, theme.muted, "checks: " + commands::doubt_words(report.rows) + ", outdated",
                 counted + "\n" + stale_checks_words};
@@ -27,6 +30,7 @@ Mark mark_of(const commands::WorkbenchState& state, const platform::Theme& theme
     return {check_icon(worst), check_color(theme, worst), "checks: " + commands::doubt_words(report.rows), counted};
 }
 
+/// Makes the last item a link to the panel of checks.
 void go_to_checks(PanelContext& context) {
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     if (ImGui::IsItemClicked()) context.window.panel = checks_panel_name;
@@ -54,6 +58,7 @@ void checks_line(PanelContext& context, const commands::CheckRows& rows, const s
     if (rows.empty()) return;
     check_text(context.theme, commands::worst_state(rows), "Checks: " + commands::doubt_words(rows));
     context.items.mark(item);
+    // The line names only what needs attention; the tooltip counts all states.
     tooltip(context.theme, commands::count_words(rows) + "\nA click shows what was found.");
     go_to_checks(context);
 }
@@ -61,9 +66,11 @@ void checks_line(PanelContext& context, const commands::CheckRows& rows, const s
 float checks_mark(PanelContext& context, float left, float right) {
     const platform::Theme& theme = context.theme;
     const Mark mark = mark_of(context.state, theme);
+    // Without room for the words only the icon remains, with the words in its tooltip.
     const std::string all = std::string(mark.sign) + "  " + mark.words;
     const bool fits = left + ImGui::CalcTextSize(all.c_str()).x <= right;
     const std::string shown = fits ? all : mark.sign;
+    // Flush right: the width changes with the words, the right edge does not.
     const float begin = right - ImGui::CalcTextSize(shown.c_str()).x;
     ImGui::SetCursorPosX(begin);
     ImGui::AlignTextToFramePadding();

@@ -2,21 +2,25 @@
 
 #include "panels/panel.hpp"
 
-// The state of checks, by a sign, a colour and a word. Only green has the sign of a tick.
+// State of checks as an icon, a colour and a word. Only green is shown with a tick.
 
 namespace myo::ui::panels {
 
+/// Icon and colour of a state.
 const char* check_icon(commands::CheckState state);
+/// Reference into the theme.
 const ImVec4& check_color(const platform::Theme& theme, commands::CheckState state);
 
-/// Sign and words in the colour of the state.
+/// Draws icon and words in the colour of the state.
 void check_text(const platform::Theme& theme, commands::CheckState state, const std::string& words);
 
-/// "Checks: 1 amber" on a line; a click brings the panel of checks to the front. Nothing without rows.
+/// Draws a line such as "Checks: 1 amber". A click shows the panel of checks. Draws nothing without rows.
+///
+/// @param item  item name for tests
 void checks_line(PanelContext& context, const commands::CheckRows& rows, const std::string& item);
 
-/// The same in short, for the bar at the top: of the newest checks, or that there are none yet. It ends at `right`;
-/// only the sign where the words would begin before `left`. Returns where it begins.
+/// Draws the summary of the newest checks in the menu bar, flush right at `right` [pixels in the window]. Only the icon
+/// is drawn if the words would begin before `left`. Returns the x at which it begins.
 float checks_mark(PanelContext& context, float left, float right);
 
 }  // namespace myo::ui::panels

@@ -4,14 +4,14 @@
 
 namespace myo::ui::panels {
 
-inline constexpr const char* checks_panel_name = "checks";
+inline constexpr const char* checks_panel_name = "checks";  // panel name
 inline constexpr const char* no_checks_words =
     "Checks appear once an experiment is open: whether its units, support, mesh, time step, start and recordings can "
     "be trusted, and after a run, a calibration or a diagnosis what that brought.";
 inline constexpr const char*
     stale_checks_words = "The settings changed since: these are the checks of earlier settings.";
 
-/// What the checks found of the experiment and the newest job, the worst first.
+/// Results of the checks of the experiment and the newest job, most severe first.
 class ChecksPanel : public Panel {
 public:
     std::string name() const override { return checks_panel_name; }
@@ -20,7 +20,9 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    /// Counts of the states, the job they belong to, and a note if they are outdated.
     void draw_head(PanelContext& context);
+    /// Table of the checks: five columns if there is room, otherwise two.
     void draw_rows(PanelContext& context);
 };
 

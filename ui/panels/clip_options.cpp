@@ -10,12 +10,14 @@
 namespace myo::ui::panels {
 namespace {
 
-/// Of the body at rest along the normal [m].
+/// Least and greatest position of the body at rest along the normal [m].
 std::array<double, 2> extent_along(const commands::MeshedBody& body, const Eigen::Vector3d& normal) {
     const Eigen::RowVectorXd along = normal.transpose() * body.mesh.nodes;
     return {along.minCoeff(), along.maxCoeff()};
 }
 
+/// Changes the direction of the plane and moves it to the middle of the body. A position along another direction means
+/// nothing.
 void turn(const commands::MeshedBody& body, commands::ClipPlane& plane, const Eigen::Vector3d& normal) {
     plane.normal = normal;
     const auto [lowest, highest] = extent_along(body, normal);
@@ -29,6 +31,7 @@ void draw_clip_options(PanelContext& context, const viewport::Camera& camera, co
     const commands::MeshedBody& body = *context.state.body;
     commands::ClipPlane& plane = view.clip;
     ImGui::Separator();
+    // Switching on puts the plane into the middle, where it always cuts the body.
     if (ImGui::Checkbox("Cut the body open", &plane.on) && plane.on) turn(body, plane, plane.normal);
     context.items.mark("view/clip");
     tooltip(context.theme,
@@ -45,6 +48,8 @@ void draw_clip_options(PanelContext& context, const viewport::Camera& camera, co
                                     {"Y", "view/clip_y", Eigen::Vector3d::UnitY(), "Across the y axis"},
                                     {"Z", "view/clip_z", Eigen::Vector3d::UnitZ(), "Across the z axis"},
                                     {"View", "view/clip_view", viewport::camera_axes(camera).back,
+                                     // The direction is copied: the cut must not move when the user looks at it from
+                                     // the side.
                                      "Across the direction in which you look now; stays when you turn the view"}};
     bool first = true;
     for (const Direction& direction : directions) {
@@ -56,6 +61,7 @@ void draw_clip_options(PanelContext& context, const viewport::Camera& camera, co
         tooltip(context.theme, direction.tip);
     }
     const auto [lowest, highest] = extent_along(body, plane.normal);
+    // The slider covers exactly the extent of the body along the present direction.
     float position = static_cast<float>(1e3 * plane.position_m);
     ImGui::SetNextItemWidth(140.0f * context.theme.scale);
     if (ImGui::SliderFloat("Plane##clip", &position, static_cast<float>(1e3 * lowest),

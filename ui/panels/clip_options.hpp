@@ -5,9 +5,10 @@
 
 namespace myo::ui::panels {
 
-/// Switch, direction, position and side of the plane that cuts the body.
+/// Draws the controls of the clip plane: on or off, direction, position and side. Draws nothing without a meshed body.
 ///
-/// @param view  to be changed
+/// @param camera  for the direction "View"
+/// @param view  options that the controls change
 void draw_clip_options(PanelContext& context, const viewport::Camera& camera, commands::ViewOptions& view);
 
 }  // namespace myo::ui::panels

@@ -17,37 +17,43 @@
 namespace myo::ui::panels {
 namespace {
 
-constexpr const char* times = "\xc3\x97";
+constexpr const char* times = "\xc3\x97";  // multiplication sign
 
+/// Percentage with three digits; a dash if unknown, "0" below 0.05 %.
 std::string percent(double share) {
     return !std::isfinite(share) ? dash : std::abs(share) < 5e-4 ? "0" : plot::value_label(100.0 * share, 3);
 }
 
+// Nothing missing is good news only if the checks are green too.
 ImVec4 verdict_color(const platform::Theme& theme, const commands::DiagnosisView& d) {
     if (!d.complete) return theme.text;
     if (d.verdict == commands::DiagnosisVerdict::none) return check_color(theme, commands::worst_state(d.checks));
     return d.verdict == commands::DiagnosisVerdict::effects ? theme.accent : theme.warning;
 }
 
+/// Progress of the diagnosis: its present part, what is counted, and the times.
 std::string stage_words(const commands::JobView& job) {
     std::string words = job.progress.task.empty() ? "Starting" : job.progress.task;
+    // The parts of a diagnosis have lower-case names.
     words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
     if (const std::string counted = counted_words(job); !counted.empty()) words += ", " + counted;
     if (!job.progress.message.empty()) words += " \xc2\xb7 " + job.progress.message;
-    std::replace(words.begin(), words.end(), '_', ' ');  // ids of effects
+    std::replace(words.begin(), words.end(), '_', ' ');  // ids of effects contain underscores
     if (job.remaining_s) words += " \xc2\xb7 " + time_words(job);
     return words + " \xc2\xb7 " + duration_label(job.elapsed_s) + " so far";
 }
 
+/// Only fitted effects can be added. The declared model is in the model already, and a missing force is no effect.
 bool can_be_added(const commands::DiagnosisRow* row) {
     return row && row->fitted && row->kind == commands::DiagnosisRow::Kind::effects;
 }
 
+/// The effects of the row are those of the settings.
 bool is_in_model(const commands::WorkbenchState& state, const commands::DiagnosisRow& row) {
     return row.settings.effects == state.settings.effects;
 }
 
-/// The fitted value as far as a cell has room for it: what is left out is told on hovering.
+/// Fitted value as far as the cell has room; the tooltip shows all of it.
 std::string value_words(const commands::DiagnosisRow& row, float width) {
     const bool fits = ImGui::CalcTextSize(row.value.c_str()).x <= width;
     return row.one_number || (!fits && !row.brief.empty()) ? row.brief : row.value;
@@ -57,6 +63,8 @@ std::string value_words(const commands::DiagnosisRow& row, float width) {
 
 std::string DiagnosePanel::title() const { return std::string(platform::icon::stethoscope) + "  Diagnose"; }
 
+/// Explains what is missing if a diagnosis is not possible. Otherwise: the head; below it the ranking on the left and
+/// the details of the selected row on the right; in a narrow panel one of the two.
 void DiagnosePanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     if (!state.scene) {
@@ -72,6 +80,7 @@ void DiagnosePanel::draw(PanelContext& context) {
                    "measured markers.");
         return;
     }
+    // Before drawing, as the parts below use zoom and axis.
     follow(state);
     draw_head(context);
     if (!state.diagnosis) {
@@ -84,7 +93,8 @@ void DiagnosePanel::draw(PanelContext& context) {
         return;
     }
     const float width = ImGui::GetContentRegionAvail().x;
-    const bool narrow = width < 560.0f * context.theme.scale;  // then one at a time
+    // not enough room for both: ranking and plot become alternatives
+    const bool narrow = width < 560.0f * context.theme.scale;
     if (!narrow) {
         ImGui::BeginChild("ranking", {std::floor(0.55f * width), 0.0f});
         draw_ranking(context);
@@ -98,6 +108,7 @@ void DiagnosePanel::draw(PanelContext& context) {
         context.items.mark("diagnose/show/ranking");
         if (row) ImGui::SameLine();
     }
+    // In a narrow panel the ranking is one of the alternatives, like the details.
     const bool alone = narrow && ranking_;
     if (row) draw_choices(context, alone);
     if (alone)
@@ -112,28 +123,35 @@ void DiagnosePanel::draw(PanelContext& context) {
     ImGui::EndChild();
 }
 
+/// Resets zoom and axis if another curve is shown.
 void DiagnosePanel::follow(const commands::WorkbenchState& state) {
     if (scene_ != state.scene) axis_chosen_ = false;
     scene_ = state.scene;
+    // Until the user selects an axis, the one with the largest error is shown.
     if (!axis_chosen_ && state.diagnosis) axis_ = std::clamp(state.diagnosis->worst_axis, 0, 2);
     const commands::DiagnosisRow* const row = state.diagnosis_row();
+    // One string for everything that identifies the curve is simpler to compare than six members.
     const std::string shown = state.scene->path.string() +
                               (row && row->kind == commands::DiagnosisRow::Kind::missing_force ? " force " : " ") +
                               std::to_string(state.trial) + " " + std::to_string(state.marker) + " " +
                               std::to_string(axis_);
     if (shown == followed_) return;
-    // Another curve: the old zoom means nothing.
+    // A different curve: the old zoom has no meaning for it.
     followed_ = shown;
     time_.range.reset();
     plot_ = {};
 }
 
+/// From left to right: button, verdict, confidence, and the button that adds the effect. What has no room moves into
+/// the tooltip of the verdict, first the reasons, then the confidence.
 void DiagnosePanel::draw_head(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
     const float s = theme.scale;
     const ImVec2 button{132.0f * s, 0.0f};
+    // While a diagnosis runs, the head shows its progress instead of the verdict.
     if (state.diagnosing()) {
+        // Once cancelled, the button has nothing more to do, but the job needs time to end.
         ImGui::BeginDisabled(state.job->cancelling);
         if (ImGui::Button((std::string(platform::icon::stop) + "  Cancel").c_str(), button))
             context.emit(commands::Cancel{});
@@ -156,23 +174,26 @@ void DiagnosePanel::draw_head(PanelContext& context) {
     if (!state.diagnosis) return;
     const commands::DiagnosisView& d = *state.diagnosis;
     const commands::DiagnosisRow* const row = state.diagnosis_row();
+    // Text of the button on the right; empty: no button.
     std::string add;
     if (can_be_added(row))
         add = is_in_model(state, *row) ? std::string(platform::icon::done) + "  Added to the model"
                                        : std::string(platform::icon::plus) + "  Add " + lower_first(row->name);
+    // The verdict takes the room that the button on the right leaves.
     const float add_width = add.empty() ? 0.0f
                                         : ImGui::CalcTextSize(add.c_str()).x + 4.0f * ImGui::GetStyle().FramePadding.x;
     ImGui::SameLine(0.0f, 12.0f * s);
     ImGui::AlignTextToFramePadding();
     ImGui::PushFont(theme.strong);
     const float confidence_width = 140.0f * s, all = ImGui::GetContentRegionAvail().x - add_width - 16.0f * s;
-    const bool with_confidence = d.complete && all > confidence_width + 160.0f * s;  // else it is told on hovering
+    const bool with_confidence = d.complete && all > confidence_width + 160.0f * s;  // otherwise in the tooltip
     const float room = all - (with_confidence ? confidence_width : 0.0f);
     const std::string confidence = "confidence " + plot::value_label(100.0 * d.confidence, 2) + " %";
     const std::string headline = d.complete ? d.headline : "Cancelled before a verdict: this is what was known by then";
     ImGui::TextColored(verdict_color(theme, d), "%s", elided(headline, room).c_str());
     ImGui::PopFont();
     context.items.mark("diagnose/verdict");
+    // Reasons and indistinguishable effects are one text, shown below the head and in the tooltip.
     std::string words = d.because;
     for (const std::string& each : d.confounded) words += (words.empty() ? "" : " ") + each;
     tooltip(theme, d.headline + (d.complete ? "\n" + confidence : "") + (words.empty() ? "" : "\n\n") + words);
@@ -195,24 +216,28 @@ void DiagnosePanel::draw_head(PanelContext& context) {
                            "it. The next run has it; undo takes it out.");
     }
     if (words.empty()) return;
+    // One or two lines, depending on the height that is left.
     const ImVec2 below = ImGui::GetContentRegionAvail();
-    if (below.y < 160.0f * s) return;  // the plot needs the room; the verdict tells it on hovering
+    if (below.y < 160.0f * s) return;  // the plot needs the room; the tooltip of the verdict has the text
     muted_text(theme, elided_lines(words, below.x, below.y > 180.0f * s ? 2 : 1));
     context.items.mark("diagnose/because");
     tooltip(theme, words);
 }
 
+/// Columns in falling importance from left to right; those that have no room are left out, and the tooltip of a row has
+/// all of them.
 void DiagnosePanel::draw_ranking(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
     const commands::DiagnosisView& d = *state.diagnosis;
     const commands::DiagnosisRow* const shown = state.diagnosis_row();
+    // Six columns always exist; those without room are disabled, so the rows below need no cases.
     if (!ImGui::BeginTable("candidates", 6,
                            ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
                                ImGuiTableFlags_BordersOuterH))
         return;
     ImGui::TableSetupScrollFreeze(0, 1);
-    // In a narrow window the value is told on hovering, and the weight gives way to the name.
+    // In a narrow window the value is in the tooltip, and the weight makes room for the name.
     const float width = ImGui::GetWindowWidth() / theme.scale;
     const bool narrow = width < 480.0f, tight = width < 420.0f;
     const std::vector<Heading> headings{
@@ -235,6 +260,7 @@ void DiagnosePanel::draw_ranking(PanelContext& context) {
     for (const commands::DiagnosisRow& row : d.rows) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
+        // Rows that were not fitted are dimmed.
         const ImVec4& color = row.fitted ? theme.text : theme.muted;
         const std::string label = row.kind == commands::DiagnosisRow::Kind::effects ? std::to_string(++rank) : " ";
         ImGui::PushStyleColor(ImGuiCol_Text, color);
@@ -242,12 +268,14 @@ void DiagnosePanel::draw_ranking(PanelContext& context) {
             context.emit(commands::ChooseCandidate{row.key});
         ImGui::PopStyleColor();
         context.items.mark("diagnose/row/" + row.key);
+        // The tooltip adds what the columns cannot show: similar effects, and why there are no force arrows.
         const std::string like = row.like.empty() ? "" : "This experiment cannot tell it from " + row.like + ".";
         std::string words = row.name +
-                            (row.value.empty() ? "" : ": " + row.value);  // whole, however narrow the table is
+                            (row.value.empty() ? "" : ": " + row.value);  // complete, however narrow the table is
         for (const std::string& more : {like, row.no_force})
             if (!more.empty()) words += (words.empty() ? "" : "\n") + more;
         tooltip(theme, words);
+        // The verdict's row carries the icon of the checks instead of a tick of its own.
         const std::string sign = row.chosen ? std::string("  ") + check_icon(commands::worst_state(d.checks)) : "";
         text_cell(theme, row.name + sign, row.chosen ? verdict_color(theme, d) : color);
         ImGui::TableNextColumn();
@@ -261,6 +289,7 @@ void DiagnosePanel::draw_ranking(PanelContext& context) {
     ImGui::EndTable();
 }
 
+/// Marker and axis belong to the residual only; errors and the missing force have no marker.
 void DiagnosePanel::draw_choices(PanelContext& context, bool none) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -278,9 +307,10 @@ void DiagnosePanel::draw_choices(PanelContext& context, bool none) {
     tooltip(theme, "Errors of the trials before and after");
     const commands::DiagnosisRow* const row = state.diagnosis_row();
     if (none || errors_ || row->kind == commands::DiagnosisRow::Kind::missing_force) return;
+    // The marker is shared with the other panels; the axis belongs to this panel.
     const auto& markers = state.scene->markers;
     const std::size_t current = std::min(static_cast<std::size_t>(state.marker), markers.size() - 1);
-    // In a narrow window on a line of their own.
+    // In a narrow window these controls get a line of their own.
     const float axis_width = 56.0f * s, least = 72.0f * s;
     ImGui::SameLine(0.0f, 16.0f * s);
     const float room = ImGui::GetContentRegionAvail().x - axis_width - ImGui::GetStyle().ItemSpacing.x;
@@ -313,11 +343,14 @@ void DiagnosePanel::draw_choices(PanelContext& context, bool none) {
     ImGui::EndCombo();
 }
 
+/// Both curves are differences from the declared model: the measured one is what it lacks, the predicted one what the
+/// row adds. They coincide if the row explains the residual.
 void DiagnosePanel::draw_residual(PanelContext& context, const commands::DiagnosisRow& row) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
     const auto trial = static_cast<std::size_t>(state.trial), marker = static_cast<std::size_t>(state.marker);
     const commands::DiagnosisView& d = *state.diagnosis;
+    // Residuals appear trial by trial while the diagnosis runs.
     if (trial >= d.trials.size() || marker >= d.trials[trial].residual_m.size()) {
         muted_text(theme, "The residual of " +
                               (state.scene_trial() ? state.scene_trial()->name : std::string("this trial")) +
@@ -326,7 +359,7 @@ void DiagnosePanel::draw_residual(PanelContext& context, const commands::Diagnos
     }
     plot::Plot plot;
     plot.id = "diagnose/plot";
-    // The legend needs the room more than the title.
+    // The legend needs the room more than the title does.
     const std::string axis = axis_names[static_cast<std::size_t>(axis_)];
     plot.title = ImGui::GetContentRegionAvail().x > 440.0f * theme.scale
                      ? axis + " \xe2\x88\x92 that of the declared model [mm]"
@@ -335,9 +368,11 @@ void DiagnosePanel::draw_residual(PanelContext& context, const commands::Diagnos
     plot.mark = 0.0;
     plot.legend = true;
     plot.zero_line = true;
+    // Residuals have the sample times of the trial.
     const Eigen::VectorXd& time = state.scene_trial()->time_s;
     plot.series.push_back(
         {"measured", time, 1e3 * d.trials[trial].residual_m[marker].row(axis_).transpose(), theme.measured, true});
+    // A row that was not predicted for this trial shows the measurement only.
     const bool predicted = trial < row.predicted_m.size() && marker < row.predicted_m[trial].size();
     if (predicted)
         plot.series.push_back({"with " + lower_first(row.name), time,
@@ -347,13 +382,16 @@ void DiagnosePanel::draw_residual(PanelContext& context, const commands::Diagnos
     if (result.cursor) context.emit(commands::SetTime{*result.cursor});
 }
 
+/// The missing force of the trial in which it was reconstructed.
 void DiagnosePanel::draw_force(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
     const commands::ForceCourses& force = state.diagnosis->missing_force;
+    // The largest amplitude decides the unit of the whole plot.
     double largest = 0.0;
     for (const Eigen::VectorXd& amplitude : force.amplitude_N)
         if (amplitude.size() > 0) largest = std::max(largest, amplitude.cwiseAbs().maxCoeff());
+    // Millinewtons below 0.1 N, so that tick labels stay short.
     const bool small = largest < 0.1;
     plot::Plot plot;
     plot.id = "diagnose/plot";
@@ -372,6 +410,7 @@ void DiagnosePanel::draw_force(PanelContext& context) {
     if (result.cursor) context.emit(commands::SetTime{*result.cursor});
 }
 
+/// Before and after, in millimetres and in units of the noise. An error that decreased is drawn in the success colour.
 void DiagnosePanel::draw_errors(PanelContext& context, const commands::DiagnosisRow& row) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -393,7 +432,7 @@ void DiagnosePanel::draw_errors(PanelContext& context, const commands::Diagnosis
                                         {"Before" + of_noise, before, true},
                                         {"After" + of_noise, after, true}};
     ImGui::TableSetupColumn("trial", ImGuiTableColumnFlags_WidthStretch);
-    // In a narrow window the role is told on hovering, and what the error was in noise levels can be worked out.
+    // In a narrow window the role is in the tooltip, and the columns in noise levels are left out.
     const int where_wide = ImGui::GetWindowWidth() < 480.0f * theme.scale ? ImGuiTableColumnFlags_Disabled : 0;
     ImGui::TableSetupColumn("role", ImGuiTableColumnFlags_WidthFixed | where_wide,
                             ImGui::CalcTextSize("predicted").x + 2.0f);
@@ -411,7 +450,9 @@ void DiagnosePanel::draw_errors(PanelContext& context, const commands::Diagnosis
         tooltip(theme, trial.name + (trial.fitted ? ", fitted" : ", predicted"));
         ImGui::PopID();
         text_cell(theme, trial.fitted ? "fit" : "predicted", theme.text);
+        // A row that was not fitted has no errors: dashes.
         const double after_m = t < row.after_m.size() ? row.after_m[t] : std::nan("");
+        // The same error twice: in millimetres and in noise levels.
         for (const double factor : {1e3, 1.0 / d.noise_m}) {
             number_cell(theme, plot::value_label(factor * trial.before_m, 3));
             number_cell(theme, plot::value_label(factor * after_m, 3),

@@ -5,8 +5,8 @@
 
 namespace myo::ui::panels {
 
-/// What the model lacks: the verdict, the ranking of effects while and after it is worked out, what the chosen one
-/// would do to the residual and to the errors, and a button that adds it to the model.
+/// Shows what the model lacks: the verdict; the ranking of effects while the diagnosis runs and afterwards; the effect
+/// of the selected row on residuals and errors; and a button that adds it to the model.
 class DiagnosePanel : public Panel {
 public:
     std::string name() const override { return "diagnose"; }
@@ -16,23 +16,31 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    // Parts of the panel, from top to bottom.
     void draw_head(PanelContext& context);
+    /// Table of the rows, best first. A click selects a row.
     void draw_ranking(PanelContext& context);
+    /// Alternatives of the detail view, and the choice of marker and axis. `none`: the ranking is shown instead of the
+    /// details.
     void draw_choices(PanelContext& context, bool none);
+    /// Plot of the measured residual and of the change that the selected row predicts.
     void draw_residual(PanelContext& context, const commands::DiagnosisRow& row);
+    /// Plot of the missing force over time.
     void draw_force(PanelContext& context);
+    /// Table of errors per trial, before and with the selected row.
     void draw_errors(PanelContext& context, const commands::DiagnosisRow& row);
+    /// Keeps zoom and selected axis consistent with what is shown.
     void follow(const commands::WorkbenchState& state);
 
-    bool ranking_ = true;  // in a narrow window: the ranking instead of what its row does
-    bool errors_ = false;  // the table of errors instead of the plot
-    int axis_ = 0;
-    plot::LinkedAxis time_;
+    bool ranking_ = true;    // narrow window: shows the ranking instead of the details of its row
+    bool errors_ = false;    // shows the table of errors instead of the plot
+    int axis_ = 0;           // plotted coordinate: 0, 1, 2 = x, y, z
+    plot::LinkedAxis time_;  // shared time axis
     plot::PlotState plot_;
-    plot::HiddenSeries hidden_;
-    std::shared_ptr<const commands::Scene> scene_;  // whose plots are zoomed
+    plot::HiddenSeries hidden_;                     // curves switched off in the legend
+    std::shared_ptr<const commands::Scene> scene_;  // scene of the zoom and the axis
     std::string followed_;                          // scene, row, trial, marker and axis that the zoom belongs to
-    bool axis_chosen_ = false;                      // by the person
+    bool axis_chosen_ = false;                      // by the user
 };
 
 }  // namespace myo::ui::panels

@@ -11,6 +11,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Length now and, below it, at rest with the change. Two ends at the same point at rest have no relative change.
 std::string label_of(const MeasuredDistance& distance) {
     const double change = distance.now_m - distance.at_rest_m;
     char text[120];
@@ -22,6 +23,7 @@ std::string label_of(const MeasuredDistance& distance) {
     return text;
 }
 
+// Dark below light, so that the line is visible on any background.
 void draw_line(ImDrawList& list, const platform::Theme& theme, const ImVec2& a, const ImVec2& b) {
     const float s = theme.scale;
     const ImU32 accent = platform::packed(theme.accent), dark = IM_COL32(0, 0, 0, 160);
@@ -51,7 +53,7 @@ void draw_distances(ImDrawList& list, const platform::Theme& theme, const std::v
         const std::string label = label_of(each);
         const float width = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, label.c_str()).x;
         draw_note(list, theme, {0.5f * (a->x + b->x - width), std::max(a->y, b->y) + 12.0f * s},
-                  label);  // below it, so that it stays in sight
+                  label);  // below the line, so that it stays visible
     }
 }
 
@@ -60,17 +62,22 @@ void DistanceTool::clear() {
     begun_.reset();
 }
 
+/// A click takes the first end, the second click completes the distance. All distances are drawn anew in each frame, as
+/// their ends move.
 void DistanceTool::update(PanelContext& context, const viewport::DrawnScene& scene, viewport::ViewportState& view) {
     const commands::WorkbenchState& state = context.state;
     if (scene_ != state.scene || body_ != state.body) clear();
     scene_ = state.scene;
     body_ = state.body;
     if (view.measuring && escape_pressed()) {
+        // The first Escape drops the started distance, the second one ends measuring.
         if (!begun_) view.measuring = false;
         begun_.reset();
     }
+    // Measuring may have been switched off by its menu entry or shortcut.
     if (!view.measuring) begun_.reset();
     if (view.measuring && view.clicked) {
+        // Markers take precedence within reach, so that distances between markers are exact.
         const auto place = commands::pick_place(state, scene, view.camera, view.size(), view.mouse,
                                                 static_cast<double>(marker_reach * context.theme.scale));
         if (place && begun_)
@@ -82,7 +89,7 @@ void DistanceTool::update(PanelContext& context, const viewport::DrawnScene& sce
         else if (place)
             begun_ = place;
     }
-    // The scene may still show the body before this one.
+    // For a frame the scene may still show the previous mesh.
     if (state.body && scene.positions.cols() != state.body->mesh.node_count()) return;
     measure(distances_, scene);
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -91,6 +98,7 @@ void DistanceTool::update(PanelContext& context, const viewport::DrawnScene& sce
     if (begun_)
         if (const auto a = window_pixel(view, commands::place_now(*begun_, scene)))
             draw_line(list, context.theme, *a, view.hovered ? ImGui::GetIO().MousePos : *a);
+    // The hint names the next click and the key that leaves the tool.
     const std::string hint = begun_ ? "Click the other end. Esc: another start."
                                     : "Click two places on the body or its markers. Esc ends.";
     draw_hint(context, view, hint, "view/distance_hint");

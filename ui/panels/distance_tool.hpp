@@ -12,33 +12,36 @@
 
 namespace myo::ui::panels {
 
-/// A length between two places that move.
+/// A distance between two places on the body or markers, which move with them.
 struct MeasuredDistance {
-    commands::PickedPlace from, to;
-    double now_m = 0.0;  // NaN while an end is not drawn
-    double at_rest_m = 0.0;
+    commands::PickedPlace from, to;  // ends of the distance
+    double now_m = 0.0;              // in the drawn scene [m]; NaN while an end is not drawn
+    double at_rest_m = 0.0;          // [m]
 };
 
-/// Finds how long they are now.
+/// Updates the present lengths from the drawn scene.
 void measure(std::vector<MeasuredDistance>& distances, const viewport::DrawnScene& scene);
+/// Draws the distances with their labels over the view.
 void draw_distances(ImDrawList& list, const platform::Theme& theme, const std::vector<MeasuredDistance>& distances,
                     const viewport::DrawnScene& scene, const viewport::ViewportState& view);
 
-/// While the view measures, each two clicks make a distance. They stay, and follow the motion, until they are cleared
-/// or the body is another.
+/// Measures distances in the view. While ViewportState::measuring is set, every two clicks create a distance. Distances
+/// are kept and follow the motion until they are cleared or another body is shown.
 class DistanceTool {
 public:
-    /// After the view.
+    /// Handles clicks and draws. Call it after draw_viewport(), within the view's window.
     void update(PanelContext& context, const viewport::DrawnScene& scene, viewport::ViewportState& view);
+    /// Removes all distances.
     void clear();
 
+    /// Finished distances, in the order in which they were measured.
     const std::vector<MeasuredDistance>& distances() const { return distances_; }
 
 private:
-    std::vector<MeasuredDistance> distances_;
-    std::optional<commands::PickedPlace> begun_;
-    std::shared_ptr<const commands::Scene> scene_;
-    std::shared_ptr<const commands::MeshedBody> body_;
+    std::vector<MeasuredDistance> distances_;           // the finished ones
+    std::optional<commands::PickedPlace> begun_;        // first end of a distance whose second end is not set
+    std::shared_ptr<const commands::Scene> scene_;      // scene of the distances
+    std::shared_ptr<const commands::MeshedBody> body_;  // body of the distances
 };
 
 }  // namespace myo::ui::panels

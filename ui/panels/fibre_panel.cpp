@@ -14,16 +14,19 @@
 namespace myo::ui::panels {
 namespace {
 
+// Names are unique, because they are columns in signal files and refer to other muscles.
 bool is_taken(const commands::Settings& settings, const std::string& name) {
     return std::any_of(settings.muscles.begin(), settings.muscles.end(),
                        [&](const commands::Muscle& muscle) { return muscle.name == name; });
 }
 
+/// Amount of paint: number of elements and volume.
 std::string amount_label(const fibre::PaintedAmount& amount) {
     return with_separators(amount.cells) + (amount.cells == 1 ? " element, " : " elements, ") +
            plot::value_label(1e6 * amount.volume_m3, 3) + " cm\xc2\xb3";
 }
 
+/// Edits the selected muscle and emits the changed settings.
 void change(PanelContext& context, const std::string& what, bool goes_on,
             const std::function<void(commands::Muscle&)>& edit) {
     commands::Settings settings = context.state.settings;
@@ -31,6 +34,7 @@ void change(PanelContext& context, const std::string& what, bool goes_on,
     context.emit(commands::ChangeSettings{std::move(settings), what, goes_on});
 }
 
+// The lists below have ids for tests and settings, labels and explanations for the user.
 const std::vector<commands::Choice>& action_choices() {
     static const std::vector<commands::Choice> choices{
         {"contracts", "Contracts", "Its fibres shorten when active: a < 1."},
@@ -58,6 +62,7 @@ const std::vector<commands::Choice>& mirror_choices() {
     return choices;
 }
 
+/// Draws a list for an enumeration whose values have the order of `choices`. Returns true if it changed.
 template <class Kind>
 bool choose(PanelContext& context, const char* label, const char* name, const char* tip,
             const std::vector<commands::Choice>& choices, Kind& kind) {
@@ -77,13 +82,16 @@ commands::Muscle new_muscle(const commands::Settings& settings) {
         muscle.name = "muscle " + std::to_string(i);
         if (!is_taken(settings, muscle.name)) break;
     }
+    // The first colour that no other muscle has; beyond eight muscles the theme repeats its colours.
     const auto used = [&](const commands::Muscle& other) { return other.color == muscle.color; };
     while (std::any_of(settings.muscles.begin(), settings.muscles.end(), used)) ++muscle.color;
     muscle.stiffness_Pa = settings.youngs_modulus_Pa;
+    // a contraction of a fifth within half a second, so that the first run shows motion
     muscle.signal = fibre::Signal{{0.0, 0.5}, {1.0, 0.8}};
     return muscle;
 }
 
+/// The brush is shown only with a selected muscle, as paint always belongs to one.
 void FibrePanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     if (!state.scene) {
@@ -102,6 +110,7 @@ void FibrePanel::draw_list(PanelContext& context) {
     for (int m = 0; m < static_cast<int>(state.settings.muscles.size()); ++m) {
         const commands::Muscle& muscle = state.settings.muscles[static_cast<std::size_t>(m)];
         ImGui::PushID(m);
+        // A square in the muscle's colour before the name; the name is indented by spaces to leave room for it.
         const float box = ImGui::GetTextLineHeight();
         const ImVec2 at = ImGui::GetCursorScreenPos();
         if (ImGui::Selectable(("        " + muscle.name).c_str(), m == state.muscle))
@@ -110,6 +119,7 @@ void FibrePanel::draw_list(PanelContext& context) {
         ImGui::GetWindowDrawList()->AddRectFilled({at.x + 2.0f * theme.scale, at.y + 1.0f},
                                                   {at.x + 2.0f * theme.scale + box, at.y + 1.0f + box - 2.0f},
                                                   platform::packed(theme.muscle(muscle.color)), 3.0f * theme.scale);
+        // During a stroke the amount follows the paint under the brush.
         if (static_cast<std::size_t>(m) < state.paint.size() && state.ground) {
             const fibre::CellPaint& paint = m == state.muscle && context.live_paint
                                                 ? *context.live_paint
@@ -126,6 +136,7 @@ void FibrePanel::draw_list(PanelContext& context) {
     if (ImGui::Button((std::string(platform::icon::plus) + "  Add a muscle").c_str(), {-1.0f, 0.0f})) {
         commands::Settings settings = state.settings;
         settings.muscles.push_back(new_muscle(settings));
+        // The new muscle is selected by a second command, which is executed after the first one.
         const int added = static_cast<int>(settings.muscles.size()) - 1;
         context.emit(commands::ChangeSettings{std::move(settings), "add muscle", false});
         context.emit(commands::ChooseMuscle{added});
@@ -133,31 +144,41 @@ void FibrePanel::draw_list(PanelContext& context) {
     context.items.mark("fibres/add");
 }
 
+/// A typed name is checked when the field is left. A name that is not allowed is discarded without a message, and the
+/// field shows the old one.
 void FibrePanel::draw_name(PanelContext& context) {
     const commands::Muscle& muscle = *context.state.chosen_muscle();
     row_label(context.theme, "Name", "Heads the muscle's column in files of signals.");
+    // While the field has the keyboard, its text is not replaced by the state.
     if (!typing_) typed_name_ = muscle.name;
+    // A declared muscle keeps the name that it has in the experiment.
     ImGui::BeginDisabled(!muscle.declared.empty());
     ImGui::InputText("##name", &typed_name_);
     context.items.mark("fibres/name");
     ImGui::EndDisabled();
     typing_ = ImGui::IsItemActive();
     if (!ImGui::IsItemDeactivatedAfterEdit() || typed_name_ == muscle.name) return;
+    // A name that would break signal files or clash with another muscle is rejected.
     const bool fits = !typed_name_.empty() && typed_name_ != "time_s" && typed_name_.find(',') == std::string::npos &&
                       !is_taken(context.state.settings, typed_name_);
     if (!fits) return;
     commands::Settings settings = context.state.settings;
+    // Followers refer to the muscle by its name.
     for (commands::Muscle& other : settings.muscles)
         if (other.follows == muscle.name) other.follows = typed_name_;
     settings.muscles[static_cast<std::size_t>(context.state.muscle)].name = typed_name_;
     context.emit(commands::ChangeSettings{std::move(settings), "name of a muscle", false});
 }
 
+/// Two muscles that pull against each other share one signal. Only a muscle with its own signal can be followed, so
+/// chains are not possible.
 void FibrePanel::draw_link(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const commands::Muscle& muscle = *state.chosen_muscle();
+    // A muscle that others follow needs its own signal, so it can have no partner itself.
     const bool leads = std::any_of(state.settings.muscles.begin(), state.settings.muscles.end(),
                                    [&](const commands::Muscle& other) { return other.follows == muscle.name; });
+    // Only muscles with their own signal are offered.
     std::vector<commands::Choice> partners{{"", "None", "It has a signal of its own."}};
     for (const commands::Muscle& other : state.settings.muscles)
         if (other.name != muscle.name && other.follows.empty() && !leads)
@@ -170,6 +191,7 @@ void FibrePanel::draw_link(PanelContext& context) {
                    partners, partner))
         change(context, "antagonist", false, [&](commands::Muscle& m) {
             m.follows = partner;
+            // Without a partner the muscle needs a signal of its own.
             if (partner.empty() && !m.signal && m.declared.empty()) m.signal = fibre::Signal::constant(1.0);
         });
     if (muscle.follows.empty()) return;
@@ -194,6 +216,7 @@ void FibrePanel::draw_muscle(PanelContext& context) {
     ImGui::Spacing();
     draw_name(context);
     row_label(theme, "Colour");
+    // Eight swatches fill the column exactly, whatever its width.
     const float swatch = std::floor((ImGui::GetContentRegionAvail().x - 7.0f * 2.0f * theme.scale) / 8.0f);
     for (int c = 0; c < static_cast<int>(theme.muscles.size()); ++c) {
         if (c > 0) ImGui::SameLine(0.0f, 2.0f * theme.scale);
@@ -222,11 +245,13 @@ void FibrePanel::draw_muscle(PanelContext& context) {
         0.1};
     if (number_row(context, field, edit_, stiffness, goes_on))
         change(context, "stiffness of a muscle", goes_on, [&](commands::Muscle& m) { m.stiffness_Pa = stiffness; });
+    // The action of a follower results from its ratio, so only leaders have this row.
     std::string action = muscle.extends ? "extends" : "contracts";
     if (muscle.follows.empty() && choice_row(context, "When active", "fibres/action",
                                              "What the muscle does; turns its signal over.", action_choices(), action))
         change(context, "action of a muscle", false, [&](commands::Muscle& m) {
             m.extends = action == "extends";
+            // Mirrored at a = 1: a contraction becomes the extension of the same size.
             if (m.signal)
                 for (double& a : m.signal->values) a = 2.0 - a;
         });
@@ -234,6 +259,8 @@ void FibrePanel::draw_muscle(PanelContext& context) {
     draw_paint_actions(context);
 }
 
+/// These actions replace the paint of the muscle by a new one; each is one undo entry. They need a mesh that is
+/// prepared for painting.
 void FibrePanel::draw_paint_actions(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -244,11 +271,13 @@ void FibrePanel::draw_paint_actions(PanelContext& context) {
         text_row(theme, "Painted",
                  amount_label(
                      fibre::amount_of(context.live_paint ? *context.live_paint : *paint, state.ground->volumes_m3)));
+    // All paint actions end in the same command, each with its own name for undo.
     const auto repaint = [&](const char* what, fibre::CellPaint changed) {
         context.emit(commands::Paint{state.muscle, std::make_shared<const fibre::CellPaint>(std::move(changed)), what});
     };
     const float gap = ImGui::GetStyle().ItemSpacing.x,
                 third = std::floor((ImGui::GetContentRegionAvail().x - 2.0f * gap) / 3.0f);
+    // Three buttons per row.
     const auto button = [&](const char* label, const char* name, const char* tip) {
         const bool pressed = ImGui::Button(label, {third, 0.0f});
         context.items.mark(name);
@@ -263,6 +292,7 @@ void FibrePanel::draw_paint_actions(PanelContext& context) {
         repaint("shrink", fibre::shrunk(*paint, state.ground->neighbours));
     ImGui::SameLine();
     if (button("Straighten", "fibres/straighten", "All its fibres along the axis in which it reaches farthest")) {
+        // Only the directions change; weights stay.
         fibre::CellPaint straight = *paint;
         straight.directions = fibre::directions_along_longest_axis(state.body->mesh, paint->weights);
         repaint("straighten", std::move(straight));
@@ -275,6 +305,7 @@ void FibrePanel::draw_paint_actions(PanelContext& context) {
     if (button("Remove", "fibres/remove", "Take the muscle out of the model")) {
         commands::Settings settings = state.settings;
         settings.muscles.erase(settings.muscles.begin() + state.muscle);
+        // Followers of the removed muscle become passive.
         for (commands::Muscle& other : settings.muscles)
             if (other.follows == muscle.name) other.follows.clear(), other.signal = fibre::Signal::constant(1.0);
         context.emit(commands::ChangeSettings{std::move(settings), "remove muscle", false});
@@ -282,10 +313,13 @@ void FibrePanel::draw_paint_actions(PanelContext& context) {
     ImGui::EndDisabled();
 }
 
+/// Each tool shows only the settings that it uses: radius, depth, soft edge and strength belong to strokes, the
+/// direction also to a fill.
 void FibrePanel::draw_brush(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
     ImGui::Spacing();
+    // Edited as a copy; one command at the end if anything changed.
     commands::BrushSettings brush = state.brush;
     struct Tool {
         commands::BrushTool tool;
@@ -316,7 +350,9 @@ void FibrePanel::draw_brush(PanelContext& context) {
         tooltip(theme, tool.tip);
     }
     ImGui::EndDisabled();
+    // Ranges of the sliders follow the size of the body.
     const double reach = state.body ? mesh::bounding_box(state.body->mesh.nodes).size().norm() : 1.0;
+    // Brush settings are not part of undo, so it does not matter whether a drag continues.
     bool ignored = false;
     const auto number = [&](const NumberField& field, double& value) {
         number_row(context, field, edit_, value, ignored);

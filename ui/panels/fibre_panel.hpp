@@ -4,7 +4,7 @@
 
 namespace myo::ui::panels {
 
-/// The muscles of the body, and the brush that paints them.
+/// Edits the muscles of the body and the settings of the brush that paints them.
 class FibrePanel : public Panel {
 public:
     std::string name() const override { return "fibres"; }
@@ -14,20 +14,26 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    /// List of the muscles with their painted volume, and the button that adds one.
     void draw_list(PanelContext& context);
+    /// Properties of the selected muscle.
     void draw_muscle(PanelContext& context);
+    /// Name of the selected muscle. Applied when the field loses the keyboard, so that every letter is not an edit.
     void draw_name(PanelContext& context);
+    /// The muscle that the selected one follows, and the ratio.
     void draw_link(PanelContext& context);
+    /// Buttons that change the paint as a whole: grow, shrink, straighten, clear; and the one that removes the muscle.
     void draw_paint_actions(PanelContext& context);
+    /// Tools and settings of the brush.
     void draw_brush(PanelContext& context);
 
-    OpenEdit edit_;
-    std::string typed_name_;
-    bool typing_ = false;
+    OpenEdit edit_;           // drag in progress in one of the number fields
+    std::string typed_name_;  // text in the name field
+    bool typing_ = false;     // the name field has the keyboard
 };
 
-/// A muscle that is not painted yet: a free name and colour, as stiff as the body, with a contraction of a fifth in
-/// half a second to begin with.
+/// Returns an unpainted muscle with a free name and colour and the body's stiffness. Its signal contracts by a fifth
+/// within half a second.
 commands::Muscle new_muscle(const commands::Settings& settings);
 
 }  // namespace myo::ui::panels

@@ -17,17 +17,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Extensions are compared in lower case: files may end in .C3D.
 bool has_ending(const fs::path& file, const std::vector<std::string>& endings) {
     const std::string ending = lower_case(file.extension().string());
     return endings.empty() || std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
-/// Outside of any text that is being typed, whose own business the key would be.
+/// Enter outside text fields, which handle the key themselves.
 bool enter_pressed() {
     return !ImGui::GetIO().WantTextInput &&
            (ImGui::IsKeyPressed(ImGuiKey_Enter, false) || ImGui::IsKeyPressed(ImGuiKey_KeyPadEnter, false));
 }
 
+// The root folder has no file name.
 std::string folder_name(const fs::path& folder) {
     return folder.filename().empty() ? folder.string() : folder.filename().string();
 }
@@ -43,9 +45,11 @@ std::string with_ending(const std::string& name, const std::vector<std::string>&
 std::vector<FolderEntry> list_folder(const fs::path& folder, const std::vector<std::string>& endings) {
     std::vector<FolderEntry> entries;
     std::error_code problem;
+    // Errors only shorten the list: a folder without permission must not end the program.
     for (fs::directory_iterator it(folder, problem), end; !problem && it != end; it.increment(problem)) {
         FolderEntry entry;
         entry.name = it->path().filename().string();
+        // Hidden files are of no use here and would crowd the list.
         if (entry.name.empty() || entry.name[0] == '.') continue;
         std::error_code ignored;
         entry.folder = it->is_directory(ignored);
@@ -58,6 +62,7 @@ std::vector<FolderEntry> list_folder(const fs::path& folder, const std::vector<s
     return entries;
 }
 
+/// Shows another folder. Selection and preview belong to the previous one.
 void FileBrowser::go_to(const fs::path& folder) {
     folder_ = folder;
     typed_ = folder.string();
@@ -67,11 +72,13 @@ void FileBrowser::go_to(const fs::path& folder) {
     preview_.clear();
 }
 
+/// Each dialog starts in its own folder, or in the working folder if there is none.
 void FileBrowser::open(FileDialog dialog) {
     std::error_code ignored;
     dialog_ = std::move(dialog);
     name_ = dialog_->new_name;
     fs::path folder = fs::absolute(dialog_->start, ignored);
+    // `start` may be a file or may no longer exist: use its folder, otherwise the working folder.
     if (!fs::is_directory(folder, ignored)) folder = folder.parent_path();
     if (dialog_->start.empty() || !fs::is_directory(folder, ignored)) folder = fs::current_path(ignored);
     go_to(folder);
@@ -85,6 +92,7 @@ fs::path FileBrowser::target() const {
 }
 
 void FileBrowser::choose(PanelContext& context, const fs::path& path) {
+    // A copy, as the callback may open another dialog.
     const FileDialog dialog = *dialog_;
     dialog_.reset();
     ImGui::CloseCurrentPopup();
@@ -98,6 +106,7 @@ void FileBrowser::give_up(PanelContext& context) {
     if (dialog.given_up) dialog.given_up(context);
 }
 
+// Bookmarks and fixed places on the left.
 void FileBrowser::draw_places(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -115,6 +124,7 @@ void FileBrowser::draw_places(PanelContext& context) {
     };
     const char* const home = std::getenv("HOME");
     std::error_code ignored;
+    // Without HOME the entry is left out.
     place(platform::icon::home, "Home", home ? home : "", "browser/place/home");
     place(platform::icon::closed_folder, "Working folder", fs::current_path(ignored), "browser/place/working");
     if (!state.examples.empty())
@@ -125,6 +135,7 @@ void FileBrowser::draw_places(PanelContext& context) {
     }
 }
 
+// A double click enters a folder, but chooses an experiment folder.
 void FileBrowser::draw_entries(PanelContext& context) {
     const platform::Theme& theme = context.theme;
     if (entries_.empty()) muted_text(theme, "Nothing here that can be chosen.");
@@ -136,6 +147,7 @@ void FileBrowser::draw_entries(PanelContext& context) {
                                           : platform::icon::file;
         ImGui::TextColored(experiment ? theme.accent : theme.muted, "%s", icon);
         ImGui::SameLine(28.0f * theme.scale);
+        // Experiment folders are marked on the right, as they are opened as a whole.
         const char* const tag = "experiment";
         const float room = ImGui::GetContentRegionAvail().x -
                            (experiment ? ImGui::CalcTextSize(tag).x + 16.0f * theme.scale : 0.0f);
@@ -143,6 +155,7 @@ void FileBrowser::draw_entries(PanelContext& context) {
         if (ImGui::Selectable(elided(entry.name, room).c_str(), selected_ == entry.name,
                               ImGuiSelectableFlags_AllowDoubleClick)) {
             selected_ = entry.name;
+            // Clicking an existing file proposes to replace it.
             if (!entry.folder && writes()) name_ = entry.name;
             if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
                 (entry.folder && !experiment ? enter : chosen) = folder_ / entry.name;
@@ -153,16 +166,19 @@ void FileBrowser::draw_entries(PanelContext& context) {
         ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(tag).x - 4.0f * theme.scale);
         ImGui::TextColored(theme.muted, "%s", tag);
     }
+    // After the loop: go_to() replaces the list that the loop reads.
     if (enter)
         go_to(*enter);
     else if (chosen && !writes())
         choose(context, *chosen);
 }
 
+/// The facts come from the backend, which knows the file formats.
 void FileBrowser::draw_preview(PanelContext& context) {
     const platform::Theme& theme = context.theme;
     if (selected_.empty()) return muted_text(theme, "What is selected is described here.");
     const fs::path path = folder_ / selected_;
+    // Reading the file takes time, so the preview is computed once per selection.
     if (path != previewed_) {
         previewed_ = path;
         preview_ = context.backend.preview(path);
@@ -182,12 +198,14 @@ bool FileBrowser::draw_name(PanelContext& context, const fs::path& target, bool 
     ImGui::TextUnformatted("Name");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(260.0f * theme.scale);
+    // The keyboard goes to the name when the dialog opens, so that it can be typed at once.
     if (typing_name_) ImGui::SetKeyboardFocusHere();
     typing_name_ = false;
     const bool entered = ImGui::InputText("##name", &name_,
                                           ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
     context.items.mark("browser/name");
     if (replaces) {
+        // The first Enter only warns; replaced_ remembers for which file.
         const bool again = target == replaced_;
         const float room = ImGui::GetWindowContentRegionMax().x - ImGui::GetItemRectMax().x + ImGui::GetWindowPos().x -
                            240.0f * theme.scale;
@@ -201,12 +219,13 @@ bool FileBrowser::draw_name(PanelContext& context, const fs::path& target, bool 
     ImGui::SameLine();
     if (!entered) return false;
     typing_name_ = true;
-    // One key is too little to lose a file by.
+    // Replacing a file requires Enter twice: a single key press must not destroy a file.
     const bool may = !replaces || target == replaced_;
     replaced_ = target;
     return may;
 }
 
+/// The button is called Replace if the target exists. It enters a folder that cannot be chosen itself.
 void FileBrowser::draw_foot(PanelContext& context) {
     const platform::Theme& theme = context.theme;
     const float width = 96.0f * theme.scale;
@@ -218,6 +237,7 @@ void FileBrowser::draw_foot(PanelContext& context) {
     const bool cancelled = ImGui::Button("Cancel", {width, 0.0f}) || ImGui::IsKeyPressed(ImGuiKey_Escape, false);
     context.items.mark("browser/cancel");
     ImGui::SameLine();
+    // A folder can be chosen without a selection: then it is the shown one.
     const bool has_choice = writes() ? !name_.empty() && !fs::is_directory(asked, ignored)
                                      : !selected_.empty() || dialog_->folders;
     ImGui::BeginDisabled(!has_choice);
@@ -228,6 +248,7 @@ void FileBrowser::draw_foot(PanelContext& context) {
     if (!pressed && !(entered && has_choice)) return;
     const auto entry = std::find_if(entries_.begin(), entries_.end(),
                                     [&](const FolderEntry& e) { return e.name == selected_; });
+    // A folder that cannot be chosen is entered.
     const bool plain_folder = !writes() && entry != entries_.end() && entry->folder &&
                               !(entry->experiment && dialog_->experiments) && !dialog_->folders;
     if (plain_folder)
@@ -236,6 +257,7 @@ void FileBrowser::draw_foot(PanelContext& context) {
         choose(context, selected_.empty() && !writes() ? folder_ : asked);
 }
 
+/// A new folder is shown at once, so that the file name can be typed next.
 void FileBrowser::draw_new_folder(PanelContext& context) {
     const platform::Theme& theme = context.theme;
     if (ImGui::Button("New folder")) {
@@ -262,6 +284,7 @@ void FileBrowser::draw_new_folder(PanelContext& context) {
         std::error_code failed;
         const fs::path made = folder_ / new_folder_;
         const bool is_new = fs::create_directories(made, failed);
+        // An existing folder of this name is opened, as that is what the user wants.
         if (is_new || fs::is_directory(made)) {
             go_to(made);
             typing_name_ = true;
@@ -277,15 +300,20 @@ void FileBrowser::draw_new_folder(PanelContext& context) {
     ImGui::EndPopup();
 }
 
+/// From top to bottom: the path with its buttons; places, entries and preview next to each other; the name and the
+/// buttons. Each part may close the dialog, so dialog_ is checked before the next one.
 void FileBrowser::draw(PanelContext& context) {
     if (!dialog_) return;
     const float s = context.theme.scale;
+    // The part after ### identifies the popup, whatever title is shown.
     const std::string title = dialog_->title + "###file browser";
+    // ImGui opens popups only within a frame, so open() just sets a flag.
     if (just_opened_) ImGui::OpenPopup(title.c_str());
     just_opened_ = false;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSize({std::min(860.0f * s, display.x - 40.0f), std::min(560.0f * s, display.y - 40.0f)});
+    // If ImGui does not show the dialog any more, it counts as cancelled.
     if (!ImGui::BeginPopupModal(title.c_str(), nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
         const FileDialog dialog = *dialog_;
         dialog_.reset();
@@ -306,6 +334,7 @@ void FileBrowser::draw(PanelContext& context) {
     ImGui::SameLine();
     if (writes() || dialog_->folders) draw_new_folder(context);
     ImGui::SetNextItemWidth(-1.0f);
+    // Chosen at the end, as choosing closes the dialog while its parts are still being drawn.
     std::optional<fs::path> typed_file;
     if (ImGui::InputText("##path", &typed_, ImGuiInputTextFlags_EnterReturnsTrue)) {
         std::error_code ignored;
@@ -315,6 +344,7 @@ void FileBrowser::draw(PanelContext& context) {
             typed_file = typed_;
     }
     context.items.mark("browser/path");
+    // The lists leave room for the line of buttons below them.
     const float foot = ImGui::GetFrameHeightWithSpacing() + 4.0f * s;
     const float places = 170.0f * s, preview = 230.0f * s, gap = 2.0f * ImGui::GetStyle().ItemSpacing.x;
     const float middle = std::max(160.0f * s, ImGui::GetContentRegionAvail().x - places - preview - gap);

@@ -36,6 +36,7 @@ FileDialog save_dialog(const commands::WorkbenchState& state) {
     dialog.button = "Save";
     dialog.endings = {commands::project_ending};
     dialog.start = state.project.empty() ? std::filesystem::path() : state.project;
+    // A new project is proposed with the name of its experiment.
     dialog.new_name = state.project.empty() ? state.scene->path.stem().string() + commands::project_ending
                                             : state.project.filename().string();
     dialog.chosen = [](PanelContext& context, const std::filesystem::path& path) {
@@ -48,11 +49,13 @@ FileDialog save_dialog(const commands::WorkbenchState& state) {
 FileDialog picture_dialog(const PictureRequest& request, const std::string& name) {
     FileDialog dialog;
     dialog.title = request.moves ? "Save the motion in the 3D view" : "Save the 3D view as a picture";
+    // The extension determines what is written, so another one must not be typed by accident.
     dialog.button = "Save";
     const std::string ending = std::filesystem::path(name).extension().string();
     if (!ending.empty()) dialog.endings = {ending};
     dialog.new_name = name;
     dialog.chosen = [request](PanelContext& context, const std::filesystem::path& path) {
+        // The request is complete except for the path.
         PictureRequest asked = request;
         asked.path = path;
         context.window.picture = asked;
@@ -78,7 +81,9 @@ FileDialog table_dialog(std::string title, const std::string& name, std::string 
     dialog.button = "Save";
     dialog.endings = {ending};
     dialog.new_name = name + ending;
+    // The text is stored now, so that the file contains what was shown when the dialog was opened.
     dialog.chosen = [table = std::move(table)](PanelContext& context, const std::filesystem::path& path) {
+        // Writing a table is short, so it happens here and not in a job.
         const Result<void> written = write_file(path, table);
         context.emit(written ? commands::Tell{commands::LogLevel::done, "Wrote " + path.string()}
                              : commands::Tell{commands::LogLevel::failure, "Cannot save: " + written.error().text()});

@@ -4,21 +4,23 @@
 
 namespace myo::ui::panels {
 
-/// Opens an experiment, a mesh or a project; begins at a place.
+/// Dialog that opens an experiment, a mesh or a project. `start`: a folder, or a file in it.
 FileDialog open_dialog(const std::filesystem::path& start);
-/// Chooses a file of motion capture; begins at a place.
+/// Dialog that chooses a motion capture file to import.
 FileDialog recording_dialog(const std::filesystem::path& start);
-/// Saves the project under a name.
+/// Dialog that saves the project under a new name. Requires an open scene.
 FileDialog save_dialog(const commands::WorkbenchState& state);
-/// Saves the 3D view: a picture, a new folder of numbered ones, or a film, as the proposed name says.
+/// Dialog for saving the 3D view. `name` is the proposed name; its extension determines whether one image, a folder of
+/// numbered images or a video is written.
 FileDialog picture_dialog(const PictureRequest& request, const std::string& name);
-/// Saves a part of the window as it is seen.
+/// Dialog that saves a part of the window as a PNG image. `part` in pixels of the window.
 FileDialog part_dialog(std::string title, const std::string& name, const platform::Rectangle& part);
-/// Writes a text, as a table or a drawing.
-/// @param title  "Save the markers' errors"
-/// @param name   proposed, without ending
+/// Dialog that writes a text, such as a table or a drawing, to a file.
+///
+/// @param title  for example "Save the markers' errors"
+/// @param name  proposed file name without extension
 /// @param table  text as it is now
-/// @param ending of the file
+/// @param ending  extension of the file
 FileDialog table_dialog(std::string title, const std::string& name, std::string table,
                         const std::string& ending = ".csv");
 

@@ -12,15 +12,17 @@
 namespace myo::ui::panels {
 namespace {
 
-constexpr float least_picture_scale = 0.75f;  // letters 10 pixels high
+constexpr float least_picture_scale = 0.75f;  // minimum for letters 10 pixels high
 
-/// All that the view shows is in a picture that is narrower than it, too.
+/// Widens the field of view for an image that is narrower than the view, so that it contains everything that the view
+/// shows.
 viewport::Camera widened(viewport::Camera camera, const viewport::ViewSize& view, const viewport::ViewSize& picture) {
     const double by = std::max(1.0, view.aspect() / picture.aspect());
     camera.field_of_view = 2.0 * std::atan(by * std::tan(0.5 * camera.field_of_view));
     return camera;
 }
 
+/// Time in the corner of an image. Three decimals, so that its width does not change within a video.
 std::string time_label(double time_s) {
     char text[40];
     std::snprintf(text, sizeof text, "t = %.3f s", time_s);
@@ -30,23 +32,29 @@ std::string time_label(double time_s) {
 }  // namespace
 
 float picture_scale(const viewport::ViewSize& view, const viewport::ViewSize& picture, float view_scale) {
+    // The smaller ratio counts: annotations must fit in both directions.
     const float wide = static_cast<float>(picture.width) / static_cast<float>(view.width),
                 high = static_cast<float>(picture.height) / static_cast<float>(view.height);
     return std::max(least_picture_scale, view_scale * std::min(wide, high));
 }
 
+/// Everything that can fail is created before the first image: renderer, canvas and writer.
 Result<void> FilmJob::begin(const PictureRequest& request, FilmedView filmed) {
     give_up();
     request_ = request;
+    // 0 stands for the size of the view at this moment.
     if (request_.width <= 0) request_.width = filmed.view.size().width, request_.height = filmed.view.size().height;
+    // A single image shows the time of the request, whatever is shown when it is rendered.
     if (!request_.moves) request_.from_s = request_.time_s.value_or(filmed.state.time_s);
     const viewport::ViewSize view = filmed.view.size(), size{request_.width, request_.height};
     scale_ = picture_scale(view, size, filmed.theme.scale);
     filmed.view.camera = widened(filmed.view.camera, view, size);
+    // Overlays are drawn as in the view, whose rectangle is now the whole image.
     filmed.view.pixels = {{0.0f, 0.0f}, {static_cast<float>(size.width), static_cast<float>(size.height)}};
     auto renderer = viewport::SceneRenderer::make();
     if (!renderer) return renderer.error();
     auto canvas = platform::PictureCanvas::make(filmed.theme.name, scale_);
+    // The writer comes last, so that a failure above leaves no partial file.
     if (!canvas) return canvas.error();
     if (request_.moves) {
         auto writer = platform::FilmWriter::begin(request_.path, request_.width, request_.height, request_.rate_Hz);
@@ -68,11 +76,13 @@ void FilmJob::give_up() {
     canvas_.reset();
 }
 
+/// The image is rendered from a copy of the state at its own time; the window's view is not affected.
 Result<bool> FilmJob::add(const commands::Backend& backend) {
     commands::WorkbenchState& state = filmed_->state;
     state.time_s = time_s();
     std::shared_ptr<const commands::FieldFrame> field = fields_.update(state, backend);
-    if (fields_.waits()) field = fields_.update(state, backend);  // where values are quick, the range follows at once
+    if (fields_.waits()) field = fields_.update(state, backend);  // fast fields are complete after a second call
+    // Field values are computed on another thread; the next frame tries again.
     if (fields_.waits()) return false;
     const std::optional<commands::FieldKind> kind = commands::shown_field(state, backend);
     const viewport::DrawnScene scene = commands::scene_at_time(state, filmed_->theme, filmed_->motion, nullptr,
@@ -82,6 +92,7 @@ Result<bool> FilmJob::add(const commands::Backend& backend) {
                          : writer_ ? writer_->add(*image)
                                    : platform::write_png(*image, request_.path);
     if (added) ++done_;
+    // A failure ends the job as the last image does; its output is removed by the writer.
     const bool last = added && done_ == picture_count(request_);
     if (last && writer_) added = writer_->finish();
     if (last || !added) give_up();
@@ -91,6 +102,7 @@ Result<bool> FilmJob::add(const commands::Backend& backend) {
 
 Result<platform::Image> FilmJob::picture(const viewport::DrawnScene& scene) {
     const viewport::ViewSize size{request_.width, request_.height};
+    // A new revision for each image, as the scene differs in every one.
     const auto drawn = renderer_->update(scene, static_cast<std::uint64_t>(done_) + 1,
                                          viewport::view_colors(filmed_->theme), filmed_->view.camera, size, 4,
                                          static_cast<double>(scale_));
@@ -99,12 +111,15 @@ Result<platform::Image> FilmJob::picture(const viewport::DrawnScene& scene) {
     return renderer_->read();
 }
 
+/// The same annotations as in the view, drawn with fonts of the image's scale, and the time if there is a motion.
 void FilmJob::draw_overlay(const viewport::DrawnScene& scene) {
     const viewport::ViewportState& view = filmed_->view;
     const commands::WorkbenchState& state = filmed_->state;
+    // Distances follow the motion, so their lengths are computed for each image.
     measure(filmed_->distances, scene);
     canvas_->draw(renderer_->framebuffer(), request_.width, request_.height,
                   [&](ImDrawList& list, const platform::Theme& theme) {
+                      // Names of markers follow the option of the view.
                       viewport::draw_view_overlay(list, view.pixels, view.camera, scene, theme, state.view.labels);
                       draw_distances(list, theme, filmed_->distances, scene, view);
                       if (const auto span = commands::time_span(state); span[1] > span[0])
@@ -115,6 +130,7 @@ void FilmJob::draw_overlay(const viewport::DrawnScene& scene) {
 bool FilmJob::draw(PanelContext& context) const {
     if (!begin_dialog(context.theme, "Writing pictures", 360.0f)) return false;
     const int count = picture_count(request_);
+    // Estimated from the images so far, all of which took about the same time.
     const double left = done_ > 0 ? watch_.seconds() * (count - done_) / done_ : 0.0;
     ImGui::TextUnformatted(
         (with_separators(done_) + " of " + with_separators(count) + (count == 1 ? " picture" : " pictures")).c_str());

@@ -11,9 +11,11 @@
 
 namespace myo::ui::panels {
 
+/// Both searches are shown below each other; each explains why it is not available.
 void FitPanel::draw(PanelContext& context) {
     if (!context.state.scene)
         return muted_text(context.theme,
+                          // Each part explains what is missing if it cannot be used.
                           "Values and signals are fitted to measured motion here. Open an experiment folder first.");
     draw_calibrate(context);
     draw_optimize(context);
@@ -26,6 +28,7 @@ void FitPanel::draw_calibrate(PanelContext& context) {
     heading(theme, "Values of the model");
     if (state.scene->calibrated.empty())
         return muted_text(theme, "The experiment leaves nothing unknown: material.calibrate is empty.");
+    // One parameter per line.
     std::string list;
     for (const std::string& label : state.scene->calibrated) list += (list.empty() ? "" : "\n") + label;
     text_row(theme, "Unknown", list);
@@ -37,6 +40,7 @@ void FitPanel::draw_calibrate(PanelContext& context) {
             "derivatives; trials of role validate are predicted at the end.");
 }
 
+/// The request is part of the state, so its values are kept while other panels are shown.
 void FitPanel::draw_optimize(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -46,6 +50,7 @@ void FitPanel::draw_optimize(PanelContext& context) {
     if (state.settings.muscles.empty())
         return muted_text(theme, "There is no muscle. Add one under Fibres and paint it on the body.");
     if (!measured) return muted_text(theme, "The shown trial has no measured markers to follow.");
+    // Edited as a copy and emitted if anything changed.
     commands::OptimizeRequest request = state.optimize;
     text_row(theme, "Follow", trial->name);
     tooltip(theme, "The trial that the timeline shows is the target.");
@@ -80,6 +85,7 @@ void FitPanel::draw_optimize(PanelContext& context) {
                 {1.0, 4.0},
                 0.005},
                edit_, request.highest, ignored);
+    // Number fields edit doubles; the request has an integer.
     double evaluations = request.max_evaluations;
     if (number_row(
             context,
@@ -108,6 +114,7 @@ void FitPanel::draw_found(PanelContext& context) {
     if (!found) return;
     heading(theme, found->title + (found->stopped ? ", stopped" : ""));
     context.items.mark("fit/found");
+    // Start values are shown below the results, so that a change can be judged.
     for (const commands::ParameterRow& row : found->parameters)
         text_row(theme, row.name,
                  plot::label_with_deviation(row.value, row.deviation) + " " + row.unit + "\nfrom " +

@@ -4,7 +4,8 @@
 
 namespace myo::ui::panels {
 
-/// Searches: values of the model from measured motion, and signals of muscles that make the markers follow a trial.
+/// Starts searches: calibration of parameters, and optimisation of muscle signals with which the markers follow a
+/// trial. Shows the values found.
 class FitPanel : public Panel {
 public:
     std::string name() const override { return "fit"; }
@@ -14,11 +15,14 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    /// Calibration: the unknown parameters and the button that starts it.
     void draw_calibrate(PanelContext& context);
+    /// Optimisation of signals: its settings and the button that starts it.
     void draw_optimize(PanelContext& context);
+    /// Result of the last search, while its run is shown.
     void draw_found(PanelContext& context);
 
-    OpenEdit edit_;
+    OpenEdit edit_;  // drag in progress in one of the number fields
 };
 
 }  // namespace myo::ui::panels

@@ -16,19 +16,19 @@ namespace myo::ui::panels {
 namespace {
 
 const std::vector<commands::Choice> units{{"mm", "mm", ""}, {"cm", "cm", ""}, {"m", "m", ""}, {"inch", "inch", ""}};
-constexpr std::array<double, 4> unit_lengths{1e-3, 1e-2, 1.0, 0.0254};
+constexpr std::array<double, 4> unit_lengths{1e-3, 1e-2, 1.0, 0.0254};  // metres per unit, in the order of `units`
 
-/// "+x" of an axis.
+/// An axis with its sign: "+x". `axis` is 1, 2 or 3, negative for the opposite direction.
 std::string axis_label(int axis) { return std::string(axis > 0 ? "+" : "\xe2\x88\x92") + "xyz"[std::abs(axis) - 1]; }
 
-/// To the hundredth: nobody places a marker better.
+/// Millimetres with two decimals: markers are not placed more accurately than that.
 std::string fixed_mm(double metres) {
     char text[40];
     std::snprintf(text, sizeof text, "%.2f", 1e3 * metres);
     return text;
 }
 
-/// Two to choose from; true when the other one was chosen.
+/// Draws a row with two alternatives. Returns true if the other one was selected.
 bool either_row(PanelContext& context, const char* label, const std::string& name, const char* tip, const char* first,
                 const char* second, bool& is_first) {
     row_label(context.theme, label, tip);
@@ -50,7 +50,7 @@ FileDialog new_folder_dialog(const commands::ImportChoices& choices, const std::
     dialog.start = choices.folder.empty() ? scene.parent_path() : choices.folder;
     dialog.new_name = choices.folder.empty() ? choices.trial + "_experiment" : choices.folder.filename().string();
     dialog.chosen = [](PanelContext& context, const std::filesystem::path& path) {
-        if (!context.state.import) return;
+        if (!context.state.import) return;  // the import was closed while the dialog was open
         commands::ImportChoices chosen = context.state.import->choices;
         chosen.folder = path;
         context.emit(commands::ChangeImport{chosen});
@@ -60,6 +60,8 @@ FileDialog new_folder_dialog(const commands::ImportChoices& choices, const std::
 
 }  // namespace
 
+/// All parts edit one copy of the choices. One command at the end replaces them, so that a frame never sees half of a
+/// change.
 void ImportPanel::draw(PanelContext& context) {
     const commands::RecordingImport& import = *context.state.import;
     commands::ImportChoices choices = import.choices;
@@ -75,17 +77,21 @@ void ImportPanel::draw(PanelContext& context) {
     if (!(choices == import.choices)) context.emit(commands::ChangeImport{choices});
 }
 
+/// Unit and rate are asked only if the file does not contain them.
 void ImportPanel::draw_file(PanelContext& context) {
     const commands::RecordingFile& file = context.state.import->file;
     const measurement::Recording& recording = *file.recording;
     text_row(context.theme, "File", file.path.filename().string());
+    // Facts that identify the recording: format, labels, samples, rate and duration.
     char text[160];
     std::snprintf(text, sizeof text, "%s, %zu labels, %lld samples, %.4g Hz, %.4g s", file.format.c_str(),
                   recording.labels.size(), static_cast<long long>(recording.sample_count()), recording.rate_Hz,
                   recording.time_s[recording.time_s.size() - 1] - recording.time_s[0]);
     text_row(context.theme, "Content", text);
     commands::ReadingOptions reading = file.reading;
+    // The unit is a property of the file, so changing it reads the file again.
     if (file.asks_unit) {
+        // Shown until the user chooses a unit.
         std::string unit = "mm";
         for (std::size_t u = 0; u < units.size(); ++u)
             if (reading.metres_per_unit == unit_lengths[u]) unit = units[u].id;
@@ -104,9 +110,11 @@ void ImportPanel::draw_file(PanelContext& context) {
         ImGui::Checkbox("is a gap##import", &reading.zero_is_occluded);
         context.items.mark("import/zero");
     }
+    // Reading is a job: while another one runs, the change is offered again in the next frame.
     if (!(reading == file.reading) && !context.state.busy()) context.emit(commands::ReadRecording{file.path, reading});
 }
 
+/// Without rotation by markers, the three axis lists alone determine the rotation.
 void ImportPanel::draw_placing(PanelContext& context, commands::ImportChoices& choices) {
     const commands::ImportView& view = context.state.import->view;
     row_label(context.theme, "Axes x, y, z", "Which axis of the cameras the body's x, y and z point along");
@@ -120,9 +128,10 @@ void ImportPanel::draw_placing(PanelContext& context, commands::ImportChoices& c
         context.items.mark(item);
         tooltip(context.theme, std::string("The body's ") + "xyz"[k] + " points along this axis of the cameras.");
         if (!open) continue;
+        // Both signs of each axis.
         for (const int axis : {1, -1, 2, -2, 3, -3}) {
             if (ImGui::Selectable(axis_label(axis).c_str(), choices.axes[k] == axis) && choices.axes[k] != axis) {
-                // The axis that was here goes where this one was, so that they stay three different ones.
+                // The axis that was selected here moves to where the new one was, so that the three stay different.
                 for (int& other : choices.axes)
                     if (std::abs(other) == std::abs(axis)) other = std::abs(choices.axes[k]) * (other > 0 ? 1 : -1);
                 choices.axes[k] = axis;
@@ -149,6 +158,7 @@ void ImportPanel::draw_name(PanelContext& context, std::size_t label, commands::
     const std::vector<commands::SceneMarker>& declared = context.state.import->declared;
     const std::string item = "import/marker/" + context.state.import->file.recording->labels[label];
     ImGui::SetNextItemWidth(-1.0f);
+    // A plain mesh has no declared markers, so their names are free.
     if (declared.empty()) {
         if (ImGui::InputTextWithHint("##name", "left out", &marker.name))
             marker.name = commands::marker_name(marker.name);
@@ -159,6 +169,7 @@ void ImportPanel::draw_name(PanelContext& context, std::size_t label, commands::
                                         ImGuiComboFlags_NoArrowButton);
     context.items.mark(item);
     if (!open) return;
+    // Labels without a marker are not imported: reflections, or markers on other objects.
     if (ImGui::Selectable("left out", marker.name.empty())) marker = {};
     context.items.mark(item + "/none");
     for (const commands::SceneMarker& own : declared) {
@@ -169,6 +180,8 @@ void ImportPanel::draw_name(PanelContext& context, std::size_t label, commands::
     ImGui::EndCombo();
 }
 
+/// A row per label with its marker, the share of samples in which it was seen, and its distance from the marker before
+/// the start.
 void ImportPanel::draw_markers(PanelContext& context, commands::ImportChoices& choices) {
     const commands::RecordingImport& import = *context.state.import;
     const platform::Theme& theme = context.theme;
@@ -188,14 +201,16 @@ void ImportPanel::draw_markers(PanelContext& context, commands::ImportChoices& c
             ImGui::TableNextRow();
             ImGui::TableNextColumn();
             ImGui::AlignTextToFramePadding();
+            // The selected label is also the one that clicks in the view assign.
             const bool chosen = static_cast<int>(i) == import.label;
             const float own_width = ImGui::GetContentRegionAvail().x;
             if (ImGui::Selectable(elided(label, ImGui::GetContentRegionAvail().x).c_str(), chosen,
                                   ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap)) {
                 context.emit(commands::ChooseLabel{static_cast<int>(i), import.placing});
+                // The plots of the selected label are below the view.
                 context.window.panel = "recording";
             }
-            // Of the whole row another column may hold the middle.
+            // Another column may cover the middle of the row, so tests get only its first cell.
             context.items.add(
                 "import/label/" + label,
                 {ImGui::GetItemRectMin(), {ImGui::GetItemRectMin().x + own_width, ImGui::GetItemRectMax().y}});
@@ -203,6 +218,7 @@ void ImportPanel::draw_markers(PanelContext& context, commands::ImportChoices& c
             ImGui::TableNextColumn();
             draw_name(context, i, choices);
             const double seen = 100.0 * import.file.seen[i], off = import.view.residual_m[static_cast<Eigen::Index>(i)];
+            // below 80 % the marker is occluded often
             number_cell(theme, plot::value_label(seen, 3), seen < 80.0 ? &theme.warning : nullptr);
             number_cell(theme, std::isfinite(off) ? fixed_mm(off) : dash);
             ImGui::PopID();
@@ -216,6 +232,7 @@ void ImportPanel::draw_markers(PanelContext& context, commands::ImportChoices& c
             "Tells labels from markers by their names and by the distances between them. On a plain mesh: gives those "
             "that were not clicked the nearest place of the body.");
     ImGui::SameLine();
+    // The button is a toggle: its colour shows whether clicks place labels.
     ImGui::PushStyleColor(ImGuiCol_Button, import.placing ? theme.accent : theme.raised);
     ImGui::PushStyleColor(ImGuiCol_Text, import.placing ? theme.on_accent : theme.text);
     ImGui::BeginDisabled(!context.state.body);
@@ -230,6 +247,7 @@ void ImportPanel::draw_markers(PanelContext& context, commands::ImportChoices& c
                          "the chosen label is this one, and the next label is chosen.");
 }
 
+/// The start can be typed, dragged in the plot, set to the first large motion, or found by comparison with a run.
 void ImportPanel::draw_start(PanelContext& context, commands::ImportChoices& choices) {
     const commands::RecordingImport& import = *context.state.import;
     const Eigen::VectorXd& time = import.file.recording->time_s;
@@ -244,6 +262,7 @@ void ImportPanel::draw_start(PanelContext& context, commands::ImportChoices& cho
                 1e-3},
                edit_, choices.start_s, goes_on);
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+    // Disabled if the recording shows no motion that stands out.
     ImGui::BeginDisabled(!import.file.start_s);
     if (ImGui::Button("First motion", {width, 0.0f})) choices.start_s = *import.file.start_s;
     ImGui::EndDisabled();
@@ -259,6 +278,7 @@ void ImportPanel::draw_start(PanelContext& context, commands::ImportChoices& cho
                                              : "Run first: then the recording can be aligned with what is simulated.");
 }
 
+/// A plain mesh has no experiment that the trial could be added to, so a folder for a new one has to be chosen.
 void ImportPanel::draw_trial(PanelContext& context, commands::ImportChoices& choices) {
     const bool new_one = context.state.import->declared.empty();
     row_label(context.theme, "Name");
@@ -274,6 +294,7 @@ void ImportPanel::draw_trial(PanelContext& context, commands::ImportChoices& cho
     row_label(context.theme, "Goes into",
               new_one ? "A plain mesh becomes an experiment in a folder of its own."
                       : "The trial is added to the experiment that is open, or to a copy of it.");
+    // The button shows the present target.
     const std::string place = !choices.folder.empty() ? choices.folder.filename().string()
                               : new_one               ? "New folder\xe2\x80\xa6"
                                                       : "This experiment";
@@ -286,6 +307,7 @@ void ImportPanel::draw_trial(PanelContext& context, commands::ImportChoices& cho
     tooltip(context.theme, choices.folder.empty() ? "Choose a new folder" : choices.folder.string());
 }
 
+/// The reason why the trial cannot be added yet is shown above the buttons.
 void draw_import_controls(PanelContext& context) {
     const commands::RecordingImport& import = *context.state.import;
     const std::string& problem = import.view.problem;

@@ -5,8 +5,8 @@
 
 namespace myo::ui::panels {
 
-/// A recording on its way to become a trial: how it is read, how it lies on the body, which label is which marker,
-/// where it starts.
+/// Edits the import of a recording: how the file is read, its placement on the body, which label is which marker, and
+/// the start of the trial. Shown only during an import.
 class ImportPanel : public Panel {
 public:
     std::string name() const override { return "import"; }
@@ -17,17 +17,23 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    // Parts of the panel in the order of the work. They change a copy of the choices; draw() emits it once.
     void draw_file(PanelContext& context);
+    /// Rotation of the cameras' frame to the body.
     void draw_placing(PanelContext& context, commands::ImportChoices& choices);
+    /// Table that assigns labels to markers.
     void draw_markers(PanelContext& context, commands::ImportChoices& choices);
+    /// Marker of one label, in its cell of the table: a list, or a free name on a plain mesh.
     void draw_name(PanelContext& context, std::size_t label, commands::ImportChoices& choices);
+    /// Time in the file that becomes t = 0.
     void draw_start(PanelContext& context, commands::ImportChoices& choices);
+    /// Name, role, start and folder of the new trial.
     void draw_trial(PanelContext& context, commands::ImportChoices& choices);
 
-    OpenEdit edit_;
+    OpenEdit edit_;  // drag in progress in one of the number fields
 };
 
-/// What is still missing, and the buttons that end it; for the foot of the side.
+/// Draws what is missing, and the buttons that finish or cancel the import. Shown at the foot of the side panel.
 void draw_import_controls(PanelContext& context);
 
 }  // namespace myo::ui::panels

@@ -11,6 +11,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Draws the edges of a cell over the view. `edges` lists pairs of corner numbers.
 template <class Edges>
 void draw_edges(ImDrawList& list, const viewport::DrawnScene& scene, const viewport::ViewportState& view,
                 const Eigen::VectorXi& cell, const Edges& edges, ImU32 color, float width) {
@@ -23,17 +24,20 @@ void draw_edges(ImDrawList& list, const viewport::DrawnScene& scene, const viewp
 
 }  // namespace
 
+/// The card stays open while the motion plays, and its values follow the shown time.
 void InspectTool::update(PanelContext& context, const viewport::DrawnScene& scene,
                          const viewport::ViewportState& view) {
     const commands::WorkbenchState& state = context.state;
+    // A place belongs to a mesh; its node numbers mean nothing on another one.
     if (scene_ != state.scene || body_ != state.body) picked_.reset();
     scene_ = state.scene;
     body_ = state.body;
+    // A click on the card must not pick what lies behind it.
     const bool on_card = picked_ && card_.contains(ImGui::GetIO().MousePos);
     if (view.clicked && !view.measuring && state.brush.tool == commands::BrushTool::none && !on_card)
         click(context, scene, view);
     if (escape_pressed()) picked_.reset();
-    // A body that is just being replaced is not the one that is drawn.
+    // While a new mesh replaces the old one, the drawn body is still the old one for a frame.
     if (!picked_ || (picked_->marker < 0 && scene.positions.cols() != state.body->mesh.node_count())) return;
     draw_highlight(context, scene, view);
     draw_card(context, scene, view);
@@ -42,6 +46,7 @@ void InspectTool::update(PanelContext& context, const viewport::DrawnScene& scen
 void InspectTool::click(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view) {
     const double reach = static_cast<double>(marker_reach * context.theme.scale);
     picked_ = commands::pick_place(context.state, scene, view.camera, view.size(), view.mouse, reach);
+    // View and plots always show the same marker.
     if (picked_ && picked_->marker >= 0) context.emit(commands::ChooseMarker{picked_->marker});
 }
 
@@ -49,6 +54,7 @@ const commands::MarkerError* InspectTool::error_of(const commands::WorkbenchStat
     const commands::SceneTrial* const trial = state.scene_trial();
     if (!trial || picked_->marker < 0) return nullptr;
     if (const auto run = state.shown_run();
+        // Errors of all markers take a pass over the run, so they are kept until trial or run change.
         run_ != run || trial_ != state.trial || errors_.size() != state.scene->markers.size()) {
         errors_ = commands::marker_errors(*state.scene, *trial, state.simulated_trial());
         run_ = run;
@@ -58,6 +64,8 @@ const commands::MarkerError* InspectTool::error_of(const commands::WorkbenchStat
     return m < errors_.size() ? &errors_[m] : nullptr;
 }
 
+/// A marker gets a ring; a place on the body gets the edges of its cell and the nearest node, whose field value the
+/// card shows.
 void InspectTool::draw_highlight(const PanelContext& context, const viewport::DrawnScene& scene,
                                  const viewport::ViewportState& view) const {
     const float s = context.theme.scale;
@@ -72,6 +80,7 @@ void InspectTool::draw_highlight(const PanelContext& context, const viewport::Dr
     }
     const mesh::VolumeMesh& mesh = context.state.body->mesh;
     const Eigen::VectorXi cell = mesh.cells.col(picked_->cell);
+    // A dark line below the bright one keeps the edges visible on any background.
     for (const auto& [color, width] : {std::pair{dark, 3.5f * s}, std::pair{accent, 1.8f * s}}) {
         if (mesh.type == mesh::CellType::hex8)
             draw_edges(list, scene, view, cell, mesh::hexahedron_edges, color, width);
@@ -89,13 +98,14 @@ void InspectTool::draw_card(PanelContext& context, const viewport::DrawnScene& s
     const std::vector<commands::ReportLine> lines = commands::lines_about(*picked_, context.state, scene,
                                                                           error_of(context.state));
     const float s = context.theme.scale, margin = 10.0f * s, line = ImGui::GetTextLineHeight() + 3.0f * s;
+    // Two columns as wide as their longest text.
     float labels = 0.0f, values = 0.0f;
     for (const commands::ReportLine& each : lines) {
         labels = std::max(labels, ImGui::CalcTextSize(each.label.c_str()).x);
         values = std::max(values, ImGui::CalcTextSize(each.value.c_str()).x);
     }
     const float width = labels + 14.0f * s + values + 2.0f * margin;
-    // Left of a field's legend, below the buttons.
+    // Left of the legend of a field, below the buttons.
     const float right = view.pixels.highest.x - (scene.field ? 90.0f : 12.0f) * s;
     const ImVec2 from{std::max(view.pixels.lowest.x + 4.0f * s, right - width), view.pixels.lowest.y + 52.0f * s};
     card_ = {from, {from.x + width, from.y + line * static_cast<float>(lines.size()) + 2.0f * margin}};

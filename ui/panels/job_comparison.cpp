@@ -12,13 +12,14 @@
 namespace myo::ui::panels {
 namespace {
 
-/// A column: an ended job, or the present.
+/// A column of the table: an ended job, or the present settings.
 struct Compared {
     std::string title, tip;
-    const commands::Settings* settings = nullptr;
-    const commands::RunResult* run = nullptr;
+    const commands::Settings* settings = nullptr;  // owned by the state
+    const commands::RunResult* run = nullptr;      // owned by the state; null: no error is known
 };
 
+/// The compared jobs in order, then the present.
 std::vector<Compared> columns_of(const commands::WorkbenchState& state) {
     std::vector<Compared> columns;
     for (const commands::JobRecord& record : state.history)
@@ -26,10 +27,12 @@ std::vector<Compared> columns_of(const commands::WorkbenchState& state) {
             columns.push_back(
                 {record.clock, record.name + ", begun " + record.clock, &record.settings, record.run.get()});
     columns.push_back({"Now", "The present settings, and the error of the run with them", &state.settings,
+                       // An outdated run does not belong to the present settings.
                        state.run_is_current() ? state.run.get() : nullptr});
     return columns;
 }
 
+/// Error of a run, or a dash.
 std::string error_of(const commands::RunResult* run) {
     return run && std::isfinite(run->rms_m) ? plot::millimetres(run->rms_m) : "\xe2\x80\x93";
 }
@@ -42,6 +45,7 @@ bool compares_jobs(const commands::WorkbenchState& state) {
     return false;
 }
 
+/// The first column and the row of titles stay in place while the table scrolls in both directions.
 void draw_job_comparison(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -62,6 +66,7 @@ void draw_job_comparison(PanelContext& context) {
     ImGui::TableNextRow();
     text_cell(theme, "rms error", theme.muted);
     for (const Compared& column : columns) number_cell(theme, error_of(column.run));
+    // The table lists only settings that differ, so that a comparison stays short.
     const std::vector<commands::SettingDifference> differences = commands::settings_differences(
         settings, state.materials, state.integrators);
     for (const commands::SettingDifference& row : differences) {
@@ -69,6 +74,7 @@ void draw_job_comparison(PanelContext& context) {
         text_cell(theme, row.name, theme.muted);
         context.items.mark("jobs/differs/" + row.name);
         for (const std::string& value : row.values) {
+            // Long values, such as signals, are shortened; the tooltip has all of them.
             const std::string shown = elided(value, 92.0f * theme.scale);
             number_cell(theme, shown);
             if (shown != value) tooltip(theme, value);

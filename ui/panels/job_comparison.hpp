@@ -4,10 +4,10 @@
 
 namespace myo::ui::panels {
 
-/// Whether an ended job is compared.
+/// Whether at least one ended job is selected for comparison.
 bool compares_jobs(const commands::WorkbenchState& state);
 
-/// Errors of the compared jobs and of the present settings side by side, and the settings in which they differ.
+/// Draws a table of the compared jobs and the present settings: errors, and the settings in which they differ.
 void draw_job_comparison(PanelContext& context);
 
 }  // namespace myo::ui::panels

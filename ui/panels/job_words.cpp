@@ -6,6 +6,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Small counts exactly, large ones with separators.
 std::string count_label(double count) { return count < 1000.0 ? plot::plain_label(count, 3) : with_separators(count); }
 
 }  // namespace
@@ -16,6 +17,7 @@ std::string counted_words(const commands::JobView& job) {
     return count_label(progress.done) + " of " + count_label(progress.total) + " " + progress.unit;
 }
 
+/// A cancelled or paused job has no remaining time.
 std::string time_words(const commands::JobView& job) {
     if (job.cancelling) return "stopping";
     if (job.paused) return "paused";

@@ -15,29 +15,32 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Worst check of a job; green if it has none.
 commands::CheckState state_of(const commands::JobRecord& record) {
     return record.checks ? commands::worst_state(record.checks->rows) : commands::CheckState::green;
 }
 
-/// What is done has a tick only where its checks are green.
+/// A job that is done gets a tick only if its checks are green.
 const char* record_icon(const commands::JobRecord& record) {
     if (record.outcome == commands::JobOutcome::failed) return platform::icon::failure;
     if (record.outcome == commands::JobOutcome::stopped) return platform::icon::stop;
     return state_of(record) == commands::CheckState::green ? platform::icon::done : check_icon(state_of(record));
 }
 
+/// The colour of the icon; the same severity as in record_icon().
 ImVec4 record_color(const platform::Theme& theme, const commands::JobRecord& record) {
     if (record.outcome == commands::JobOutcome::failed) return theme.failure;
     return record.outcome == commands::JobOutcome::stopped ? theme.warning : check_color(theme, state_of(record));
 }
 
-/// "rms error 1.32 mm; checks: 1 amber"
+/// "rms error 1.32 mm; checks: 1 amber".
 std::string result_words(const commands::JobRecord& record) {
     if (state_of(record) == commands::CheckState::green) return record.summary;
     return record.summary + (record.summary.empty() ? "" : "; ") +
            "checks: " + commands::doubt_words(record.checks->rows);
 }
 
+// Icon buttons in narrow rows need a tooltip, so all buttons get one.
 bool small_button(PanelContext& context, const char* label, const std::string& item, const std::string& tip) {
     const bool pressed = ImGui::SmallButton(label);
     context.items.mark(item);
@@ -45,6 +48,7 @@ bool small_button(PanelContext& context, const char* label, const std::string& i
     return pressed;
 }
 
+/// The running job: its progress, and buttons to pause and cancel it.
 void running_row(PanelContext& context, const commands::JobView& job, bool wide) {
     const platform::Theme& theme = context.theme;
     ImGui::TableNextRow();
@@ -54,9 +58,10 @@ void running_row(PanelContext& context, const commands::JobView& job, bool wide)
     ImGui::TableNextColumn();
     const std::string counted = counted_words(job),
                       told = (counted.empty() ? "" : counted + " \xc2\xb7 ") + time_words(job);
+    // The bar contains as much of the text as fits; its tooltip has all of it.
     const float room = ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetStyle().ItemSpacing.x;
     const std::string inside = ImGui::CalcTextSize(told.c_str()).x <= room ? told : elided(time_words(job), room);
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0f, 0.0f));  // on the line of the other cells
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0f, 0.0f));  // aligned with the text of the other cells
     ImGui::ProgressBar(static_cast<float>(job.fraction()), {-1.0f, ImGui::GetTextLineHeight()}, inside.c_str());
     ImGui::PopStyleVar();
     context.items.mark("jobs/progress");
@@ -76,11 +81,13 @@ void running_row(PanelContext& context, const commands::JobView& job, bool wide)
     ImGui::EndDisabled();
 }
 
+/// A waiting job can only be removed.
 void waiting_row(PanelContext& context, const commands::QueuedJob& job, bool wide) {
     const platform::Theme& theme = context.theme;
     ImGui::TableNextRow();
     text_cell(theme, platform::icon::clock, theme.muted);
     text_cell(theme, job.name, theme.text);
+    // Columns that exist only in the wide layout get empty cells here.
     if (wide) text_cell(theme, "", theme.muted), number_cell(theme, "");
     text_cell(theme, "waits", theme.muted);
     ImGui::TableNextColumn();
@@ -90,6 +97,7 @@ void waiting_row(PanelContext& context, const commands::QueuedJob& job, bool wid
         context.emit(commands::Unqueue{job.id});
 }
 
+/// An ended job. Compare exists only for jobs that kept their run.
 void record_row(PanelContext& context, const commands::JobRecord& record, bool wide) {
     const platform::Theme& theme = context.theme;
     const std::string id = std::to_string(record.id);
@@ -97,7 +105,9 @@ void record_row(PanelContext& context, const commands::JobRecord& record, bool w
     text_cell(theme, record_icon(record), record_color(theme, record));
     context.items.mark("jobs/icon/" + id);
     text_cell(theme, record.name, theme.text);
+    // Cancelled and failed jobs have no measured time.
     const std::string time = record.seconds > 0.0 ? plot::value_label(record.seconds, 3) + " s" : "";
+    // In the narrow layout start time and duration are in the tooltip of the name.
     if (wide)
         text_cell(theme, record.clock, theme.muted), number_cell(theme, time);
     else
@@ -116,6 +126,7 @@ void record_row(PanelContext& context, const commands::JobRecord& record, bool w
                 "in the view. The settings in which it differs are listed, too.");
     }
     ImGui::TableNextColumn();
+    // A failed job has nothing to show.
     ImGui::BeginDisabled(!record.can_be_restored());
     if (small_button(context, wide ? "Restore" : platform::icon::undo, "jobs/restore/" + id,
                      "Show it again, with its settings; undo brings the present ones back"))
@@ -140,7 +151,7 @@ void JobsPanel::draw(PanelContext& context) {
                    "others can be asked for: they wait their turn.");
         return;
     }
-    // Beside the list where there is room, else below it.
+    // The comparison is drawn next to the list if there is room, otherwise below it.
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const bool compares = compares_jobs(state), beside = room.x > 900.0f * theme.scale;
     ImVec2 size{0.0f, 0.0f};
@@ -154,15 +165,18 @@ void JobsPanel::draw(PanelContext& context) {
     draw_job_comparison(context);
 }
 
+/// The columns have fixed widths except for the result, which takes the rest. Column titles are left out where icons
+/// say the same.
 void JobsPanel::draw_list(PanelContext& context, const ImVec2& size) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
     const bool wide = (size.x > 0.0f ? size.x : ImGui::GetContentRegionAvail().x) >
-                      620.0f * theme.scale;  // else the times stand in tooltips and the buttons are signs
+                      620.0f * theme.scale;  // otherwise times are in tooltips and buttons are icons
     struct Column {
         Heading heading;
         float width;
-    };  // width 0: the rest
+    };  // width [pixels at scale 1]; 0: the remaining width
+    // Widths in pixels at scale 1.
     std::vector<Column> columns{
         {{"", ""}, 20.0f},
         {{"Job", ""}, 110.0f},
@@ -185,6 +199,7 @@ void JobsPanel::draw_list(PanelContext& context, const ImVec2& size) {
         ImGui::TableSetupColumn(std::to_string(k).c_str(), flags, columns[k].width * theme.scale);
     }
     heading_row(theme, headings);
+    // Running first, then waiting, then ended jobs with the newest on top.
     if (state.job) running_row(context, *state.job, wide);
     for (const commands::QueuedJob& job : state.queue) {
         ImGui::PushID(job.id);

@@ -6,7 +6,7 @@
 
 namespace myo::ui::panels {
 
-/// The running job, those that wait, and those that have ended, with what they brought.
+/// Lists the running job, waiting jobs, and ended jobs with their results.
 class JobsPanel : public Panel {
 public:
     std::string name() const override { return "jobs"; }
@@ -15,7 +15,7 @@ public:
     void draw(PanelContext& context) override;
 
 private:
-    /// @param size  0: as much as there is
+    /// @param size  of the list [pixels]; 0: the available size
     void draw_list(PanelContext& context, const ImVec2& size);
 };
 

@@ -5,13 +5,16 @@
 
 namespace myo::ui::panels {
 
+// All sizes are rounded to whole pixels, so that text in the parts stays sharp.
 Layout make_layout(float width, float height, float scale, const commands::LayoutSizes& sizes) {
     const float edge = std::round(4.0f * scale);
     const float bar = std::round(44.0f * scale);
     const float timeline = std::round(44.0f * scale);
     Layout layout;
     layout.narrow = width < 1000.0f * scale;
+    // Narrow windows show icons only for the tasks.
     const float steps = std::round((layout.narrow ? 44.0f : 128.0f) * scale);
+    // The limits keep room for the view and for a usable panel, in a window of any size.
     const float rail = steps + std::round(std::clamp(sizes.rail * scale, std::min(240.0f * scale, 0.5f * width - steps),
                                                      0.6f * width - steps));
     const float strip = std::round(
@@ -23,6 +26,7 @@ Layout make_layout(float width, float height, float scale, const commands::Layou
     layout.steps = {{0.0f, bar}, {steps, height}};
     layout.rail = {{steps, bar}, {rail, height}};
     layout.rail_edge = {{rail, bar}, {left, height}};
+    // Each part begins where the one before ends, so that no pixel of the window is left unpainted.
     layout.view = {{left, bar}, {width, timeline_top}};
     layout.timeline = {{left, timeline_top}, {width, timeline_top + timeline}};
     layout.strip_edge = {{left, strip_top - edge}, {width, strip_top}};

@@ -5,20 +5,23 @@
 
 namespace myo::ui::panels {
 
-/// Where the parts of the window are [pixels].
+/// Rectangles of the window's parts [pixels].
 struct Layout {
-    platform::Rectangle bar;    // top
-    platform::Rectangle steps;  // far left
-    bool narrow = false;        // the steps have room for their icons only
-    platform::Rectangle rail;   // the side: panels of the chosen step
-    platform::Rectangle view;
-    platform::Rectangle timeline;
-    platform::Rectangle strip;      // bottom
-    platform::Rectangle rail_edge;  // to drag
-    platform::Rectangle strip_edge;
+    platform::Rectangle bar;         // menu bar, at the top
+    platform::Rectangle steps;       // tasks, far left
+    bool narrow = false;             // the tasks show icons only
+    platform::Rectangle rail;        // side panel: panels of the selected task
+    platform::Rectangle view;        // 3D view
+    platform::Rectangle timeline;    // below the view
+    platform::Rectangle strip;       // panels below the view
+    platform::Rectangle rail_edge;   // handle between side panel and view
+    platform::Rectangle strip_edge;  // handle above the strip
 };
 
-/// Divides the window; the view never gets less than a third of either side, whatever was dragged.
+/// Divides a window of this size [pixels]. The view keeps at least a third of width and height, whatever sizes the user
+/// has dragged.
+///
+/// @param sizes  preferred sizes [pixels at scale 1]
 Layout make_layout(float width, float height, float scale, const commands::LayoutSizes& sizes);
 
 }  // namespace myo::ui::panels

@@ -9,15 +9,18 @@ namespace myo::ui::panels {
 
 std::string LogPanel::title() const { return std::string(platform::icon::list) + "  Messages"; }
 
+// Numbers since the start identify lines, as old ones are removed at the front.
 void LogPanel::draw(PanelContext& context) {
     const std::vector<commands::LogLine>& lines = context.state.log;
     if (lines.empty()) muted_text(context.theme, "No messages yet.");
     const std::size_t logged = context.state.logged;
     const float width = ImGui::GetContentRegionAvail().x;
+    // Another width or scale wraps the lines differently.
     if (width != width_ || context.theme.scale != scale_) heights_.clear();
     width_ = width;
     scale_ = context.theme.scale;
-    // Wrapped lines are of many heights: each is measured once, and after that drawn only where it is seen.
+    // Wrapped lines differ in height. Each is measured once and afterwards drawn only if it is visible; thousands of
+    // lines would slow down every frame.
     for (std::size_t i = 0; i < lines.size(); ++i) {
         const std::size_t number = logged - lines.size() + i;
         const auto known = heights_.find(number);
@@ -31,7 +34,9 @@ void LogPanel::draw(PanelContext& context) {
         context.items.mark("messages/line/" + std::to_string(i));
         heights_[number] = ImGui::GetItemRectSize().y;
     }
+    // Heights of messages that have left the log.
     heights_.erase(heights_.begin(), heights_.lower_bound(logged - lines.size()));
+    // Scroll to the end only when a message arrives, so that the user can read earlier ones.
     if (logged != seen_) ImGui::SetScrollHereY(1.0f);
     seen_ = logged;
 }

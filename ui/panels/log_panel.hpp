@@ -6,7 +6,7 @@
 
 namespace myo::ui::panels {
 
-/// Messages, newest last.
+/// The messages of the workbench, newest last.
 class LogPanel : public Panel {
 public:
     std::string name() const override { return "messages"; }
@@ -15,10 +15,10 @@ public:
     void draw(PanelContext& context) override;
 
 private:
-    std::size_t seen_ = 0;  // lines since the start
-    std::map<std::size_t, float>
-        heights_;  // of lines that were drawn, by their number since the start, at this width and scale
-    float width_ = 0.0f, scale_ = 0.0f;
+    std::size_t seen_ = 0;  // messages that were shown already
+    // Measured heights by number since the start [pixels], valid for this width and scale.
+    std::map<std::size_t, float> heights_;
+    float width_ = 0.0f, scale_ = 0.0f;  // at which heights_ were measured
 };
 
 }  // namespace myo::ui::panels

@@ -15,7 +15,7 @@
 namespace myo::ui::panels {
 namespace {
 
-constexpr const char* plot_help =
+constexpr const char* plot_help =  // tooltip of the help icon
     "Wheel: zoom in time about the mouse; with Shift in mm\n"
     "Drag with the right button: zoom to a box\n"
     "Drag with the left button: move the curves; double-click: show all\n"
@@ -23,20 +23,21 @@ constexpr const char* plot_help =
     "Shift and drag: choose a time range, whose rms error is told; Shift and click: none\n"
     "A name in the legend: hide or show the curve";
 
-/// Far in hue from measured, simulated and residual in both themes.
+/// Colour of another trial, chosen far in hue from measured, simulated and residual in both themes.
 const ImVec4& overlay_color(const platform::Theme& theme, std::size_t trial) {
     constexpr std::array<int, 4> colors{3, 2, 7, 6};
     return theme.muscle(colors[trial % colors.size()]);
 }
 
-/// Whether the panel has no room for words on its buttons; the legend of several trials is then in their menu.
+/// Whether there is no room for text on the buttons. The legend of several trials is then in their menu.
 bool is_narrow(const platform::Theme& theme) { return ImGui::GetContentRegionAvail().x < 460.0f * theme.scale; }
 
-/// All curves of one trial in x, y or z.
+/// The curves of one trial for one coordinate.
 struct TrialCurves {
-    plot::PlotSeries measured, simulated, residual;  // the latter two NaN without a run
+    plot::PlotSeries measured, simulated, residual;  // simulated and residual are NaN without a run
 };
 
+/// The curves of another trial [mm], in its own colour.
 TrialCurves overlaid_curves(const commands::OverlaidMarker& other, std::size_t marker, int axis,
                             const platform::Theme& theme) {
     const commands::SceneTrial& trial = *other.measured;
@@ -45,7 +46,7 @@ TrialCurves overlaid_curves(const commands::OverlaidMarker& other, std::size_t m
     Eigen::VectorXd simulated = Eigen::VectorXd::Constant(measured.size(), std::numeric_limits<double>::quiet_NaN());
     if (other.simulated_m) simulated = 1e3 * other.simulated_m->row(axis).transpose();
     const ImVec4 color = faint;
-    faint.w = 0.7f;  // the line stays in sight where the dots lie on it
+    faint.w = 0.7f;  // keeps the line visible where dots cover it
     return {{trial.name + ", measured", trial.time_s, measured, faint, true},
             {trial.name + ", simulated", trial.time_s, simulated, color, false},
             {trial.name, trial.time_s, simulated - measured, color, false}};
@@ -55,6 +56,7 @@ TrialCurves overlaid_curves(const commands::OverlaidMarker& other, std::size_t m
 
 std::string MarkerPanel::title() const { return std::string(platform::icon::chart) + "  Markers"; }
 
+/// Controls in one line; below it the plots of the selected coordinates next to each other, with equal widths.
 void MarkerPanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     if (!state.scene_trial() || state.scene->markers.empty()) {
@@ -62,7 +64,7 @@ void MarkerPanel::draw(PanelContext& context) {
         return;
     }
     if (scene_ != state.scene || trial_ != state.trial || marker_ != state.marker) {
-        // Another curve: the old zoom means nothing.
+        // A different curve: the old zoom has no meaning for it.
         if (scene_ != state.scene || trial_ != state.trial) time_ = {};
         if (scene_ != state.scene) overlaid_.clear();
         main_ = {};
@@ -73,10 +75,12 @@ void MarkerPanel::draw(PanelContext& context) {
     }
     draw_choice(context);
     if (!is_narrow(context.theme) && !commands::overlaid_markers(state, overlaid_).empty()) draw_legend(context);
+    // Collected while drawing, for export as SVG.
     seen_.clear();
     const ImVec2 space = ImGui::GetContentRegionAvail(), corner = ImGui::GetCursorScreenPos();
     plots_ = {corner, {corner.x + space.x, corner.y + space.y}};
     context.items.add("markers/plots", plots_);
+    // All plots may be switched off.
     const int count = static_cast<int>(std::count(shown_.begin(), shown_.end(), true));
     if (count == 0) return;
     const ImVec2 size{std::floor(space.x / static_cast<float>(count)), space.y};
@@ -91,12 +95,14 @@ void MarkerPanel::draw(PanelContext& context) {
     }
 }
 
+/// In a narrow panel the buttons are icons, and the error moves to a line of its own or into the table of errors.
 void MarkerPanel::draw_choice(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const float s = context.theme.scale;
     const auto& markers = state.scene->markers;
     const std::size_t current = std::min(static_cast<std::size_t>(state.marker), markers.size() - 1);
-    const bool narrow = is_narrow(context.theme);  // then the buttons are signs
+    // Decided once per frame, so that all controls use the same layout.
+    const bool narrow = is_narrow(context.theme);  // buttons then show icons
     const float gap = narrow ? 4.0f * s : 8.0f * s;
     ImGui::SetNextItemWidth(narrow ? 80.0f * s : std::min(200.0f * s, 0.34f * ImGui::GetContentRegionAvail().x));
     const bool open = ImGui::BeginCombo("##marker", markers[current].name.c_str());
@@ -119,6 +125,7 @@ void MarkerPanel::draw_choice(PanelContext& context) {
     ImGui::SameLine(0.0f, 2.0f * gap);
     draw_trials(context, narrow);
     ImGui::SameLine(0.0f, gap);
+    // A default value of the plot state means "all data".
     if (ImGui::Button(narrow ? platform::icon::expand : "Fit")) {
         time_.range.reset();
         main_ = {};
@@ -139,11 +146,13 @@ void MarkerPanel::draw_choice(PanelContext& context) {
     draw_error(context);
 }
 
+/// Without a selected range: the error of the marker over the whole trial. With one: its error within the range.
 void MarkerPanel::draw_error(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const commands::SimulatedTrial* simulated = state.simulated_trial();
     const auto m = static_cast<std::size_t>(state.marker);
     std::string text;
+    // A selected time range has its own error; otherwise that of the whole trial is shown.
     if (time_.chosen) {
         const double rms = commands::marker_rms_m(*state.scene_trial(), simulated, m, time_.chosen->lowest,
                                                   time_.chosen->highest);
@@ -157,9 +166,10 @@ void MarkerPanel::draw_error(PanelContext& context) {
     }
     if (text.empty()) return;
     ImGui::SameLine(0.0f, 16.0f * context.theme.scale);
+    // Without room in the line of the controls, the text goes below it.
     if (ImGui::CalcTextSize(text.c_str()).x > ImGui::GetContentRegionAvail().x) {
         ImGui::NewLine();
-        if (!time_.chosen) return;  // the table of errors has it; a range was asked for here
+        if (!time_.chosen) return;  // the table of errors has it; the error of a range is shown only here
     }
     ImGui::AlignTextToFramePadding();
     ImGui::TextColored(time_.chosen ? context.theme.text : context.theme.muted, "%s", text.c_str());
@@ -179,7 +189,9 @@ void MarkerPanel::draw_trials(PanelContext& context, bool narrow) {
     for (std::size_t t = 0; t < state.scene->trials.size(); ++t) {
         const commands::SceneTrial& trial = state.scene->trials[t];
         const int index = static_cast<int>(t);
+        // The list contains the shown trial, too, so that its position among the others is clear.
         bool drawn = index == state.trial || overlaid_.count(index) > 0;
+        // The shown trial is always drawn.
         ImGui::BeginDisabled(index == state.trial);
         ImGui::PushID(index);
         if (ImGui::Checkbox("##drawn", &drawn)) {
@@ -206,10 +218,11 @@ void MarkerPanel::draw_trials(PanelContext& context, bool narrow) {
     ImGui::EndPopup();
 }
 
-/// One legend for all axes: over each plot there is no room for the names of several trials.
+/// One legend for all coordinates: above a single plot there is no room for the names of several trials.
 void MarkerPanel::draw_legend(PanelContext& context) {
     const platform::Theme& theme = context.theme;
     std::vector<plot::LegendEntry> entries{{"measured", theme.measured, true}};
+    // Only curves that exist have an entry.
     if (context.state.simulated_trial()) entries.push_back({"simulated", theme.simulated, false});
     for (const commands::ComparedMarker& other : commands::compared_markers(context.state))
         entries.push_back({other.name, theme.muscle(static_cast<int>(other.record)), false});
@@ -235,9 +248,11 @@ void MarkerPanel::draw_legend(PanelContext& context) {
     ImGui::PopFont();
 }
 
+/// Three ways to save: the data as CSV, the plots as vectors (SVG), or as pixels (PNG).
 void MarkerPanel::draw_export(PanelContext& context, const std::string& name) {
     if (!ImGui::BeginPopup("markers export")) return;
     if (ImGui::MenuItem("Table (CSV)\xe2\x80\xa6")) {
+        // Without a zoom the whole trial is exported.
         constexpr double infinite = std::numeric_limits<double>::infinity();
         const plot::Range range = time_.range.value_or(plot::Range{-infinite, infinite});
         context.window.file = table_dialog(
@@ -261,12 +276,15 @@ void MarkerPanel::draw_export(PanelContext& context, const std::string& name) {
     ImGui::EndPopup();
 }
 
+/// Keeps what is visible of a plot, for export as SVG.
 void MarkerPanel::see(const plot::Plot& plot, const plot::PlotResult& drawn, const plot::HiddenSeries& hidden) {
     plot::SeenPlot seen{plot, drawn.area.x, drawn.area.y};
     std::erase_if(seen.plot.series, [&](const plot::PlotSeries& series) { return hidden.count(series.name) > 0; });
     seen_.push_back(std::move(seen));
 }
 
+/// The plot of one coordinate and, if there is a run and enough height, its residual below with the same time axis.
+/// Measured samples are dots, simulations lines.
 void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& size) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -275,6 +293,7 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
     const commands::SceneTrial& trial = *state.scene_trial();
     const commands::SimulatedTrial* simulated = state.simulated_trial();
     const std::string axis_name = axis_names[a];
+    // A run of another version of the experiment may lack the marker or have other samples.
     const bool compare = simulated && m < simulated->markers.size() &&
                          simulated->markers[m].cols() == trial.time_s.size();
 
@@ -286,15 +305,17 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
     const std::vector<commands::OverlaidMarker> others = commands::overlaid_markers(state, overlaid_);
     plot.legend = others.empty();
     plot.selectable = true;
+    // The residual plot is filled along with the main one.
     plot::Plot strip;
-    for (const commands::OverlaidMarker& other : others) {  // first: the shown trial lies over them
+    for (const commands::OverlaidMarker& other : others) {  // first, so that the shown trial is drawn over them
         TrialCurves curves = overlaid_curves(other, m, axis, theme);
+        // The residual has no legend of its own; hiding the simulated curve hides its residual, too.
         if (hidden_.count(curves.simulated.name) > 0)
             curves.residual.y.setConstant(std::numeric_limits<double>::quiet_NaN());
         plot.series.push_back(std::move(curves.measured));
         if (other.simulated_m) plot.series.push_back(std::move(curves.simulated));
         strip.series.push_back(
-            std::move(curves.residual));  // also without values: the time axes of both plots stay equal
+            std::move(curves.residual));  // also without values, so that both plots get the same time range
     }
     const Eigen::VectorXd measured = 1e3 * trial.measured[m].row(axis).transpose();
     plot.series.push_back({"measured", trial.time_s, measured, theme.measured, true});
@@ -307,15 +328,17 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
     for (const commands::ComparedMarker& other : commands::compared_markers(state))
         plot.series.push_back({other.name, trial.time_s, 1e3 * other.position_m->row(axis).transpose(),
                                theme.muscle(static_cast<int>(other.record)), false});
-    // In a low strip the motion itself keeps the room.
+    // In a low strip the motion keeps all the room.
     const bool residual = compare && size.y > 110.0f * theme.scale;
     plot.x_axis = !residual;
+    // At least high enough for its axis labels.
     const float residual_height = residual ? std::max(76.0f * theme.scale, 0.42f * size.y) : 0.0f;
     const plot::PlotResult main = plot::draw_plot(plot, {size.x, size.y - residual_height}, theme, context.items, time_,
                                                   main_[a], hidden_);
     see(plot, main, hidden_);
     if (main.cursor) context.emit(commands::SetTime{*main.cursor});
     if (!residual) return;
+    // Both plots share the time axis, so they are drawn without a gap.
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
     strip.id = "residual/" + axis_name;
     strip.title = size.x > 240.0f * theme.scale ? "simulated \xe2\x88\x92 measured [mm]" : "difference [mm]";

@@ -8,8 +8,8 @@
 
 namespace myo::ui::panels {
 
-/// A marker's x, y and z, simulated over measured, with the residual below; other trials over the shown one when asked
-/// for.
+/// Plots the selected marker in x, y and z: measured and simulated, with the residual below. Other trials can be drawn
+/// over the shown one.
 class MarkerPanel : public Panel {
 public:
     std::string name() const override { return "markers"; }
@@ -19,25 +19,32 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    // Parts of the panel: controls first, then one plot per coordinate.
     void draw_choice(PanelContext& context);
+    /// Popup that selects the other trials. `narrow`: buttons show icons.
     void draw_trials(PanelContext& context, bool narrow);
+    /// One legend for all plots, used while other trials are drawn.
     void draw_legend(PanelContext& context);
+    /// Error of the marker, or its error in the selected time range.
     void draw_error(PanelContext& context);
+    /// Popup with the ways to save what is seen. `name` is the proposed file name.
     void draw_export(PanelContext& context, const std::string& name);
+    /// Remembers a plot as it was drawn, for the SVG export.
     void see(const plot::Plot& plot, const plot::PlotResult& drawn, const plot::HiddenSeries& hidden);
+    /// Plot of one coordinate with its residual below. `size` in pixels.
     void draw_component(PanelContext& context, int axis, const ImVec2& size);
 
-    platform::Rectangle plots_;  // of the window, where they were drawn last
-    std::array<bool, 3> shown_{true, true, true};
-    std::set<int> overlaid_;  // other trials of the scene that are drawn, too
-    plot::LinkedAxis time_;
-    std::array<plot::PlotState, 3> main_;
-    std::array<plot::PlotState, 3> residual_;
-    plot::HiddenSeries hidden_;
-    std::vector<plot::SeenPlot> seen_;              // as last drawn, for a drawing
-    std::shared_ptr<const commands::Scene> scene_;  // whose plots are zoomed
-    int trial_ = -1;
-    int marker_ = -1;
+    platform::Rectangle plots_;                     // area of the plots in the last frame, for export as PNG
+    std::array<bool, 3> shown_{true, true, true};   // x, y, z
+    std::set<int> overlaid_;                        // indices of other trials that are drawn, too
+    plot::LinkedAxis time_;                         // time axis of all plots
+    std::array<plot::PlotState, 3> main_;           // per coordinate
+    std::array<plot::PlotState, 3> residual_;       // per coordinate
+    plot::HiddenSeries hidden_;                     // curves switched off in the legend
+    std::vector<plot::SeenPlot> seen_;              // plots of the last frame, for export as SVG
+    std::shared_ptr<const commands::Scene> scene_;  // scene of the zoom
+    int trial_ = -1;                                // trial of the zoom
+    int marker_ = -1;                               // marker of the zoom
 };
 
 }  // namespace myo::ui::panels

@@ -11,6 +11,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Limits are in SI units, the smallest step of a drag is in the shown unit; see NumberField.
 const std::vector<SettingField>& material_fields() {
     static const std::vector<SettingField> fields{
         {{"E", "model/youngs_modulus", "kPa",
@@ -39,6 +40,7 @@ const std::vector<SettingField>& material_fields() {
     return fields;
 }
 
+/// A point in millimetres.
 std::string place_label(const Eigen::Vector3d& p) {
     return plot::plain_label(1e3 * p.x(), 4) + ", " + plot::plain_label(1e3 * p.y(), 4) + ", " +
            plot::plain_label(1e3 * p.z(), 4);
@@ -46,6 +48,7 @@ std::string place_label(const Eigen::Vector3d& p) {
 
 }  // namespace
 
+/// Material law and parameters can be edited; support and gravity are shown as the experiment declares them.
 void MaterialPanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     setting_choice(context, "Material", "model/material",
@@ -63,6 +66,7 @@ void MaterialPanel::draw(PanelContext& context) {
     } else {
         muted_text(context.theme, "Nothing holds the body.");
     }
+    // Shown as a vector, as it need not act along an axis.
     const double g = state.scene->gravity_m_s2.norm();
     text_row(context.theme, "Gravity",
              g > 0.0 ? plot::plain_label(state.scene->gravity_m_s2.x(), 3) + ", " +
@@ -80,6 +84,7 @@ void MaterialPanel::draw_effects(PanelContext& context) {
     for (std::size_t i = 0; i < state.settings.effects.size(); ++i) {
         const commands::AddedEffect& effect = state.settings.effects[i];
         ImGui::PushID(static_cast<int>(i));
+        // The text leaves room for the button that removes the effect, which is aligned at the right edge.
         const float button = ImGui::GetFrameHeight();
         row_label(context.theme, effect.name, "An effect that was added to the experiment's own model.");
         const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;

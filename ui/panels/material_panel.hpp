@@ -4,7 +4,7 @@
 
 namespace myo::ui::panels {
 
-/// What the body is made of, where it is held, and the effects that were added.
+/// Edits the material of the body; shows its support, gravity, and the effects that the user added.
 class MaterialPanel : public Panel {
 public:
     std::string name() const override { return "material"; }
@@ -14,10 +14,11 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    /// List of the added effects with a button to remove each. Draws nothing without any.
     void draw_effects(PanelContext& context);
 
-    OpenEdit edit_;
-    OpenEdit preview_edit_;
+    OpenEdit edit_;          // drag in progress in the material fields
+    OpenEdit preview_edit_;  // drag in progress in the preview length
 };
 
 }  // namespace myo::ui::panels

@@ -13,6 +13,7 @@
 
 namespace myo::ui::panels {
 
+// Shared with the panel of the run, hence the prefix of the item names.
 void draw_trial_errors(PanelContext& context, const std::string& item, const commands::RunResult* run) {
     const commands::WorkbenchState& state = context.state;
     if (!ImGui::BeginTable("trials", 3, ImGuiTableFlags_RowBg)) return;
@@ -34,6 +35,7 @@ void draw_trial_errors(PanelContext& context, const std::string& item, const com
         context.items.mark(item + trial.name);
         ImGui::PopID();
         text_cell(context.theme, trial.role, context.theme.muted);
+        // A run may lack the trial, and a trial without markers has no error.
         number_cell(context.theme, run && t < run->trials.size() && std::isfinite(run->trials[t].rms_m)
                                        ? plot::value_label(1e3 * run->trials[t].rms_m, 3)
                                        : "\xe2\x80\x93");
@@ -43,6 +45,7 @@ void draw_trial_errors(PanelContext& context, const std::string& item, const com
 
 namespace {
 
+/// The button below the tables, also shown for a body without markers.
 void draw_import_button(PanelContext& context) {
     ImGui::Spacing();
     if (ImGui::Button("Import a recording\xe2\x80\xa6"))
@@ -54,6 +57,7 @@ void draw_import_button(PanelContext& context) {
 
 }  // namespace
 
+/// Errors of the trials, then errors of the markers of the shown trial: in all, or one quantity per axis.
 void MeasurePanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -64,6 +68,7 @@ void MeasurePanel::draw(PanelContext& context) {
         if (state.scene) draw_import_button(context);
         return;
     }
+    // The errors below belong to the preview or to an outdated run; the note says so.
     if (state.previewing())
         notice(theme, commands::LogLevel::information, commands::preview_text(state));
     else if (state.run && !state.run_is_current())
@@ -79,6 +84,7 @@ void MeasurePanel::draw(PanelContext& context) {
         const char* item;
         const char* tip;
     };
+    // The three tables per axis share their columns; only the tooltip differs.
     const std::string what = shown_ == Shown::bias      ? "Mean of simulated less measured [mm]"
                              : shown_ == Shown::largest ? "Largest magnitude of simulated less measured [mm]"
                                                         : "Root mean square of simulated less measured [mm]";
@@ -91,8 +97,10 @@ void MeasurePanel::draw(PanelContext& context) {
         context.items.mark(t.item);
         tooltip(theme, t.tip);
     }
+    // Computed in each frame: one pass over the samples of the shown trial.
     const std::vector<commands::MarkerError> errors = commands::marker_errors(*state.scene, *trial,
                                                                               state.simulated_trial());
+    // The first table has one number per error, the others one per axis.
     const std::vector<Heading> whole{{"Marker", ""},
                                      {"rms [mm]", "Over all three coordinates, from t = 0 on", true},
                                      {"max [mm]", "Largest distance", true},
@@ -104,6 +112,7 @@ void MeasurePanel::draw(PanelContext& context) {
     ImGui::TableSetupColumn("marker", ImGuiTableColumnFlags_WidthStretch);
     for (std::size_t k = 1; k < headings.size(); ++k) number_column(theme, headings[k]);
     heading_row(theme, headings);
+    // A length in millimetres, or a dash.
     const auto length = [&](double metres) {
         number_cell(theme, std::isfinite(metres) ? plot::value_label(1e3 * metres, 2) : "\xe2\x80\x93");
     };
@@ -121,6 +130,7 @@ void MeasurePanel::draw(PanelContext& context) {
         if (shown_ == Shown::whole) {
             length(error.rms_m);
             length(error.largest_m);
+            // below 80 % the error rests on few samples
             number_cell(theme, plot::value_label(100.0 * error.seen, 3), error.seen < 0.8 ? &theme.warning : nullptr);
         } else {
             for (const double value : shown_ == Shown::bias      ? error.bias_m

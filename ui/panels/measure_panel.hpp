@@ -4,7 +4,7 @@
 
 namespace myo::ui::panels {
 
-/// The measured trials, and how far each marker of the shown one is from what was simulated.
+/// Shows the error of each trial, and of each marker of the shown trial.
 class MeasurePanel : public Panel {
 public:
     std::string name() const override { return "measure"; }
@@ -15,12 +15,14 @@ public:
     void draw(PanelContext& context) override;
 
 private:
-    enum class Shown { whole, rms, largest, bias };  // of the markers, all but the first per axis
+    enum class Shown { whole, rms, largest, bias };  // table of the markers: in all, or one quantity per axis
     Shown shown_ = Shown::whole;
 };
 
-/// Trials with their roles and their rms error in a run, which may be null; a click shows the trial.
-/// @param item  of the rows, before the trial's name
+/// Draws a table of trials with role and rms error in a run. A click selects the trial.
+///
+/// @param item  prefix of the item names for tests
+/// @param run  may be null: errors are dashes
 void draw_trial_errors(PanelContext& context, const std::string& item, const commands::RunResult* run);
 
 }  // namespace myo::ui::panels

@@ -15,8 +15,10 @@
 namespace myo::ui::panels {
 namespace {
 
+// titles in order; the Steps of the palette have no menu
 constexpr std::array<const char*, 5> menus{"File", "Edit", "View", "Run", "Help"};
 
+/// Submenus of File.
 void draw_recent(PanelContext& context) {
     const auto& recent = context.state.preferences.recent;
     if (recent.empty() || !ImGui::BeginMenu("Open lately")) return;
@@ -25,6 +27,7 @@ void draw_recent(PanelContext& context) {
     ImGui::EndMenu();
 }
 
+/// The examples that come with the program.
 void draw_examples(PanelContext& context) {
     const std::vector<commands::Example>& examples = context.state.examples;
     const bool open = !examples.empty() && ImGui::BeginMenu("Examples");
@@ -38,6 +41,7 @@ void draw_examples(PanelContext& context) {
     ImGui::EndMenu();
 }
 
+/// One menu: the actions with its title, in the order of actions.cpp.
 void draw_menu(PanelContext& context, viewport::ViewportState& viewport, const std::string& menu) {
     for (const Action& action : all_actions()) {
         if (action.menu != menu) continue;
@@ -52,6 +56,8 @@ void draw_menu(PanelContext& context, viewport::ViewportState& viewport, const s
     }
 }
 
+/// The row of menu buttons. Menus are popups below plain buttons, so that the same row can hold other buttons and the
+/// message.
 void draw_menus(PanelContext& context, viewport::ViewportState& viewport) {
     const platform::Theme& theme = context.theme;
     const auto id = [](const char* menu) { return std::string("menu ") + menu; };
@@ -64,7 +70,7 @@ void draw_menus(PanelContext& context, viewport::ViewportState& viewport) {
         const bool pressed = ImGui::Button(menu);
         context.items.mark("menu/" + lower_first(menu));
         const ImVec2 below{ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + 2.0f * theme.scale};
-        // With one menu open, the mouse goes from one to the next.
+        // With one menu open, moving the mouse over another title opens that one.
         const bool passes = any_open && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByPopup) &&
                             !ImGui::IsPopupOpen(id(menu).c_str());
         if (pressed || passes) ImGui::OpenPopup(id(menu).c_str());
@@ -80,10 +86,13 @@ void draw_menus(PanelContext& context, viewport::ViewportState& viewport) {
     ImGui::PopStyleColor();
 }
 
+/// The newest message, shortened to the room that is left. A click shows the panel of messages. A preview replaces it
+/// by its state.
 void draw_message(PanelContext& context, float right) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
     if (state.log.empty()) return;
+    // A preview has no entry in the log, as it is no result.
     const commands::LogLine line = state.previewing() ? commands::LogLine{state.preview.run->problem.empty()
                                                                               ? commands::LogLevel::information
                                                                               : commands::LogLevel::warning,
@@ -92,7 +101,7 @@ void draw_message(PanelContext& context, float right) {
     const ImVec4 colors[] = {theme.muted, theme.success, theme.warning, theme.failure};
     ImGui::AlignTextToFramePadding();
     const float room = right - 16.0f * theme.scale - ImGui::GetCursorPosX();
-    if (room < 40.0f * theme.scale) return;
+    if (room < 40.0f * theme.scale) return;  // too little room for any word
     ImGui::TextColored(colors[static_cast<int>(line.level)], "%s", elided(line.text, room).c_str());
     context.items.mark("bar/message");
     tooltip(theme, line.text);
@@ -102,6 +111,7 @@ void draw_message(PanelContext& context, float right) {
 
 }  // namespace
 
+/// Menus and buttons on the left, checks, scale and theme on the right, the newest message in the room between them.
 void draw_menu_bar(PanelContext& context, viewport::ViewportState& viewport) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -113,6 +123,7 @@ void draw_menu_bar(PanelContext& context, viewport::ViewportState& viewport) {
     ImGui::SameLine(0.0f, 12.0f * theme.scale);
     draw_menus(context, viewport);
     ImGui::SameLine(0.0f, 12.0f * theme.scale);
+    // The checks and the message take the room between the buttons on the left and on the right.
     const auto button = [&](const char* sign, const char* item, const char* tip, bool enabled,
                             const commands::Command& asked) {
         ImGui::BeginDisabled(!enabled);
@@ -141,6 +152,7 @@ void draw_menu_bar(PanelContext& context, viewport::ViewportState& viewport) {
     ImGui::SetCursorPosX(right);
     ImGui::SetNextItemWidth(scale_width);
     if (ImGui::BeginCombo("##scale", (std::to_string(std::lround(100.0f * state.scale())) + " %").c_str())) {
+        // The values cover the range of the preferences.
         for (const int percent : {75, 100, 125, 150, 200, 250}) {
             const bool chosen = std::lround(100.0f * state.scale()) == percent;
             if (ImGui::Selectable((std::to_string(percent) + " %").c_str(), chosen))

@@ -4,8 +4,8 @@
 
 namespace myo::ui::panels {
 
-/// The bar at the top: menus with their keys, undo and redo, the last message, size and colours. Fills the current
-/// window.
+/// Draws the bar at the top: menus with shortcuts, save, undo and redo, the newest message, the summary of checks,
+/// scale and theme. Fills the current window.
 void draw_menu_bar(PanelContext& context, viewport::ViewportState& viewport);
 
 }  // namespace myo::ui::panels

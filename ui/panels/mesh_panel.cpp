@@ -11,6 +11,7 @@
 namespace myo::ui::panels {
 namespace {
 
+// Explanations say when to use an element, not how it is built.
 const std::vector<commands::Choice>& element_choices() {
     static const std::vector<commands::Choice> choices{
         {"hex8", "Hexahedra (hex8)",
@@ -36,6 +37,7 @@ void MeshPanel::draw(PanelContext& context) {
     draw_report(context);
 }
 
+/// Edge length as a number and as a logarithmic slider: its range spans a factor of 40.
 void MeshPanel::draw_mesh_settings(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -45,6 +47,7 @@ void MeshPanel::draw_mesh_settings(PanelContext& context) {
         settings.element = cell_type(element);
         context.emit(commands::ChangeSettings{settings, "element", false});
     }
+    // The range follows the body: 3 to 120 elements along its longest side.
     const double longest = std::max(commands::body_size(state).maxCoeff(), 1e-3);
     const commands::Limits range{longest / 120.0, longest / 3.0};
     const NumberField field{
@@ -66,30 +69,34 @@ void MeshPanel::draw_mesh_settings(PanelContext& context) {
         settings.resolution_m = 1e-3 * shown;
         context.emit(commands::ChangeSettings{settings, "resolution", goes_on});
     }
-    // Counted once the mesh is there, estimated before.
+    // Counted if the mesh exists, otherwise estimated.
     const bool built = state.mesh_is_current();
     const double elements = built ? static_cast<double>(state.body->mesh.cell_count()) : state.prediction.elements;
     const double dofs = built ? state.body->dofs : state.prediction.dofs;
     const std::string about = built || state.prediction.exact ? "" : "\xe2\x89\x88 ";
-    const ImVec4* color = dofs > 3e5 ? &theme.warning : nullptr;
+    const ImVec4* color = dofs > 3e5 ? &theme.warning : nullptr;  // a step takes seconds beyond this size
     text_row(theme, "Elements, DOF", about + with_separators(elements) + ", " + about + with_separators(dofs), color);
     tooltip(theme,
             "Degrees of freedom: three displacements for each node. Orange above 300,000, where a step takes seconds.");
     draw_step_cost(context, dofs);
+    // The button disappears when the mesh is up to date.
     if (!state.mesh_is_current()) {
         if (primary_button(theme, "Build this mesh", {-1.0f, 0.0f})) context.emit(commands::BuildMesh{});
         context.items.mark("body/build");
     }
 }
 
+/// The prediction states where it comes from, as it may be wrong by a factor of two.
 void MeshPanel::draw_step_cost(PanelContext& context, double dofs) {
     const commands::WorkbenchState& state = context.state;
     if (!(dofs > 0.0)) return;
     const auto milliseconds = [](double seconds) { return plot::value_label(1e3 * seconds, 3) + " ms"; };
     const commands::StepPrediction predicted = commands::predict_step(state.preferences.step_costs,
                                                                       state.settings.element, dofs);
+    // A run of exactly this mesh needs no extrapolation.
     const bool same = predicted.measured && predicted.from.dofs == dofs &&
                       predicted.from.element == state.settings.element;
+    // The row names the measurement that the number is derived from.
     const std::string source = predicted.measured ? milliseconds(predicted.from.seconds) + " measured at " +
                                                         with_separators(predicted.from.dofs) + " DOF"
                                                   : "from the benchmark";

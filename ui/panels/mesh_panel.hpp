@@ -4,7 +4,7 @@
 
 namespace myo::ui::panels {
 
-/// Sets how the body is divided into elements, and says what came out.
+/// Edits element type and edge length, shows the expected size and cost, builds the mesh and reports its quality.
 class MeshPanel : public Panel {
 public:
     std::string name() const override { return "mesh"; }
@@ -14,13 +14,16 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    /// Controls for element type and edge length, and the button that builds the mesh.
     void draw_mesh_settings(PanelContext& context);
-    /// What a time step of a mesh of this size takes or will take.
+    /// Measured or predicted time per step of a mesh with `dofs` degrees of freedom. Draws nothing if the size is
+    /// unknown.
     void draw_step_cost(PanelContext& context, double dofs);
+    /// Size and quality of the mesh that is shown.
     void draw_report(PanelContext& context);
 
-    OpenEdit edit_;
-    OpenEdit slide_;
+    OpenEdit edit_;   // drag in progress in the number field
+    OpenEdit slide_;  // drag in progress in the slider
 };
 
 }  // namespace myo::ui::panels

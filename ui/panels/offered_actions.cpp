@@ -9,12 +9,14 @@ namespace {
 
 using Perform = std::function<void(PanelContext&, viewport::ViewportState&)>;
 
+/// Opens a file that is known now.
 Perform opens(const std::filesystem::path& path) {
     return [path](PanelContext& context, viewport::ViewportState&) {
         context.emit(commands::Open{path, std::nullopt});
     };
 }
 
+/// Ids contain the path, so that they are unique in the palette.
 void add_files(std::vector<Action>& all, const commands::WorkbenchState& state) {
     for (const commands::Example& example : state.examples)
         all.push_back(
@@ -23,6 +25,7 @@ void add_files(std::vector<Action>& all, const commands::WorkbenchState& state) 
         all.push_back({"recent/" + path.string(), "Open lately", path.string(), {}, opens(path)});
 }
 
+/// Selects a trial of the open scene.
 void add_trials(std::vector<Action>& all, const commands::WorkbenchState& state) {
     if (!state.scene) return;
     for (std::size_t t = 0; t < state.scene->trials.size(); ++t) {
@@ -36,13 +39,14 @@ void add_trials(std::vector<Action>& all, const commands::WorkbenchState& state)
     }
 }
 
-/// Titles begin with an icon, which nobody types.
+/// Titles begin with an icon, which the user cannot type.
 std::string without_icon(const std::string& title) {
     const auto letter = std::find_if(title.begin(), title.end(),
                                      [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); });
     return {letter, title.end()};
 }
 
+/// Shows a panel below the view. Panels at the side are reached through their task.
 void add_panels(std::vector<Action>& all, const commands::WorkbenchState& state,
                 const std::vector<std::unique_ptr<Panel>>& panels) {
     if (!state.scene) return;
@@ -57,6 +61,7 @@ void add_panels(std::vector<Action>& all, const commands::WorkbenchState& state,
     }
 }
 
+/// Fields that need a run or a diagnosis are listed, but disabled until it exists.
 void add_fields(std::vector<Action>& all, const commands::WorkbenchState& state, const commands::Backend& backend) {
     if (!state.scene) return;
     const auto colours = [](const std::string& field) {

@@ -10,18 +10,21 @@
 namespace myo::ui::panels {
 namespace {
 
-/// Points of a stroke are at least so far apart, in radii: shorter ways have the hand's tremor for a direction.
+/// Minimum distance between points of a stroke, as share of the radius. Closer points would take the tremor of the hand
+/// for a direction.
 constexpr double closest_points = 0.08;
 
+/// The tool needs a mesh prepared for painting and a selected muscle.
 bool can_paint(const commands::WorkbenchState& state) {
     return state.brush.tool != commands::BrushTool::none && state.ground && state.chosen_paint();
 }
 
+/// Ctrl swaps painting and erasing.
 bool erases(const commands::BrushSettings& brush) {
     return (brush.tool == commands::BrushTool::erase) != ImGui::GetIO().KeyCtrl;
 }
 
-/// Rest to deformed at a triangle, in its plane.
+/// Frame of a triangle: two edges and the normal. The quotient of two frames is the deformation in its plane.
 Eigen::Matrix3d frame_of(const viewport::DrawnSurface& surface, const Eigen::Matrix3Xd& positions, int triangle) {
     const auto corner = [&](int k) {
         return Eigen::Vector3d(positions.col(surface.corners[static_cast<std::size_t>(3 * triangle + k)]));
@@ -39,6 +42,7 @@ std::optional<viewport::SurfaceHit> PaintTool::hit_at(const commands::WorkbenchS
                                                       const viewport::DrawnScene& scene,
                                                       const viewport::ViewportState& view,
                                                       const Eigen::Vector2d& pixel) {
+    // While a new mesh replaces the old one, the drawn body is still the old one for a frame.
     if (!state.body || !scene.body || !scene.surface || scene.positions.cols() != state.body->mesh.node_count())
         return std::nullopt;
     return viewport::pick_surface(*scene.surface, scene.positions,
@@ -50,6 +54,7 @@ bool PaintTool::takes(const commands::WorkbenchState& state, const viewport::Dra
     return can_paint(state) && !ImGui::GetIO().KeyShift && hit_at(state, scene, view, pixel).has_value();
 }
 
+/// The revision changes only if something was shown, so that the view is not rendered without need.
 void PaintTool::drop() {
     stroke_.reset();
     ground_.reset();
@@ -60,6 +65,7 @@ void PaintTool::drop() {
 
 void PaintTool::press(PanelContext& context, const viewport::DrawnScene& scene, const Touch& touch) {
     const commands::WorkbenchState& state = context.state;
+    // Fill acts at the press; the other tools begin a stroke.
     if (state.brush.tool != commands::BrushTool::fill) {
         drop();
         ground_ = state.ground;
@@ -74,7 +80,9 @@ void PaintTool::press(PanelContext& context, const viewport::DrawnScene& scene, 
     context.emit(commands::Paint{state.muscle, std::make_shared<const fibre::CellPaint>(std::move(paint)), "fill"});
 }
 
+/// Extends the stroke by the place under the mouse and updates the paint that the view shows.
 void PaintTool::go_on(const commands::WorkbenchState& state, const Touch& touch) {
+    // Points too close to the last one are skipped; see closest_points.
     if (live_ && (touch.rest_m - last_).norm() < closest_points * state.brush.radius_m) return;
     last_ = touch.rest_m;
     stroke_->add(touch.rest_m, touch.outward);
@@ -82,12 +90,14 @@ void PaintTool::go_on(const commands::WorkbenchState& state, const Touch& touch)
     ++revision_;
 }
 
+/// Escape, another mesh and another muscle end a stroke without a result.
 void PaintTool::update(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view) {
     const commands::WorkbenchState& state = context.state;
-    // What was handed over is in the state by now.
+    // The state contains the finished stroke by now, so the tool's copy is no longer needed.
     if (handed_over_ || !can_paint(state) || (stroke_ && (ground_ != state.ground || muscle_ != state.muscle)) ||
         ImGui::IsKeyPressed(ImGuiKey_Escape, false))
         drop();
+    // The view decides who gets the drag; here only its course is followed.
     const bool held = view.tool_held && can_paint(state), pressed = held && !was_held_;
     was_held_ = held;
     std::optional<Touch> touch;
@@ -96,17 +106,22 @@ void PaintTool::update(PanelContext& context, const viewport::DrawnScene& scene,
             const Eigen::Vector3d rest = hit->place(*scene.surface, state.body->mesh.nodes);
             touch = Touch{*hit, hit->triangle / scene.surface->triangles_per_face(), rest,
                           commands::outward_at(*state.ground, rest)};
+            // The normal comes from the body's own surface: that of a voxel face would have one of six directions.
         }
     if (touch) draw_ring(context, scene, view, *touch);
     if (pressed && touch) press(context, scene, *touch);
     if (!stroke_) return;
+    // The mouse may leave the body during a stroke; the stroke then continues where it returns.
     if (held && touch) go_on(state, *touch);
     if (held) return;
+    // The stroke ends: its paint stays visible until the command has changed the state.
     context.emit(commands::Paint{state.muscle, std::make_shared<const fibre::CellPaint>(*live_), "stroke"});
     stroke_.reset();
     handed_over_ = true;
 }
 
+/// Draws the brush as a ring on the body. The ring is computed at rest, where the radius is measured, and deformed with
+/// the triangle under the mouse.
 void PaintTool::draw_ring(const PanelContext& context, const viewport::DrawnScene& scene,
                           const viewport::ViewportState& view, const Touch& touch) const {
     const commands::WorkbenchState& state = context.state;
@@ -132,7 +147,7 @@ void PaintTool::draw_ring(const PanelContext& context, const viewport::DrawnScen
         const ImVec4 color = erases(state.brush) && state.brush.tool != commands::BrushTool::fill
                                  ? theme.failure
                                  : theme.muscle(state.chosen_muscle()->color);
-        // Dark below light: seen on any ground.
+        // Dark below light, so that the ring is visible on any background.
         list.AddPolyline(pixels.data(), points, IM_COL32(0, 0, 0, 160), ImDrawFlags_Closed, 3.5f * theme.scale);
         list.AddPolyline(pixels.data(), points, platform::packed(color), ImDrawFlags_Closed, 1.8f * theme.scale);
     };

@@ -9,49 +9,55 @@
 
 namespace myo::ui::panels {
 
-/// The brush in the 3D view. Strokes begin on the body; a drag that begins beside it turns the view as ever. With Ctrl
-/// held the brush erases, or paints where it would erase.
+/// The brush in the 3D view. A stroke begins on the body; a drag that begins beside the body turns the camera. Ctrl
+/// swaps painting and erasing, Shift leaves the drag to the camera.
 class PaintTool {
 public:
-    /// Whether a press at these pixels of the view is for the brush.
+    /// Whether a press at this pixel of the view (from its upper left corner) belongs to the brush.
     bool takes(const commands::WorkbenchState& state, const viewport::DrawnScene& scene,
                const viewport::ViewportState& view, const Eigen::Vector2d& pixel) const;
 
-    /// After the view: goes on with the stroke, draws the ring at the mouse, and hands a finished stroke over.
+    /// Continues the stroke, draws the ring at the mouse, and emits the paint of a finished stroke. Call it after
+    /// draw_viewport(), within the view's window.
     void update(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view);
 
-    /// Paint of the chosen muscle with the stroke so far; null between strokes.
+    /// Paint of the selected muscle including the present stroke; null between strokes. Valid until the next update().
     const fibre::CellPaint* live() const { return live_ ? &*live_ : nullptr; }
-    /// Another number whenever live() is another paint.
+    /// Changes whenever the paint of live() does, so that the view is drawn again.
     int revision() const { return revision_; }
 
 private:
-    /// A place on the body below the mouse.
+    /// The point of the body under the mouse.
     struct Touch {
-        viewport::SurfaceHit hit;
-        int face = 0;             // of those drawn
-        Eigen::Vector3d rest_m;   // at rest
-        Eigen::Vector3d outward;  // there
+        viewport::SurfaceHit hit;  // on the drawn surface
+        int face = 0;              // index in the drawn boundary
+        Eigen::Vector3d rest_m;    // position at rest [m]
+        Eigen::Vector3d outward;   // outward unit normal at rest
     };
+    /// The drawn triangle under a pixel; empty beside the body or without a mesh.
     static std::optional<viewport::SurfaceHit> hit_at(const commands::WorkbenchState& state,
                                                       const viewport::DrawnScene& scene,
                                                       const viewport::ViewportState& view,
                                                       const Eigen::Vector2d& pixel);
 
+    /// The left button went down on the body.
     void press(PanelContext& context, const viewport::DrawnScene& scene, const Touch& touch);
+    /// The left button is held with the mouse on the body.
     void go_on(const commands::WorkbenchState& state, const Touch& touch);
+    /// Drops stroke and paint without emitting anything.
     void drop();
+    /// Draws the brush at the mouse, deformed with the body.
     void draw_ring(const PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view,
                    const Touch& touch) const;
 
-    bool was_held_ = false;
-    bool handed_over_ = false;                             // the stroke, in the last frame
+    bool was_held_ = false;                                // the button was held in the last frame
+    bool handed_over_ = false;                             // the finished stroke was emitted in the last frame
     std::shared_ptr<const commands::PaintGround> ground_;  // of the stroke
-    int muscle_ = 0;                                       // of the stroke
-    std::unique_ptr<fibre::Stroke> stroke_;
-    Eigen::Vector3d last_ = Eigen::Vector3d::Zero();  // place of its last point at rest [m]
-    std::optional<fibre::CellPaint> live_;
-    int revision_ = 0;
+    int muscle_ = 0;                                       // index of the stroke's muscle
+    std::unique_ptr<fibre::Stroke> stroke_;                // null: no stroke
+    Eigen::Vector3d last_ = Eigen::Vector3d::Zero();       // last point of the stroke at rest [m]
+    std::optional<fibre::CellPaint> live_;                 // see live()
+    int revision_ = 0;                                     // see revision()
 };
 
 }  // namespace myo::ui::panels

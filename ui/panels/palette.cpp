@@ -17,6 +17,7 @@ namespace myo::ui::panels {
 std::vector<const Action*> matching_actions(const std::string& text, const std::vector<Action>& actions) {
     std::vector<std::string> words;
     std::istringstream stream(lower_case(text));
+    // Each word must occur somewhere, so that "theme light" finds the same as "light theme".
     for (std::string word; stream >> word;) words.push_back(word);
     std::vector<const Action*> found;
     for (const Action& action : actions) {
@@ -34,6 +35,7 @@ void Palette::open() {
     chosen_ = 0;
 }
 
+/// The list is filtered in each frame; arrow keys move the highlight, Enter or a click executes the entry.
 void Palette::draw(PanelContext& context, viewport::ViewportState& viewport,
                    const std::vector<std::unique_ptr<Panel>>& panels) {
     const platform::Theme& theme = context.theme;
@@ -42,6 +44,7 @@ void Palette::draw(PanelContext& context, viewport::ViewportState& viewport,
     wanted_ = false;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0.5f * display.x, 72.0f * s}, ImGuiCond_Always, {0.5f, 0.0f});
+    // In a popup: a click elsewhere closes the palette.
     ImGui::SetNextWindowSize({std::min(560.0f * s, display.x - 40.0f), std::min(420.0f * s, display.y - 120.0f * s)});
     if (!ImGui::BeginPopup("palette")) return;
     if (focus_) ImGui::SetKeyboardFocusHere();
@@ -49,11 +52,14 @@ void Palette::draw(PanelContext& context, viewport::ViewportState& viewport,
     ImGui::SetNextItemWidth(-1.0f);
     if (ImGui::InputTextWithHint("##command", "Find a command, file, trial, panel or quantity", &text_)) chosen_ = 0;
     context.items.mark("palette/text");
+    // Commands first, then files, trials, panels and fields.
     const std::vector<Action> offered = offered_actions(context.state, context.backend, panels);
     std::vector<const Action*> found = matching_actions(text_, all_actions());
     for (const Action* action : matching_actions(text_, offered)) found.push_back(action);
+    // The text field keeps the keyboard, so the arrow keys are read here.
     if (ImGui::IsKeyPressed(ImGuiKey_DownArrow)) ++chosen_;
     if (ImGui::IsKeyPressed(ImGuiKey_UpArrow)) --chosen_;
+    // Typing shortens the list, so the highlight may lie beyond its end.
     chosen_ = std::clamp(chosen_, 0, std::max(0, static_cast<int>(found.size()) - 1));
     const Action* wanted = nullptr;
     ImGui::BeginChild("found");
@@ -67,6 +73,7 @@ void Palette::draw(PanelContext& context, viewport::ViewportState& viewport,
         if (ImGui::Selectable(elided(action.menu + ": " + action.label, room).c_str(), i == chosen_)) wanted = &action;
         ImGui::EndDisabled();
         context.items.mark("palette/" + action.id);
+        // Scroll only for the keys: the mouse wheel must be able to move the list.
         if (i == chosen_ && (ImGui::IsKeyPressed(ImGuiKey_DownArrow) || ImGui::IsKeyPressed(ImGuiKey_UpArrow)))
             ImGui::SetScrollHereY();
         ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(action.shortcut.label).x);
@@ -77,6 +84,7 @@ void Palette::draw(PanelContext& context, viewport::ViewportState& viewport,
             wanted = &action;
     }
     ImGui::EndChild();
+    // After the loop, as an action may change what the loop reads.
     if (wanted) wanted->perform(context, viewport);
     if (wanted || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();

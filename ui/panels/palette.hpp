@@ -6,21 +6,25 @@
 
 namespace myo::ui::panels {
 
-/// Finds a command, or anything else that can be shown, by a part of its name, and performs it.
+/// Command palette: finds actions, files, trials, panels and fields by parts of their names, and executes the selected
+/// one.
 class Palette {
 public:
+    /// Opens the palette in the next draw().
     void open();
+    /// Draws the palette while it is open. A selected action is executed within this call.
     void draw(PanelContext& context, viewport::ViewportState& viewport,
               const std::vector<std::unique_ptr<Panel>>& panels);
 
 private:
-    bool wanted_ = false;
-    bool focus_ = false;
-    std::string text_;
-    int chosen_ = 0;
+    bool wanted_ = false;  // open the popup in the next frame
+    bool focus_ = false;   // the text field gets the keyboard in the next frame
+    std::string text_;     // text of the search field
+    int chosen_ = 0;       // index of the highlighted entry
 };
 
-/// Those whose menu and label hold all words of the text, in any case and order.
+/// Actions whose menu and label contain all words of the text, in any case and order. An empty text matches all. The
+/// pointers refer to `actions`.
 std::vector<const Action*> matching_actions(const std::string& text, const std::vector<Action>& actions);
 
 }  // namespace myo::ui::panels

@@ -17,71 +17,82 @@ namespace myo::ui::panels {
 
 struct PanelContext;
 
-/// A file or folder to be chosen.
+/// A request to choose a file or a folder. See file_dialogs.hpp for the dialogs in use.
 struct FileDialog {
-    std::string title;                 // "Open an experiment folder, a mesh or a project"
-    std::string button;                // "Open"
-    std::vector<std::string> endings;  // of the files that are listed, in small letters; empty: all. A new file gets
-                                       // the first, unless it has one
-    bool experiments = false;          // folders with an experiment.toml can be chosen
-    bool folders = false;              // any folder can be chosen
-    std::filesystem::path start;       // a folder, or a file in it; empty: the working folder
-    std::string new_name;              // of a file to be written; empty: one that exists is chosen
+    std::string title;   // title of the dialog: "Open an experiment folder, a mesh or a project"
+    std::string button;  // label of its button: "Open"
+    // extensions of listed files, in lower case; empty: all. A new file gets the first one
+    std::vector<std::string> endings;
+    bool experiments = false;     // folders with an experiment.toml can be chosen
+    bool folders = false;         // any folder can be chosen
+    std::filesystem::path start;  // a folder, or a file in it; empty: the working folder
+    std::string new_name;         // proposed name of a file to write; empty: an existing one is chosen
+    // Called within a frame with the chosen path; emits the command.
     std::function<void(PanelContext&, const std::filesystem::path&)> chosen;
+    // Called if the user cancels; may be empty.
     std::function<void(PanelContext&)> given_up = {};
 };
 
-/// A part of the window that is to become a picture.
+/// A part of the window to be saved as an image.
 struct WindowPart {
-    std::filesystem::path path;
-    platform::Rectangle pixels;
+    std::filesystem::path path;  // file to write
+    platform::Rectangle pixels;  // in the window
 };
 
-/// What a panel asks of the window itself.
+/// Requests of panels to the window itself: dialogs, panels to show, images to write. Filled during a frame and
+/// executed at its end.
 struct WindowRequests {
-    std::optional<FileDialog> file;
-    std::optional<commands::Step> step;     // to be shown
-    std::string panel;                      // to be brought to the front, by its name
-    std::optional<PictureRequest> picture;  // of the 3D view
-    std::optional<WindowPart> part;         // of the window as it is seen without dialogs
-    bool save_view = false;                 // the dialog that asks what of the view to save
-    bool palette = false;
-    bool about = false;
-    bool clear_distances = false;
+    std::optional<FileDialog> file;         // dialog to open
+    std::optional<commands::Step> step;     // task to show
+    std::string panel;                      // name of a panel to show
+    std::optional<PictureRequest> picture;  // image or video of the 3D view to write
+    std::optional<WindowPart> part;         // part of the window to write, without dialogs in front
+    bool save_view = false;                 // open the dialog for images of the view
+    bool palette = false;                   // open the command palette
+    bool about = false;                     // open the dialog with version and licences
+    bool clear_distances = false;           // remove all measured distances
 };
 
-/// What a panel gets each frame: a view of the workbench, and a list to put commands into.
+/// What a panel gets in each frame: the state of the workbench to read, and lists for its commands and requests. All
+/// references are valid during the call only.
 struct PanelContext {
-    const commands::WorkbenchState& state;
-    const platform::Theme& theme;
-    platform::ItemRectangles& items;
+    const commands::WorkbenchState& state;  // of this frame; does not change while it is drawn
+    const platform::Theme& theme;           // colours, fonts and scale
+    platform::ItemRectangles& items;        // to record items for tests
+    // Executed after the frame, in this order.
     std::vector<commands::Command>& commands;
-    const commands::Backend& backend;  // its quick functions only
-    WindowRequests& window;
-    const fibre::CellPaint* live_paint = nullptr;  // of the chosen muscle while a stroke goes on
-    std::optional<std::array<double, 2>> field_range =
-        {};  // of the colours that are shown, in the unit of their legend
+    const commands::Backend& backend;              // only its quick functions may be called
+    WindowRequests& window;                        // requests to the window
+    const fibre::CellPaint* live_paint = nullptr;  // paint of the selected muscle during a stroke; null otherwise
+    // Range of the colours that are shown, in the unit of the legend; empty: no field is shown.
+    std::optional<std::array<double, 2>> field_range = {};
 
+    /// Appends a command.
     void emit(commands::Command command) { commands.push_back(std::move(command)); }
 };
 
-enum class PanelPlace { side, strip };  // left of the view, below it
+enum class PanelPlace { side, strip };  // left of the 3D view; below it, as one of the tabs
 
-/// One part of the workbench. It may keep how it looks (a text being typed, a zoom), nothing else.
+/// A panel of the workbench. It draws itself with ImGui and emits commands; it may keep its own display state (a text
+/// being typed, a zoom), but no data of the model.
+///
+/// To add one: a class in a file of its own, and a line in all.cpp.
 class Panel {
 public:
     virtual ~Panel() = default;
-    virtual std::string name() const = 0;   // one word, also used by the command line
-    virtual std::string title() const = 0;  // may start with an icon
+    virtual std::string name() const = 0;   // unique word, also used by the command line
+    virtual std::string title() const = 0;  // shown; may start with an icon
     virtual PanelPlace place() const = 0;
-    /// At the side: the step under which it is found. In the strip: the step that brings it to the front, if any.
+    /// Panels at the side: the task under which they are shown. Panels below the view: the task that brings them to the
+    /// front, if any.
     virtual std::optional<commands::Step> step() const { return std::nullopt; }
-    /// Whether it has anything to show or to ask; else it is not there.
+    /// Whether the panel is available in this state. It disappears otherwise.
     virtual bool offered(const commands::WorkbenchState&) const { return true; }
+    /// Draws the panel into the current ImGui window. Called on the UI thread, only if offered() is true.
     virtual void draw(PanelContext& context) = 0;
 };
 
-/// All panels in the order in which they appear.
+/// Creates all panels, in the order in which they appear.
 std::vector<std::unique_ptr<Panel>> all_panels();
 
 }  // namespace myo::ui::panels

@@ -11,14 +11,15 @@
 namespace myo::ui::panels {
 namespace {
 
-constexpr int least_side = 64, greatest_side = 8192;
-constexpr int most_pictures = 20000;
+constexpr int least_side = 64, greatest_side = 8192;  // of an image [pixels]
+constexpr int most_pictures = 20000;                  // limit for a sequence
 
 }  // namespace
 
 void PictureDialog::open(const commands::WorkbenchState& state, const viewport::ViewSize& view) {
     open_ = true;
     view_ = view;
+    // The dialog starts with the present trial; other choices are kept from the last time.
     const std::array<double, 2> span = commands::time_span(state);
     request_.from_s = std::max(0.0, span[0]);
     request_.to_s = span[1];
@@ -27,6 +28,7 @@ void PictureDialog::open(const commands::WorkbenchState& state, const viewport::
     if (size_ == "view") request_.width = view.width, request_.height = view.height;
 }
 
+/// The fixed sizes are common for slides and videos. Other sizes are typed.
 void PictureDialog::draw_size(PanelContext& context) {
     const std::vector<commands::Choice> sizes{{"view", "As the view is", ""},
                                               {"1600x900", "1600 \xc3\x97 900", ""},
@@ -38,8 +40,10 @@ void PictureDialog::draw_size(PanelContext& context) {
         if (size_ == "view")
             request_.width = view_.width, request_.height = view_.height;
         else if (size_ != "other")
+            // The ids of the fixed sizes contain them.
             std::sscanf(size_.c_str(), "%dx%d", &request_.width, &request_.height);
     }
+    // The fields always show the size; only "Other" allows to edit it.
     ImGui::BeginDisabled(size_ != "other");
     for (const auto& [label, item, side] : {std::tuple{"Width", "picture/width", &request_.width},
                                             std::tuple{"Height", "picture/height", &request_.height}}) {
@@ -73,6 +77,7 @@ void PictureDialog::draw_time(PanelContext& context) {
                    edit_, *request_.time_s, goes_on);
 }
 
+/// The number of images is shown, so that the user can judge how long the writing takes.
 void PictureDialog::draw_motion(PanelContext& context) {
     const std::array<double, 2> span = commands::time_span(context.state);
     bool goes_on = false;
@@ -87,12 +92,14 @@ void PictureDialog::draw_motion(PanelContext& context) {
                 {request_.from_s, std::max(request_.from_s, span[1])},
                 1e-2},
                edit_, request_.to_s, goes_on);
+    // Changing the first time may pass the last one.
     request_.to_s = std::max(request_.to_s, request_.from_s);
     number_row(context, {"Rate", "picture/rate", "1/s", "Pictures in a second of the film", 1.0, {1.0, 240.0}, 1.0},
                edit_, request_.rate_Hz, goes_on);
     number_row(context,
                {"Speed", "picture/speed", "\xc3\x97", "Of the film against real time", 1.0, {0.01, 10.0}, 0.01}, edit_,
                request_.speed, goes_on);
+    // A copy: the number of images depends on what is selected now.
     PictureRequest moving = request_;
     moving.moves = true;
     const int count = picture_count(moving);
@@ -100,6 +107,7 @@ void PictureDialog::draw_motion(PanelContext& context) {
              count > most_pictures ? &context.theme.failure : nullptr);
 }
 
+/// Closes itself before the file browser opens, as only one modal dialog can be in front.
 void PictureDialog::draw(PanelContext& context) {
     if (!open_ || !context.state.scene) return;
     if (!begin_dialog(context.theme, "Save the 3D view", 420.0f)) return;
@@ -108,6 +116,7 @@ void PictureDialog::draw(PanelContext& context) {
         const char* label;
         const char* item;
     };
+    // Checked in each frame, so that a newly installed ffmpeg is found.
     const bool films = platform::can_write_films();
     for (const Tab& t :
          {Tab{Kind::picture, "Picture", "picture/one"}, Tab{Kind::frames, "Numbered pictures", "picture/frames"},
@@ -128,10 +137,11 @@ void PictureDialog::draw(PanelContext& context) {
     request_.moves = kind_ != Kind::picture;
     ImGui::Spacing();
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+    // The row of the number of images explains why.
     ImGui::BeginDisabled(picture_count(request_) > most_pictures);
     if (primary_button(context.theme, "Where\xe2\x80\xa6", {width, 0.0f})) {
         PictureRequest asked = request_;
-        // H.264 wants even sides.
+        // H.264 requires even sides.
         if (kind_ == Kind::film) asked.width -= asked.width % 2, asked.height -= asked.height % 2;
         context.window.file = picture_dialog(asked, kind_ == Kind::picture  ? "picture.png"
                                                     : kind_ == Kind::frames ? "frames"

@@ -6,25 +6,30 @@
 
 namespace myo::ui::panels {
 
-/// What is to be drawn into files, and how large; the file browser then asks where.
+/// Dialog for saving the 3D view: kind of output, size and times. The file browser then asks for the name.
 class PictureDialog {
 public:
+    /// Opens the dialog. `view` is the present size of the view, the default for the size of images.
     void open(const commands::WorkbenchState& state, const viewport::ViewSize& view);
+    /// Draws the dialog while it is open.
     void draw(PanelContext& context);
 
 private:
-    enum class Kind { picture, frames, film };
+    enum class Kind { picture, frames, film };  // one image, numbered images, or a video
 
+    /// Rows for the size of the image [pixels] and the annotations.
     void draw_size(PanelContext& context);
+    /// Row for the time of a single image.
     void draw_time(PanelContext& context);
+    /// Rows for the motion: range of times, rate and speed.
     void draw_motion(PanelContext& context);
 
-    bool open_ = false;
-    Kind kind_ = Kind::picture;
-    std::string size_ = "view";
-    viewport::ViewSize view_;
-    PictureRequest request_;
-    OpenEdit edit_;
+    bool open_ = false;          // the dialog is shown
+    Kind kind_ = Kind::picture;  // selected kind of output
+    std::string size_ = "view";  // id of the selected size
+    viewport::ViewSize view_;    // size of the view when the dialog was opened
+    PictureRequest request_;     // as edited
+    OpenEdit edit_;              // drag in progress
 };
 
 }  // namespace myo::ui::panels

@@ -5,19 +5,19 @@
 
 namespace myo::ui::panels {
 
-/// The 3D view as a picture, or as pictures one after the other.
+/// A request for an image of the 3D view, or for a sequence of images of the motion.
 struct PictureRequest {
-    std::filesystem::path path;
-    int width = 0, height = 0;          // [pixels]; 0: as the view is
-    bool overlay = true;                // with legend, scale bar, axes, names, distances and the time
-    std::optional<double> time_s = {};  // of one picture; empty: as shown when it is drawn
-    bool moves = false;                 // a film (.mp4) or numbered pictures of the motion, else one picture of now
-    double rate_Hz = 30.0;              // pictures in a second of the film
-    double speed = 1.0;                 // of the film against real time
-    double from_s = 0.0, to_s = 0.0;
+    std::filesystem::path path;         // file or folder to write
+    int width = 0, height = 0;          // [pixels]; 0: the size of the view
+    bool overlay = true;                // draws legend, scale bars, axes, names, distances and time
+    std::optional<double> time_s = {};  // time of a single image; empty: the shown time
+    bool moves = false;                 // sequence: a video (.mp4) or numbered images; otherwise a single image
+    double rate_Hz = 30.0;              // images per second of the video
+    double speed = 1.0;                 // of the video relative to real time
+    double from_s = 0.0, to_s = 0.0;    // first and last time of a sequence
 };
 
-/// Pictures of it: both ends included.
+/// Number of images of a request, both ends included. 1 for a single image.
 inline int picture_count(const PictureRequest& request) {
     return request.moves
                ? 1 + static_cast<int>((request.to_s - request.from_s) * request.rate_Hz / request.speed + 1e-9)

@@ -8,7 +8,9 @@
 namespace myo::ui::panels {
 namespace {
 
-/// The next label that was not clicked yet, from `label` on and round; `label` itself when all were.
+/// The next label after `label`, cyclically, that is not assigned yet; `label` itself if all are.
+///
+/// @param plain  a mesh without declared markers: labels need a position, not a marker
 int next_open(const commands::ImportChoices& choices, int label, bool plain) {
     const int count = static_cast<int>(choices.markers.size());
     for (int step = 1; step < count; ++step) {
@@ -19,7 +21,7 @@ int next_open(const commands::ImportChoices& choices, int label, bool plain) {
     return label;
 }
 
-/// Makes the chosen label the declared marker under the mouse. False where there is none.
+/// Assigns the declared marker under the mouse to the selected label. Returns false if there is none.
 bool assign_clicked(const PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view,
                     commands::ImportChoices& choices) {
     const commands::RecordingImport& import = *context.state.import;
@@ -31,10 +33,11 @@ bool assign_clicked(const PanelContext& context, const viewport::DrawnScene& sce
     return picked.has_value();
 }
 
-/// Puts the chosen label on the body under the mouse. False beside it.
+/// Places the selected label on the body under the mouse. Returns false if the mouse is beside it.
 bool place_clicked(const PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view,
                    commands::ImportChoices& choices) {
     const commands::RecordingImport& import = *context.state.import;
+    // reach 0: only the body
     const auto place = commands::pick_place(context.state, scene, view.camera, view.size(), view.mouse, 0.0);
     if (!place || place->marker >= 0) return false;
     const auto label = static_cast<std::size_t>(import.label);
@@ -46,6 +49,7 @@ bool place_clicked(const PanelContext& context, const viewport::DrawnScene& scen
 
 }  // namespace
 
+// The tool is active only while the import asks for it, so it has no state of its own.
 bool update_placing(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view) {
     const commands::WorkbenchState& state = context.state;
     if (!state.import || !state.import->placing || !state.body) return false;
@@ -54,6 +58,7 @@ bool update_placing(PanelContext& context, const viewport::DrawnScene& scene, co
     const bool plain = import.declared.empty();
     if (escape_pressed()) context.emit(commands::ChooseLabel{import.label, false});
     if (view.clicked) {
+        // A click that hits nothing leaves everything as it is. A hit continues with the next label.
         commands::ImportChoices choices = import.choices;
         if (plain ? place_clicked(context, scene, view, choices) : assign_clicked(context, scene, view, choices)) {
             context.emit(commands::ChangeImport{choices});

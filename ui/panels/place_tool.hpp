@@ -5,8 +5,9 @@
 
 namespace myo::ui::panels {
 
-/// While labels of a recording are being placed, a click says which of the experiment's markers the chosen one is; on a
-/// plain mesh, where on the body it sits. After the view; true while clicks are for it.
+/// Handles clicks in the view while labels of a recording are placed: a click assigns a declared marker to the selected
+/// label, or on a plain mesh its position on the body. Call it after the view. Returns true while clicks belong to this
+/// tool.
 bool update_placing(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view);
 
 }  // namespace myo::ui::panels

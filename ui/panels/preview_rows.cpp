@@ -25,10 +25,12 @@ void draw_preview_rows(PanelContext& context, OpenEdit& edit) {
         1.0,
         {0.01, 1e3},
         0.01};
+    // The shown length is limited by the trial; the emitted one is what the user typed.
     double length = commands::preview_length_s(state);
     bool goes_on = false;
     if (number_row(context, field, edit, length, goes_on)) context.emit(commands::ChangePreview{true, length});
     const commands::LivePreview& preview = state.preview;
+    // A run may fail to start, or end early with frames up to the failure.
     const bool failed = !preview.problem.empty() || (preview.run && !preview.run->problem.empty());
     if (failed)
         notice(context.theme, commands::LogLevel::warning, commands::preview_text(state));

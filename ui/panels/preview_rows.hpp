@@ -4,8 +4,10 @@
 
 namespace myo::ui::panels {
 
-/// Switch, length and state of the live preview, for the steps in which values are tuned. @param edit  of the length's
-/// field
+/// Draws switch, length and state of the live preview, in the panels in which values are adjusted. Draws nothing if no
+/// scene is open.
+///
+/// @param edit  drag in progress in the length field
 void draw_preview_rows(PanelContext& context, OpenEdit& edit);
 
 }  // namespace myo::ui::panels

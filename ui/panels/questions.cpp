@@ -8,7 +8,7 @@
 namespace myo::ui::panels {
 namespace {
 
-/// One of several buttons side by side.
+/// Buttons of equal width next to each other.
 class ButtonRow {
 public:
     ButtonRow(PanelContext& context, int count)
@@ -31,6 +31,7 @@ private:
     bool first_ = true;
 };
 
+// Each question: a dialog whose answer is emitted as a command; the state then no longer asks.
 void ask_unit(PanelContext& context) {
     if (!begin_dialog(context.theme, "Unit of the file", 400.0f)) return;
     wrapped_text(context.state.unit_question->filename().string() +
@@ -48,6 +49,7 @@ void ask_unit(PanelContext& context) {
     ImGui::EndPopup();
 }
 
+/// The dialog for the file name takes its place while a project without a name is being saved.
 void ask_unsaved(PanelContext& context) {
     if (!begin_dialog(context.theme, "Unsaved changes", 440.0f)) return;
     const std::string name = context.state.project.empty() ? context.state.scene->name
@@ -66,8 +68,10 @@ void ask_unsaved(PanelContext& context) {
     ImGui::EndPopup();
 }
 
+// Also used to find out whether the dialog is open.
 constexpr const char* stop_title = "A job is still running";
 
+/// The default is to keep the job running, as its results would be lost.
 void ask_to_stop(PanelContext& context) {
     if (!begin_dialog(context.theme, stop_title, 440.0f)) return;
     const std::string name = context.state.job ? context.state.job->name : "A job";
@@ -79,11 +83,12 @@ void ask_to_stop(PanelContext& context) {
     if (row.add("Stop it and quit", "stop/quit")) stops = true;
     if (row.add("Keep running", "stop/keep", true)) stops = false;
     if (stops) context.emit(commands::AnswerStop{*stops});
-    // It may have ended meanwhile.
+    // The job may have ended while the dialog was open.
     if (stops || !context.state.asks_to_stop) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 
+/// One recovery file after the other, the newest first.
 void ask_recovery(PanelContext& context) {
     if (!begin_dialog(context.theme, "Unsaved work was found", 480.0f)) return;
     const std::size_t count = context.state.recovered.size();
@@ -111,6 +116,7 @@ void ask_recovery(PanelContext& context) {
 }  // namespace
 
 void draw_questions(PanelContext& context) {
+    // One question at a time. Recovered work comes first, as it decides whether anything else is opened.
     const commands::WorkbenchState& state = context.state;
     if (!state.recovered.empty())
         ask_recovery(context);

@@ -4,8 +4,8 @@
 
 namespace myo::ui::panels {
 
-/// What the workbench wants to know before it goes on: the unit of a mesh, what is to become of unsaved changes, and of
-/// work that was found unsaved.
+/// Draws the question that the workbench has to ask before it continues, if any: what to do with recovered work, the
+/// unit of a mesh file, unsaved changes, or a running job when the window closes.
 void draw_questions(PanelContext& context);
 
 }  // namespace myo::ui::panels

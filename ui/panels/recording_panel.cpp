@@ -12,6 +12,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Intervals in which a marker was seen [s]. Each sample covers half a sample interval on both sides.
 std::vector<std::pair<double, double>> seen_spans(const Eigen::VectorXd& time_s, const Eigen::Matrix3Xd& track) {
     std::vector<std::pair<double, double>> spans;
     const double half = time_s.size() > 1 ? 0.5 * (time_s[1] - time_s[0]) : 0.0;
@@ -29,12 +30,14 @@ std::vector<std::pair<double, double>> seen_spans(const Eigen::VectorXd& time_s,
 
 std::string RecordingPanel::title() const { return std::string(platform::icon::camera) + "  Recording"; }
 
+/// Three plots in the upper part, the gaps of all labels below. A click on a row of the gaps selects its label.
 void RecordingPanel::draw(PanelContext& context) {
     if (!context.state.import)
         return muted_text(context.theme, "A recording that is being imported is looked at here.");
     const commands::RecordingImport& import = *context.state.import;
     const measurement::Recording& recording = *import.file.recording;
     const platform::Theme& theme = context.theme;
+    // Another file, or the same one read with another unit.
     if (recording_ != import.file.recording) {
         recording_ = import.file.recording;
         seen_.clear();
@@ -43,6 +46,7 @@ void RecordingPanel::draw(PanelContext& context) {
         plots_ = {};
     }
     const auto label = static_cast<std::size_t>(import.label);
+    // Shown in the body's frame, as placed by the import choices.
     const Eigen::Matrix3Xd track = 1e3 * ((import.view.rotation * recording.tracks[label]).colwise() +
                                           import.view.translation_m);
     const ImVec2 space = ImGui::GetContentRegionAvail();
@@ -64,15 +68,18 @@ void RecordingPanel::draw(PanelContext& context) {
         if (axis == 0) area = drawn.area;
         if (!drawn.cursor) continue;
         commands::ImportChoices choices = import.choices;
+        // Dragging the cursor line changes the start of the trial.
         choices.start_s = std::clamp(*drawn.cursor, recording.time_s[0], recording.time_s[recording.time_s.size() - 1]);
         context.emit(commands::ChangeImport{choices});
     }
+    // A child window clips rows that do not fit.
     ImGui::BeginChild("gaps", {space.x, gaps}, false,
                       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     draw_gaps(context, area, row);
     ImGui::EndChild();
 }
 
+/// Draws one row per label with the intervals in which it was seen, aligned with the first plot's time axis.
 void RecordingPanel::draw_gaps(PanelContext& context, const plot::PlotArea& area, float height) {
     const commands::RecordingImport& import = *context.state.import;
     const platform::Theme& theme = context.theme;
@@ -100,7 +107,7 @@ void RecordingPanel::draw_gaps(PanelContext& context, const plot::PlotArea& area
                            " % of the samples");
         ImGui::PopID();
         const bool chosen = static_cast<int>(i) == import.label;
-        // Where rows are lower than letters only the chosen one has its name.
+        // If rows are lower than letters, only the selected one has its name.
         if (height >= 0.95f * theme.small->FontSize || chosen) {
             const std::string name = elided(label, names - 8.0f * theme.scale);
             list.AddText(theme.small, theme.small->FontSize, {corner.x, y + 0.5f * (height - theme.small->FontSize)},

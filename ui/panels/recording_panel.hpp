@@ -10,8 +10,8 @@
 
 namespace myo::ui::panels {
 
-/// The recording that is being imported: the coordinates of a label over the file's time, and what the cameras saw of
-/// each.
+/// Shows the recording that is being imported: the coordinates of the selected label over the file's time, and the gaps
+/// of all labels.
 class RecordingPanel : public Panel {
 public:
     std::string name() const override { return "recording"; }
@@ -21,13 +21,15 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    /// @param area  of the first plot, for the time axis
+    /// @param height  of a row [pixels]
     void draw_gaps(PanelContext& context, const plot::PlotArea& area, float height);
 
-    std::shared_ptr<const measurement::Recording> recording_;   // of the curves and gaps below
-    std::vector<std::vector<std::pair<double, double>>> seen_;  // per label, when it was seen [s]
-    plot::LinkedAxis time_;
-    std::array<plot::PlotState, 3> plots_;
-    plot::HiddenSeries hidden_;
+    std::shared_ptr<const measurement::Recording> recording_;   // of seen_ and the zoom
+    std::vector<std::vector<std::pair<double, double>>> seen_;  // per label, intervals in which it was seen [s]
+    plot::LinkedAxis time_;                                     // time axis of the three plots
+    std::array<plot::PlotState, 3> plots_;                      // zoom of the plots of x, y and z
+    plot::HiddenSeries hidden_;                                 // curves switched off in the legend
 };
 
 }  // namespace myo::ui::panels

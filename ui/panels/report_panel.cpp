@@ -11,7 +11,8 @@
 namespace myo::ui::panels {
 namespace {
 
-/// Beside the project, else below the working folder: results must not lie among measurements.
+/// Proposed folder: next to the project, otherwise below the working folder. Results must not be mixed with
+/// measurements.
 std::string proposed_folder(const commands::WorkbenchState& state) {
     std::error_code ignored;
     const std::filesystem::path home = state.project.empty() ? std::filesystem::current_path(ignored) / "out"
@@ -23,12 +24,14 @@ std::string proposed_folder(const commands::WorkbenchState& state) {
 
 }  // namespace
 
+/// Lists what will be written and what each part requires, so that a missing page is no surprise.
 void ReportPanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
     if (!state.scene || !state.run)
         return muted_text(theme,
                           "Run, calibrate or diagnose first: then pages, tables and a picture of it can be written.");
+    // An edited folder is kept until another scene is opened.
     if (scene_ != state.scene) folder_ = proposed_folder(state);
     scene_ = state.scene;
     muted_text(theme, "Folder");
@@ -50,6 +53,7 @@ void ReportPanel::draw(PanelContext& context) {
     ImGui::Spacing();
     muted_text(theme, "What will be written");
     const auto row = [&](bool there, const std::string& file, const std::string& what,
+                         // Each row names a file that will be written, with the checks of what it contains.
                          const commands::CheckRows& checks = {}) {
         const commands::CheckState worst = commands::worst_state(checks);
         const std::string doubts = worst == commands::CheckState::green ? ""
@@ -68,6 +72,7 @@ void ReportPanel::draw(PanelContext& context) {
     ImGui::Spacing();
     ImGui::BeginDisabled(folder_.empty());
     if (primary_button(theme, "Write the report", {-1.0f, 0.0f})) {
+        // The pages are written by the workbench, the image by the window, which owns the view.
         context.emit(commands::WriteReport{folder_});
         context.window.picture = PictureRequest{std::filesystem::path(folder_) / "picture.png"};
     }

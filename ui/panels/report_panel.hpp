@@ -6,7 +6,7 @@
 
 namespace myo::ui::panels {
 
-/// Writes what was found into a folder: pages, tables, a picture.
+/// Writes the results into a folder: pages, tables and an image.
 class ReportPanel : public Panel {
 public:
     std::string name() const override { return "report"; }
@@ -16,8 +16,8 @@ public:
     void draw(PanelContext& context) override;
 
 private:
-    std::string folder_;
-    std::shared_ptr<const commands::Scene> scene_;  // for which the folder was proposed
+    std::string folder_;                            // as edited; empty: nothing can be written
+    std::shared_ptr<const commands::Scene> scene_;  // scene for which the folder was proposed
 };
 
 }  // namespace myo::ui::panels

@@ -14,6 +14,7 @@
 
 namespace myo::ui::panels {
 
+/// The result itself; the controls are at the foot of the side panel.
 void RunPanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     if (!state.run) {
@@ -35,6 +36,7 @@ void RunPanel::draw(PanelContext& context) {
 
 namespace {
 
+/// Name, progress and time of the running job, with buttons to pause and cancel it.
 void draw_progress(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -52,7 +54,7 @@ void draw_progress(PanelContext& context) {
     const std::string text = counted + between + job.progress.message;
     muted_text(theme, text.empty() ? " "
                                    : elided_lines(text, ImGui::GetContentRegionAvail().x,
-                                                  1));  // the buttons below stay where they are
+                                                  1));  // the buttons below must not move
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - spacing);
     ImGui::BeginDisabled(job.cancelling);
     if (ImGui::Button((std::string(job.paused ? platform::icon::play : platform::icon::pause) +
@@ -70,11 +72,14 @@ void draw_progress(PanelContext& context) {
 
 }  // namespace
 
+/// From top to bottom: progress of the running job, a warning if the motion would be unstable, and the buttons. Run and
+/// Calibrate can also be pressed while a job runs; the request then waits.
 void draw_run_controls(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
     if (state.job) draw_progress(context);
+    // Shown before the run is started: the motion would grow without end.
     if (state.is_unstable()) {
         const std::string scheme = state.integrator()->label, first = state.integrators.front().label;
         notice(theme, commands::LogLevel::warning,
@@ -87,9 +92,11 @@ void draw_run_controls(PanelContext& context) {
     }
     const bool can_calibrate = state.scene && !state.scene->calibrated.empty();
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - spacing);
+    // The tooltips say that a request will wait.
     const std::string later = state.job ? "Waits until " + state.job->name + " has ended." : "";
     ImGui::BeginDisabled(!state.scene);
     const std::string run_label = std::string(platform::icon::play) + "  Run";
+    // While a job runs, Run queues another one; then it is not the main action.
     if (state.job ? ImGui::Button(run_label.c_str(), {width, 0.0f}) : primary_button(theme, run_label, {width, 0.0f}))
         context.emit(commands::Run{});
     context.items.mark("run/run");
@@ -102,6 +109,7 @@ void draw_run_controls(PanelContext& context) {
     context.items.mark("run/calibrate");
     ImGui::EndDisabled();
     if (!can_calibrate) return;
+    // The tooltip lists the parameters that a calibration changes.
     std::string what = "Fits to the measured markers:";
     for (const std::string& label : state.scene->calibrated) what += "\n\xc2\xb7 " + label;
     tooltip(theme, what + (later.empty() ? "" : "\n" + later));
@@ -113,6 +121,7 @@ void RunPanel::draw_errors(PanelContext& context) {
     if (!state.run->problem.empty()) notice(theme, commands::LogLevel::warning, state.run->problem);
     for (const std::string& warning : state.run->warnings) notice(theme, commands::LogLevel::warning, warning);
     checks_line(context, state.run->checks, "run/checks");
+    // Without markers there is no error to show.
     if (!std::isfinite(state.run->rms_m)) {
         text_row(theme, "Time taken", duration_label(state.run->seconds));
         return;

@@ -4,7 +4,7 @@
 
 namespace myo::ui::panels {
 
-/// Shows what the last run gave.
+/// Shows the result of the last run: problems, warnings, checks and errors.
 class RunPanel : public Panel {
 public:
     std::string name() const override { return "run"; }
@@ -14,10 +14,12 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    /// Errors of all trials, and the time that the run took.
     void draw_errors(PanelContext& context);
 };
 
-/// Buttons that start and stop work, with its progress; always in sight at the foot of the side.
+/// Draws progress and the buttons that start, pause and cancel jobs. Always visible at the foot of the side panel,
+/// except while an import is edited.
 void draw_run_controls(PanelContext& context);
 
 }  // namespace myo::ui::panels

@@ -14,6 +14,8 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Index of the element with a given name. An empty name gives `otherwise`. Error: unknown name, with the known ones
+/// listed.
 template <class Named>
 Result<int> index_of(const std::string& what, const std::string& name, const std::vector<Named>& all, int otherwise) {
     if (name.empty()) return otherwise;
@@ -25,6 +27,8 @@ Result<int> index_of(const std::string& what, const std::string& name, const std
     return Error{"there is no " + what + " \"" + name + "\"; there is " + join(names), ""};
 }
 
+/// Selects trial, marker, time and field as the options say. Called before the run, so that errors appear early, and
+/// after it, as the run changes them.
 Result<void> choose(commands::Workbench& workbench, const ScreenshotOptions& options) {
     if (!workbench.state().scene) return {};
     const commands::Scene& scene = *workbench.state().scene;
@@ -60,14 +64,17 @@ Result<void> wait_for_jobs(commands::Workbench& workbench, const Progress& progr
             workbench.execute(commands::Cancel{});
             return Error{"stopped", ""};
         }
+        // There is no window to wake, so the state is polled.
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
+    // A job that failed has logged a failure; the state keeps no other trace of it.
     for (const commands::LogLine& line : workbench.state().log) {
         if (line.level == commands::LogLevel::failure) return Error{line.text, ""};
     }
     return {};
 }
 
+// Panels are shown twice: first to report unknown names at once, and again at the end, as opening and jobs show others.
 Result<platform::Image> draw_screenshot(std::shared_ptr<commands::Backend> backend, const ScreenshotOptions& options,
                                         const Progress& progress) {
     auto context = platform::OffscreenContext::make(options.width, options.height);
@@ -81,6 +88,7 @@ Result<platform::Image> draw_screenshot(std::shared_ptr<commands::Backend> backe
             return Error{"there is no panel \"" + panel + "\"; there is " + join(window->panel_names()), ""};
     if (!options.open.empty()) {
         workbench.execute(commands::Open{options.open, options.metres_per_unit});
+        // The window would ask; without a display this is an error.
         if (workbench.state().unit_question) {
             return Error{"the file does not say in which unit its numbers are; give one (mm or m)",
                          options.open.string()};
@@ -89,8 +97,8 @@ Result<platform::Image> draw_screenshot(std::shared_ptr<commands::Backend> backe
     }
     if (const auto chosen = choose(workbench, options); !chosen) return chosen.error();
     if (workbench.state().scene) {
-        if (options.calibrate)
-            workbench.execute(commands::Calibrate{});
+        if (options.calibrate) workbench.execute(commands::Calibrate{});
+        // One job at most; a calibration contains a run.
         else if (options.optimize)
             workbench.execute(commands::Optimize{});
         else if (options.run)
@@ -99,13 +107,14 @@ Result<platform::Image> draw_screenshot(std::shared_ptr<commands::Backend> backe
         if (options.diagnose) workbench.execute(commands::Diagnose{});
         if (const auto diagnosed = wait_for_jobs(workbench, progress); !diagnosed) return diagnosed.error();
     }
+    // The import comes last, as the timeline then shows the recording.
     if (!options.import.empty()) {
         workbench.execute(commands::ReadRecording{options.import});
         if (const auto read = wait_for_jobs(workbench, progress); !read) return read.error();
     }
     if (const auto chosen = choose(workbench, options); !chosen) return chosen.error();
     for (const std::string& panel : options.panels) window->show_panel(panel);
-    // Sizes of texts are known from the second frame on, scrolling from the third.
+    // Sizes of texts are known from the second frame on, scroll positions from the third.
     for (int frame = 0; frame < 5 || window->waits_for_field(); ++frame)
         if (const auto drawn = window->draw_frame(options.width, options.height, 0.02); !drawn) return drawn.error();
     return platform::read_frame(options.width, options.height);

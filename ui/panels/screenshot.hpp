@@ -18,33 +18,35 @@ class Workbench;
 
 namespace myo::ui::panels {
 
+/// What the image of the workbench shows. Defaults are those of the command line.
 struct ScreenshotOptions {
-    std::filesystem::path open;             // empty = the empty workbench
-    std::optional<double> metres_per_unit;  // of a mesh file without unit
-    int width = 1600;                       // [pixels]
-    int height = 900;
-    std::vector<std::string> panels;  // brought to the front; empty = as it starts
-    std::string trial;                // shown; empty = the first, or that of a diagnosis
-    std::string marker;               // plotted; likewise
-    bool run = true;                  // simulate before drawing, where possible
-    bool calibrate = false;           // calibrate instead
-    bool optimize = false;            // look for the muscles' signals instead
-    bool diagnose = false;            // diagnose besides, and show where the declared model is furthest off
-    std::optional<double> time_s;     // shown; empty = the end of the trial
+    std::filesystem::path open;             // file or folder to open; empty = nothing
+    std::optional<double> metres_per_unit;  // length unit of a mesh file without unit
+    int width = 1600;                       // of the window [pixels]
+    int height = 900;                       // of the window [pixels]
+    std::vector<std::string> panels;        // names of panels to show; empty = the initial ones
+    std::string trial;                      // shown trial; empty = the first, or the worst of a diagnosis
+    std::string marker;                     // plotted marker; empty = likewise
+    bool run = true;                        // simulate before drawing, if possible
+    bool calibrate = false;                 // calibrate instead
+    bool optimize = false;                  // optimise the muscle signals instead
+    bool diagnose = false;         // diagnose afterwards, and show where the declared model has its largest error
+    std::optional<double> time_s;  // shown time; empty = end of the trial
     platform::ThemeName theme = platform::ThemeName::dark;
-    float scale = 1.0f;
-    std::filesystem::path import;  // a recording that is being made a trial; empty: none
-    std::string field;             // colours the body, by its id; empty: none
+    float scale = 1.0f;            // of text and controls
+    std::filesystem::path import;  // recording to open in the import; empty: none
+    std::string field;             // id of the field that colours the body; empty: none
 };
 
-/// Draws the workbench without a display.
+/// Draws the window of the workbench without a display. Creates its own OpenGL context; takes as long as the requested
+/// jobs.
 ///
-/// Errors: what the workbench would show as a failure (the file cannot be opened, the run failed); unknown panel, trial
-/// or marker; cancelled.
+/// Errors: anything that the workbench would log as a failure (a file that cannot be opened, a failed run); unknown
+/// panel, trial, marker or field; cancelled.
 Result<platform::Image> draw_screenshot(std::shared_ptr<commands::Backend> backend, const ScreenshotOptions& options,
                                         const Progress& progress = {});
 
-/// Waits until no job runs, reporting its progress; a failure in the log is the error.
+/// Waits until no job runs, and reports progress. Error: a failure in the log, or cancelled.
 Result<void> wait_for_jobs(commands::Workbench& workbench, const Progress& progress);
 
 }  // namespace myo::ui::panels

@@ -13,6 +13,7 @@ namespace myo::ui::panels {
 
 std::string SearchPanel::title() const { return std::string(platform::icon::line_chart) + "  Search"; }
 
+/// Table of the searched values on the left.
 void SearchPanel::draw_values(PanelContext& context, bool starts) {
     const commands::SearchView& search = *context.state.search;
     const platform::Theme& theme = context.theme;
@@ -43,6 +44,8 @@ void SearchPanel::draw_values(PanelContext& context, bool starts) {
     ImGui::EndTable();
 }
 
+/// Table of the values on the left, up to three curves on the right: error, loss and gradient, as many as there is room
+/// for.
 void SearchPanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -54,17 +57,20 @@ void SearchPanel::draw(PanelContext& context) {
     }
     const commands::SearchView& search = *state.search;
     const ImVec2 space = ImGui::GetContentRegionAvail();
-    // In a narrow strip the start values and the later curves give way.
+    // In a narrow strip the start values and the later curves are left out.
     const float s = theme.scale;
+    // Wide enough for the column of start values.
     const bool wide = space.x > 620.0f * s;
     const float values_width = std::floor(
         std::max(wide ? 280.0f * s : 220.0f * s, std::min(0.3f * space.x, 380.0f * s)));
+    // A curve below 150 pixels (at scale 1) is not readable.
     const int curves = std::clamp(static_cast<int>((space.x - values_width) / (150.0f * s)), 1, 3);
     ImGui::BeginChild("values", {values_width, 0.0f});
     draw_values(context, wide);
     ImGui::EndChild();
     ImGui::SameLine();
     ImGui::BeginChild("curves", {0.0f, 0.0f}, false, ImGuiWindowFlags_NoScrollbar);
+    // Loss and gradient fall by orders of magnitude, so they are shown as logarithms. A failed evaluation leaves a gap.
     const auto count = static_cast<Eigen::Index>(search.log.size());
     const Eigen::VectorXd number = Eigen::VectorXd::LinSpaced(count, 1.0, static_cast<double>(count));
     Eigen::VectorXd rms(count), loss(count), gradient(count);
@@ -77,6 +83,7 @@ void SearchPanel::draw(PanelContext& context) {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const ImVec2 size{std::floor((room.x - 4.0f * s * static_cast<float>(curves - 1)) / static_cast<float>(curves)),
                       room.y};
+    // Line and dots: the line shows the course, the dots the single evaluations.
     const auto curve = [&](const char* id, const std::string& title, const std::string& tip,
                            const Eigen::VectorXd& values, const ImVec4& color, plot::PlotState& plot_state) {
         plot::Plot plot;
@@ -88,12 +95,13 @@ void SearchPanel::draw(PanelContext& context) {
         plot.series.push_back({"dots", number, values, color, true});
         const plot::PlotResult drawn = plot::draw_plot(plot, size, theme, context.items, evaluations_, plot_state,
                                                        hidden_);
-        // Below the title the crosshair tells the values.
+        // Above the drawing area only; inside it the crosshair shows the values.
         if (ImGui::GetIO().MousePos.y < drawn.area.pixels.lowest.y) tooltip(theme, tip);
         const ImVec2 corner = ImGui::GetItemRectMin();
         context.items.add(std::string(id) + "/title",
                           {corner, {ImGui::GetItemRectMax().x, drawn.area.pixels.lowest.y}});
     };
+    // Only a calibration has a loss without unit.
     const bool calibrates = search.loss_unit.empty();
     const std::string what = calibrates
                                  ? "the loss |r|² / 2, r = (simulated − measured) / noise"

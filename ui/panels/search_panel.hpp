@@ -5,7 +5,7 @@
 
 namespace myo::ui::panels {
 
-/// A search while it runs, and after: its parameters, how the loss fell and the gradient with it.
+/// Shows a search while it runs and afterwards: its parameters, and error, loss and gradient over the evaluations.
 class SearchPanel : public Panel {
 public:
     std::string name() const override { return "search"; }
@@ -15,10 +15,10 @@ public:
     void draw(PanelContext& context) override;
 
 private:
-    void draw_values(PanelContext& context, bool starts);  // start values beside the best
+    void draw_values(PanelContext& context, bool starts);  // starts: with a column of start values
 
-    plot::LinkedAxis evaluations_;
-    plot::PlotState error_, loss_, gradient_;
+    plot::LinkedAxis evaluations_;             // x axis of the three plots
+    plot::PlotState error_, loss_, gradient_;  // one per plot
     plot::HiddenSeries hidden_;
 };
 

@@ -11,10 +11,11 @@
 namespace myo::ui::panels {
 namespace {
 
-/// How near to a knot the mouse has to be to take it [pixels at scale 1].
+/// Distance to a knot within which the mouse takes it [pixels at scale 1].
 constexpr float reach = 9.0f;
-constexpr plot::Range least_range{0.9, 1.1};
+constexpr plot::Range least_range{0.9, 1.1};  // always visible, so that a constant signal is not magnified
 
+// In the order of commands::SignalShape.
 const std::vector<commands::Choice>& shape_choices() {
     static const std::vector<commands::Choice> choices{
         {"constant", "Constant", "The same value at all times."},
@@ -24,13 +25,14 @@ const std::vector<commands::Choice>& shape_choices() {
     return choices;
 }
 
+/// Emits a new signal of the selected muscle. Empty: the signals recorded by the trials.
 void give_signal(PanelContext& context, std::optional<fibre::Signal> signal, const std::string& what, bool goes_on) {
     commands::Settings settings = context.state.settings;
     settings.muscles[static_cast<std::size_t>(context.state.muscle)].signal = std::move(signal);
     context.emit(commands::ChangeSettings{std::move(settings), what, goes_on});
 }
 
-/// The curve over a span of time, constant beyond its knots.
+/// A signal over a time range. Beyond its knots it is constant, so points are added at the ends of the range.
 plot::PlotSeries series_of(const std::string& name, const fibre::Signal& signal, const plot::Range& span,
                            const ImVec4& color) {
     std::vector<double> x = signal.times_s, y = signal.values;
@@ -41,16 +43,19 @@ plot::PlotSeries series_of(const std::string& name, const fibre::Signal& signal,
             Eigen::Map<const Eigen::VectorXd>(y.data(), count), color, false};
 }
 
+/// Pixel of a knot in the window.
 ImVec2 pixel_of(const plot::PlotArea& area, double time_s, double value) {
     const auto wide = [](float v) { return static_cast<double>(v); };
     return {static_cast<float>(plot::to_pixel(area.x, time_s, wide(area.pixels.lowest.x), wide(area.pixels.highest.x))),
             static_cast<float>(plot::to_pixel(area.y, value, wide(area.pixels.highest.y), wide(area.pixels.lowest.y)))};
 }
 
+/// Folder of the experiment, as the start of the file dialogs.
 std::filesystem::path folder_of(const commands::Scene& scene) {
     return scene.path.has_extension() ? scene.path.parent_path() : scene.path;
 }
 
+/// Dialog that reads a signal into the muscle that is selected now.
 FileDialog import_dialog(const commands::WorkbenchState& state) {
     FileDialog dialog;
     dialog.title = "Import the signal of " + state.chosen_muscle()->name;
@@ -63,6 +68,7 @@ FileDialog import_dialog(const commands::WorkbenchState& state) {
     return dialog;
 }
 
+/// Dialog that writes the signal which is shown now.
 FileDialog export_dialog(const commands::WorkbenchState& state) {
     const commands::Muscle& muscle = *state.chosen_muscle();
     FileDialog dialog;
@@ -71,6 +77,7 @@ FileDialog export_dialog(const commands::WorkbenchState& state) {
     dialog.endings = {".csv"};
     dialog.start = folder_of(*state.scene);
     dialog.new_name = muscle.name + ".csv";
+    // The signal is stored now: the muscle may change while the dialog is open.
     dialog.chosen = [name = muscle.name, signal = commands::signal_of(state, muscle)](
                         PanelContext& context, const std::filesystem::path& path) {
         context.emit(commands::ExportSignal{name, signal, path});
@@ -82,12 +89,14 @@ FileDialog export_dialog(const commands::WorkbenchState& state) {
 
 std::string SignalPanel::title() const { return std::string(platform::icon::bolt) + "  Signals"; }
 
+/// Controls in one line, the curve below.
 void SignalPanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     if (!state.chosen_muscle()) {
         muted_text(context.theme, "Signals of muscles are drawn here. Add a muscle under Fibres to begin.");
         return;
     }
+    // Another muscle: zoom and grabbed knot belong to the previous one.
     if (followed_ != state.chosen_muscle()->name) {
         followed_ = state.chosen_muscle()->name;
         plot_ = {};
@@ -97,6 +106,8 @@ void SignalPanel::draw(PanelContext& context) {
     draw_curve(context);
 }
 
+/// A muscle that follows another one shows the relation instead of controls. A declared muscle can return to its
+/// recorded signals.
 void SignalPanel::draw_head(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const commands::Muscle& muscle = *state.chosen_muscle();
@@ -113,6 +124,7 @@ void SignalPanel::draw_head(PanelContext& context) {
         ImGui::EndCombo();
     }
     ImGui::SameLine();
+    // A muscle that follows another one has no signal to edit.
     if (!muscle.follows.empty()) {
         ImGui::AlignTextToFramePadding();
         ImGui::TextColored(context.theme.muted, "follows %s: a \xe2\x88\x92 1 is %s times its own",
@@ -146,12 +158,14 @@ void SignalPanel::draw_head(PanelContext& context) {
     }
 }
 
+/// The popup keeps its recipe, so that several muscles can get the same signal.
 void SignalPanel::draw_generator(PanelContext& context) {
     const commands::Muscle& muscle = *context.state.chosen_muscle();
     if (ImGui::Button("Generate")) ImGui::OpenPopup("generate");
     context.items.mark("signals/generate");
     tooltip(context.theme, "A constant, a step, a ramp or a sine");
     if (!begin_popup_above(context.theme, "generate", 320.0f)) return;
+    // The level of a new recipe fits the action of the muscle: below 1 for one that contracts.
     if (recipe_muscle_ != muscle.name || (recipe_.level > 1.0) != muscle.extends) {
         recipe_muscle_ = muscle.name;
         recipe_.level = muscle.extends ? 1.2 : 0.8;
@@ -204,7 +218,7 @@ void SignalPanel::draw_generator(PanelContext& context) {
             {"End", "signals/end", "s", "Time [s] at which it stops; from there on a stays.", 1.0, {-1e3, 1e3}, 0.01},
             recipe_.end_s);
     }
-    // A sine of many thousand knots is no curve to edit.
+    // A sine with many thousand knots could not be edited.
     const bool fits = recipe_.shape != commands::SignalShape::sine ||
                       (recipe_.end_s > recipe_.start_s &&
                        (recipe_.end_s - recipe_.start_s) * recipe_.frequency_Hz <= 200.0);
@@ -222,6 +236,7 @@ void SignalPanel::draw_generator(PanelContext& context) {
     ImGui::EndPopup();
 }
 
+/// The file format is a table time_s,<muscle>, linear between rows and constant outside.
 void SignalPanel::draw_file(PanelContext& context) {
     const std::string& name = context.state.chosen_muscle()->name;
     if (ImGui::Button("CSV")) ImGui::OpenPopup("signal file");
@@ -241,11 +256,14 @@ void SignalPanel::draw_file(PanelContext& context) {
     ImGui::EndPopup();
 }
 
+/// The selected muscle's signal over the signals of the others, which are drawn faintly. An editable plot leaves the
+/// left button to the knots.
 void SignalPanel::draw_curve(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
     const commands::Muscle& muscle = *state.chosen_muscle();
     const fibre::Signal signal = commands::signal_of(state, muscle);
+    // The range covers trial and signal, at least a tenth of a second.
     const std::array<double, 2> trial = commands::time_span(state);
     const plot::Range span{std::min(trial[0], signal.times_s.front()),
                            std::max({trial[1], signal.times_s.back(), signal.times_s.front() + 0.1})};
@@ -258,8 +276,10 @@ void SignalPanel::draw_curve(PanelContext& context) {
     plot.y_least = least_range;
     plot.editable = muscle.follows.empty();
     plot.held = grabbed_.has_value();
+    // Signals of the other muscles, for comparison.
     for (const commands::Muscle& other : state.settings.muscles) {
         if (other.name == muscle.name) continue;
+        // Faint, so that the edited curve stands out.
         ImVec4 faint = theme.muscle(other.color);
         faint.w = 0.45f;
         plot.series.push_back(series_of(other.name, commands::signal_of(state, other), span, faint));
@@ -274,11 +294,13 @@ void SignalPanel::draw_curve(PanelContext& context) {
     edit_knots(context, signal, drawn);
 }
 
+/// Draws the knots and edits the signal with the mouse.
 void SignalPanel::edit_knots(PanelContext& context, const fibre::Signal& signal, const plot::PlotResult& drawn) {
     const plot::PlotArea& area = drawn.area;
     if (area.pixels.width() < 20.0f || area.pixels.height() < 10.0f) return;
     const platform::Theme& theme = context.theme;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
+    // The knot nearest to the mouse, within reach.
     std::optional<std::size_t> near;
     float nearest = reach * theme.scale;
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -288,6 +310,7 @@ void SignalPanel::edit_knots(PanelContext& context, const fibre::Signal& signal,
         const ImVec2 p = pixel_of(area, signal.times_s[k], signal.values[k]);
         const float distance = std::hypot(p.x - mouse.x, p.y - mouse.y);
         if (drawn.hovered && distance < nearest) nearest = distance, near = k;
+        // The dragged knot is larger.
         const bool held = grabbed_ && *grabbed_ == k;
         list.AddCircleFilled(p, (held ? 6.0f : 4.5f) * theme.scale, platform::packed(theme.background), 20);
         list.AddCircle(p, (held ? 6.0f : 4.5f) * theme.scale, platform::packed(theme.text), 20, 1.6f * theme.scale);
@@ -299,22 +322,25 @@ void SignalPanel::edit_knots(PanelContext& context, const fibre::Signal& signal,
                                          wide(area.pixels.highest.x));
     const double value = plot::from_pixel(area.y, wide(mouse.y), wide(area.pixels.highest.y),
                                           wide(area.pixels.lowest.y));
+    // Released, or the plot lost the mouse.
     if (!drawn.active) grabbed_.reset();
     if (drawn.hovered && near && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
         grabbed_ = near;
         moved_ = false;
     }
     const ImVec2 by = ImGui::GetIO().MouseDelta;
+    // While a knot is dragged, all changes form one undo entry; moved_ marks the first of them.
     if (grabbed_ && *grabbed_ < signal.times_s.size() && (by.x != 0.0f || by.y != 0.0f)) {
         give_signal(context, commands::with_knot_moved(signal, *grabbed_, time, std::clamp(value, 0.05, 5.0)),
                     "knot of a signal", moved_);
         moved_ = true;
     } else if (drawn.hovered && !near && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        // Values are limited to 0.05 … 5, as in the generator.
         give_signal(context, commands::with_knot_added(signal, time, std::clamp(value, 0.05, 5.0)), "knot of a signal",
                     false);
     } else if (drawn.hovered && near && ImGui::IsMouseReleased(ImGuiMouseButton_Right) &&
                ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Right] < 16.0f) {
-        // A click, not the end of a box.
+        // A click; a drag with the right button is a zoom to a box.
         give_signal(context, commands::with_knot_removed(signal, *near), "knot of a signal", false);
     }
 }

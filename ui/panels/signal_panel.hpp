@@ -7,8 +7,8 @@
 
 namespace myo::ui::panels {
 
-/// The signal a(t) of the chosen muscle, as a curve whose knots are dragged: a double click adds one, a right click
-/// takes one away.
+/// Edits the signal a(t) of the selected muscle as a curve: knots are dragged, a double click adds a knot, a right
+/// click removes it.
 class SignalPanel : public Panel {
 public:
     std::string name() const override { return "signals"; }
@@ -18,21 +18,26 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    /// Muscle, generator, file and display controls.
     void draw_head(PanelContext& context);
+    /// Popup that generates a signal from a recipe.
     void draw_generator(PanelContext& context);
+    /// Popup that reads or writes a CSV file.
     void draw_file(PanelContext& context);
+    /// The plot with the signals of all muscles.
     void draw_curve(PanelContext& context);
+    /// @param plot  result of drawing the plot that the knots lie on
     void edit_knots(PanelContext& context, const fibre::Signal& signal, const plot::PlotResult& plot);
 
-    commands::SignalRecipe recipe_;
-    std::string recipe_muscle_;  // whose sense the recipe's level has
-    OpenEdit edit_;
-    plot::LinkedAxis time_;
-    plot::PlotState plot_;
-    plot::HiddenSeries hidden_;
-    std::optional<std::size_t> grabbed_;  // knot that is dragged
-    bool moved_ = false;                  // it was moved since it was grabbed
-    std::string followed_;                // muscle that the zoom belongs to
+    commands::SignalRecipe recipe_;       // of the generator
+    std::string recipe_muscle_;           // muscle that the recipe's level was chosen for
+    OpenEdit edit_;                       // drag in progress in the generator
+    plot::LinkedAxis time_;               // zoom of the time axis
+    plot::PlotState plot_;                // zoom of the value axis
+    plot::HiddenSeries hidden_;           // curves switched off in the legend
+    std::optional<std::size_t> grabbed_;  // index of the dragged knot
+    bool moved_ = false;                  // the dragged knot has moved, so undo merges further changes
+    std::string followed_;                // name of the muscle that the zoom belongs to
 };
 
 }  // namespace myo::ui::panels

@@ -13,7 +13,7 @@
 namespace myo::ui::panels {
 namespace {
 
-/// A large button with a sign, a title and some lines of text: below the sign, or beside it where the button is low.
+/// A large button with an icon, a title and some lines of text below the icon; next to it if the button is low.
 bool card(PanelContext& context, const std::string& item, const char* sign, const std::string& title,
           const std::string& text, const ImVec2& size) {
     const platform::Theme& theme = context.theme;
@@ -27,6 +27,7 @@ bool card(PanelContext& context, const std::string& item, const char* sign, cons
     list.AddRectFilled(at, end, platform::packed(hovered ? theme.hovered : theme.raised), 6.0f * s);
     list.AddRect(at, end, platform::packed(hovered ? theme.accent : theme.border), 6.0f * s);
     list.AddText(theme.large, theme.large->FontSize, {at.x + pad, at.y + pad}, platform::packed(theme.accent), sign);
+    // A low card has no room for text below its icon.
     const bool low = size.y < 4.0f * theme.large->FontSize;
     const float left = at.x + pad + (low ? 2.0f * theme.large->FontSize : 0.0f), wrap = end.x - pad - left;
     const float text_top = at.y + pad + (low ? 0.0f : 1.35f * theme.large->FontSize),
@@ -39,10 +40,12 @@ bool card(PanelContext& context, const std::string& item, const char* sign, cons
     ImGui::PopFont();
     list.AddText(theme.small, theme.small->FontSize, {left, body_top}, platform::packed(theme.muted), words.c_str(),
                  nullptr, wrap);
+    // The complete text, if it was shortened.
     tooltip(theme, words != text ? text : "");
     return pressed;
 }
 
+/// Cards of the examples, up to four in a row.
 void draw_examples(PanelContext& context, float room) {
     const std::vector<commands::Example>& examples = context.state.examples;
     const float s = context.theme.scale, gap = ImGui::GetStyle().ItemSpacing.x;
@@ -62,6 +65,7 @@ void draw_examples(PanelContext& context, float room) {
 }  // namespace
 
 int card_columns(int cards, int most) {
+    // Distribute the cards over as few rows as possible; then avoid a last row with a single card.
     if (cards <= most) return std::max(1, cards);
     const int rows = (cards + most - 1) / most;
     int columns = (cards + rows - 1) / rows;
@@ -69,6 +73,7 @@ int card_columns(int cards, int most) {
     return columns;
 }
 
+/// Examples first, as a new user starts with them; then a file of the user's own, and the recent files.
 void draw_start_page(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -82,13 +87,14 @@ void draw_start_page(PanelContext& context) {
                  "Myoloop");
     ImGui::Dummy({0.0f, 1.2f * theme.large->FontSize});
     muted_text(theme, "Design, run and measure soft robots, and find out what the model lacks.");
+    // Opening takes a while; the page stays until the scene is there.
     if (state.busy()) {
         ImGui::Dummy({0.0f, 12.0f * s});
         ImGui::TextUnformatted(("Opening\xe2\x80\xa6 " + state.job->progress.message).c_str());
     }
     ImGui::Dummy({0.0f, 8.0f * s});
     heading(theme, "Examples");
-    // Its own scroll bar is kept clear of the cards.
+    // The child window has a scroll bar, which must not cover the cards.
     const float room = width - ImGui::GetStyle().ScrollbarSize - ImGui::GetStyle().ItemSpacing.x;
     draw_examples(context, room);
     heading(theme, "Your own");
@@ -101,6 +107,7 @@ void draw_start_page(PanelContext& context) {
     for (std::size_t i = 0; i < state.preferences.recent.size(); ++i) {
         const std::filesystem::path& path = state.preferences.recent[i];
         ImGui::PushID(static_cast<int>(i));
+        // Projects and experiments have different icons.
         ImGui::TextColored(theme.muted, "%s", commands::is_project(path) ? platform::icon::save : platform::icon::cube);
         ImGui::SameLine(28.0f * s);
         if (ImGui::Selectable(path.filename().string().c_str(), false, 0, {0.32f * width, 0.0f}))

@@ -4,11 +4,11 @@
 
 namespace myo::ui::panels {
 
-/// What stands in the view's place while nothing is open: examples, what was open lately, and how to open something
-/// else. Fills the current window.
+/// Draws the page that replaces the view while nothing is open: examples, recent files, and a button to open another
+/// one. Fills the current window.
 void draw_start_page(PanelContext& context);
 
-/// Columns, at most so many, in which no row of cards has one alone.
+/// Number of columns, at most `most`, for this number of cards, such that no row contains a single card. At least 1.
 int card_columns(int cards, int most);
 
 }  // namespace myo::ui::panels

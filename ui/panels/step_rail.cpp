@@ -11,6 +11,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Icons in the order of commands::Step.
 const char* icon_of(commands::Step step) {
     static constexpr std::array<const char*, 9> icons{
         platform::icon::cube,   platform::icon::grid,        platform::icon::flask,
@@ -19,7 +20,8 @@ const char* icon_of(commands::Step step) {
     return icons[static_cast<std::size_t>(step)];
 }
 
-/// A ring, a dot, arrows, a tick, or the sign of its checks, so that the states differ without their colours, too.
+/// Draws the state of a task: ring, dot, arrows, tick, or the icon of its checks. The shapes differ, so that states can
+/// be distinguished without colours.
 void draw_state(ImDrawList& list, const ImVec2& center, const platform::Theme& theme,
                 const commands::StepStatus& status) {
     const float s = theme.scale;
@@ -38,6 +40,7 @@ void draw_state(ImDrawList& list, const ImVec2& center, const platform::Theme& t
 
 }  // namespace
 
+/// Each task is a full-width button with icon, title and state. The tooltip says what to do next.
 void draw_step_rail(PanelContext& context, commands::Step chosen, bool narrow) {
     const platform::Theme& theme = context.theme;
     const float s = theme.scale, height = 36.0f * s, width = ImGui::GetWindowWidth();
@@ -46,6 +49,7 @@ void draw_step_rail(PanelContext& context, commands::Step chosen, bool narrow) {
         const commands::StepStatus status = commands::step_status(context.state, step);
         ImGui::SetCursorPosX(0.0f);
         const ImVec2 at = ImGui::GetCursorScreenPos();
+        // Buttons over the full width, without ImGui's frame; everything is drawn over them.
         if (ImGui::InvisibleButton(commands::step_id(step), {width, height})) context.window.step = step;
         context.items.mark(std::string("step/") + commands::step_id(step));
         const bool hovered = ImGui::IsItemHovered();
@@ -53,6 +57,7 @@ void draw_step_rail(PanelContext& context, commands::Step chosen, bool narrow) {
         if (step == chosen || hovered)
             list.AddRectFilled(
                 at, end, platform::packed(step == chosen ? theme.raised : theme.hovered, step == chosen ? 1.0f : 0.5f));
+        // A bar at the left edge marks the selected task, in addition to its background.
         if (step == chosen) list.AddRectFilled(at, {at.x + 3.0f * s, end.y}, platform::packed(theme.accent));
         const float line = theme.regular->FontSize, top = at.y + 0.5f * (height - line);
         const ImVec4& color = step == chosen ? theme.text : theme.muted;
@@ -60,6 +65,7 @@ void draw_step_rail(PanelContext& context, commands::Step chosen, bool narrow) {
         if (!narrow)
             list.AddText(step == chosen ? theme.strong : theme.regular, line, {at.x + 40.0f * s, top},
                          platform::packed(color), commands::step_title(step));
+        // In the narrow rail the state moves to the corner of the icon.
         const ImVec2 sign = narrow ? ImVec2(end.x - 8.0f * s, at.y + 9.0f * s)
                                    : ImVec2(end.x - 15.0f * s, at.y + 0.5f * height);
         draw_state(list, sign, theme, status);
@@ -67,9 +73,11 @@ void draw_step_rail(PanelContext& context, commands::Step chosen, bool narrow) {
     }
 }
 
+/// An outdated task is a warning; a task that is done has the severity of its checks.
 void draw_step_head(PanelContext& context, commands::Step step) {
     const commands::StepStatus status = commands::step_status(context.state, step);
     const platform::Theme& theme = context.theme;
+    // Severity for each StepState, in its order.
     const commands::LogLevel levels[] = {commands::LogLevel::information, commands::LogLevel::information,
                                          commands::LogLevel::warning, commands::log_level(status.checks)};
     notice(theme, levels[static_cast<int>(status.state)], status.next);

@@ -4,11 +4,12 @@
 
 namespace myo::ui::panels {
 
-/// The steps from a body to a report, each with its state, in the current window. A click asks for the step.
+/// Draws the tasks from a body to a report with their states into the current window. A click requests the task.
+///
 /// @param narrow  icons only
 void draw_step_rail(PanelContext& context, commands::Step chosen, bool narrow);
 
-/// The step's title, and what is to be done in it.
+/// Draws the state of a task and what to do next, at the top of the side panel.
 void draw_step_head(PanelContext& context, commands::Step step);
 
 }  // namespace myo::ui::panels

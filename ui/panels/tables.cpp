@@ -10,13 +10,14 @@
 namespace myo::ui::panels {
 namespace {
 
-/// As much of a text as passes, with an ellipsis where some is left out.
+/// The longest beginning of a text that `fits` accepts, with an ellipsis if something is left out. Bisection, as
+/// measuring a text is expensive.
 template <class Fits>
 std::string shortened(const std::string& text, const Fits& fits) {
     if (text.empty() || fits(text)) return text;
     const auto cut = [&](std::size_t length) {
         while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xc0) == 0x80)
-            --length;  // not within a character
+            --length;  // not within a UTF-8 character
         return text.substr(0, length) + "\xe2\x80\xa6";
     };
     std::size_t shortest = 0, longest = text.size() - 1;
@@ -32,11 +33,13 @@ std::string shortened(const std::string& text, const Fits& fits) {
 
 }  // namespace
 
+// Both texts keep as many characters as fit; the caller shows the complete text in a tooltip.
 std::string elided(const std::string& text, float width) {
     return shortened(text, [&](const std::string& part) { return ImGui::CalcTextSize(part.c_str()).x <= width; });
 }
 
 std::string elided_lines(const std::string& text, float width, int lines) {
+    // Half a line of tolerance for rounding in the text height.
     const float height = (static_cast<float>(lines) + 0.5f) * ImGui::GetTextLineHeight();
     return shortened(text, [&](const std::string& part) {
         return ImGui::CalcTextSize(part.c_str(), nullptr, false, width).y <= height;
@@ -57,6 +60,7 @@ void text_cell(const platform::Theme& theme, const std::string& text, const ImVe
     if (shown != text) tooltip(theme, text);
 }
 
+// At least 40 pixels at scale 1, so that numbers fit below short titles.
 void number_column(const platform::Theme& theme, const Heading& heading, int flags) {
     const float width = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, heading.title.c_str()).x;
     ImGui::TableSetupColumn(heading.title.c_str(), ImGuiTableColumnFlags_WidthFixed | flags,
@@ -73,6 +77,7 @@ void heading_row(const platform::Theme& theme, const std::vector<Heading>& headi
             ImGui::TableNextColumn();
             ImGui::TextColored(theme.muted, "%s", heading.title.c_str());
         }
+        // The heading font is small; tooltips have the regular one.
         ImGui::PushFont(theme.regular);
         tooltip(theme, heading.tip);
         ImGui::PopFont();

@@ -5,30 +5,36 @@
 
 #include "platform/theme.hpp"
 
-// Cells and headings of tables, and texts that fit into them.
+// Cells and headings of tables, and texts shortened to fit into them.
 
 namespace myo::ui::panels {
 
-/// Stands in a cell where there is no number.
+/// Shown in a cell that has no number.
 inline constexpr const char* dash = "\xe2\x80\x93";
 
-/// As much of a text as fits, with an ellipsis where some is left out.
+/// Shortens a text to a width [pixels], with an ellipsis if something is left out. May be empty. Uses the current font.
 std::string elided(const std::string& text, float width);
-/// The same for text that wraps.
+/// Shortens a text that wraps at `width` [pixels] to a number of lines.
 std::string elided_lines(const std::string& text, float width, int lines);
 
-/// Right-aligned.
+/// Next cell of a table, right-aligned.
+///
+/// @param color  null: the colour of text
 void number_cell(const platform::Theme& theme, const std::string& text, const ImVec4* color = nullptr);
-/// A cell that may be narrower than its text; the whole is shown on hovering.
+/// Next cell of a table, shortened to its width; the tooltip contains the whole text.
 void text_cell(const platform::Theme& theme, const std::string& text, const ImVec4& color);
 
+/// Heading of a table column.
 struct Heading {
-    std::string title;
-    std::string tip;
-    bool number = false;
+    std::string title;    // with unit: "rms [mm]"
+    std::string tip;      // tooltip; may be empty
+    bool number = false;  // right-aligned, as its numbers
 };
-/// A column of numbers, as wide as its heading; flags of ImGuiTableColumnFlags_ beside that.
+/// Declares a column of numbers as wide as its heading.
+///
+/// @param flags  further ImGuiTableColumnFlags_
 void number_column(const platform::Theme& theme, const Heading& heading, int flags = 0);
+/// Draws the row of headings. Call it after the columns were declared.
 void heading_row(const platform::Theme& theme, const std::vector<Heading>& headings);
 
 }  // namespace myo::ui::panels

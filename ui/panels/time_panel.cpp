@@ -14,6 +14,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Fields as static tables: they are built once, not in each frame.
 const std::vector<SettingField>& radius_fields() {
     static const std::vector<SettingField> fields{
         {{"ρ∞", "model/spectral_radius", "",
@@ -44,7 +45,7 @@ const SettingField& velocity_force_field() {
     return field;
 }
 
-/// Twice as far as the motion stays stable, so that the slider moves through what matters.
+/// Range of the slider for the velocity force: twice the critical value, so that the slider resolves what matters.
 commands::Limits slider_range(const commands::WorkbenchState& state) {
     const double critical = state.critical_velocity_force_1_s.value_or(0.0);
     const double far = std::isfinite(critical) && critical > 0.0
@@ -53,7 +54,7 @@ commands::Limits slider_range(const commands::WorkbenchState& state) {
     return {-far, far};
 }
 
-/// Where ImGui puts the middle of the grip of the slider that was submitted last.
+/// x of the middle of the grip of the last slider, for the given value [pixels]. ImGui does not provide it.
 float grip_x(const commands::Limits& range, double value) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float margin = 2.0f + 0.5f * style.GrabMinSize;
@@ -64,6 +65,8 @@ float grip_x(const commands::Limits& range, double value) {
 
 }  // namespace
 
+/// Time scheme and step, what the step means for the measured vibration, the damping that the scheme adds, and the
+/// velocity force with its limit of stability.
 void TimePanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     setting_choice(context, "Time scheme", "model/integrator", "How the equations of motion are stepped in time.",
@@ -95,13 +98,15 @@ void TimePanel::draw_slider(PanelContext& context, const SettingField& field, co
     context.emit(commands::ChangeSettings{settings, field.field.name, goes_on});
 }
 
+/// Without an open scene there is no recording from which the program could choose.
 void TimePanel::draw_step_choice(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
-    if (!state.scene) return;
+    if (!state.scene) return;  // without a trial the program has nothing to choose by
     row_label(context.theme, "Automatic",
               "The program chooses the step: half the interval of the recording at first, and shorter after a run "
               "whose vibration asks for that; calibration and diagnosis choose theirs. A step that you set is kept.");
     bool automatic = !state.settings.own_step;
+    // Switching to automatic restores the scene's step; the next run may shorten it.
     if (ImGui::Checkbox("##automatic", &automatic)) {
         commands::Settings settings = state.settings;
         settings.own_step = !automatic;
@@ -111,6 +116,8 @@ void TimePanel::draw_step_choice(PanelContext& context) {
     context.items.mark("model/automatic_step");
 }
 
+/// Compares the step with the recording and with the vibration. Left out for schemes without an estimate of their
+/// frequency error.
 void TimePanel::draw_step_state(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -128,8 +135,10 @@ void TimePanel::draw_step_state(PanelContext& context) {
         row("Recorded every", "model/interval",
             plot::value_label(1e3 * interval, 3) + " ms: " + plot::plain_label(interval / h, 3) + " steps",
             "Interval between the samples of the shown trial, and how many steps it takes.");
+    // The vibration of the shown trial's run, if there is one; otherwise the measured one.
     const commands::SimulatedTrial* const run = state.trial_of(state.run.get());
     const double frequency_Hz = run && run->vibration_Hz > 0.0 ? run->vibration_Hz : state.scene->frequency_Hz;
+    // Without a vibration there is no period to resolve.
     const bool swings = frequency_Hz > 0.0;
     const std::string period = plot::value_label(1.0 / (frequency_Hz * h), 2) + " steps";
     row("Vibration", "model/vibration", swings ? plot::value_label(frequency_Hz, 3) + " Hz: " + period : "none is seen",
@@ -146,14 +155,17 @@ void TimePanel::draw_step_state(PanelContext& context) {
     context.items.mark("model/frequency_error");
 }
 
+/// Drawn over the slider that was submitted last, so it has to be called right after it.
 void TimePanel::draw_stability(PanelContext& context, commands::Limits range) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
+    // May be infinite: then the whole slider is green.
     const double critical = *state.critical_velocity_force_1_s;
     const float from = grip_x(range, range.lowest), limit = grip_x(range, critical), to = grip_x(range, range.highest);
     const float top = ImGui::GetItemRectMin().y, bottom = ImGui::GetItemRectMax().y,
                 strip = bottom - std::round(4.0f * theme.scale);
     ImDrawList& drawing = *ImGui::GetWindowDrawList();
+    // A bar below the slider, green up to the critical value and orange beyond it.
     if (ImGui::IsItemVisible()) {
         drawing.AddRectFilled({from, strip}, {limit, bottom}, platform::packed(theme.success));
         context.items.add("model/velocity_force/stable", {{from, top}, {limit, bottom}});
@@ -177,6 +189,7 @@ void TimePanel::draw_stability(PanelContext& context, commands::Limits range) {
     context.items.mark("model/critical_velocity_force");
 }
 
+/// The damping ratio at one frequency, which the user can change, and the curve over the step below it.
 void TimePanel::draw_numerical_damping(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const commands::Choice* const scheme = state.integrator();
@@ -188,7 +201,7 @@ void TimePanel::draw_numerical_damping(PanelContext& context) {
               "\xce\xb6 \xe2\x89\x88 \xcf\x89 h / 2: "
               "half the step, half the damping. Measured silicone has about 0.05.");
     ImGui::AlignTextToFramePadding();
-    // Comparable to a silicone's own damping: it would be calibrated into the material.
+    // Comparable to the damping of silicone: a calibration would attribute it to the material.
     const ImVec4 color = ratio > 0.02 ? context.theme.warning : context.theme.text;
     ImGui::TextColored(color, "%s at", plot::value_label(ratio, 3).c_str());
     context.items.mark("model/numerical_damping");
@@ -202,15 +215,18 @@ void TimePanel::draw_numerical_damping(PanelContext& context) {
     draw_damping_curve(context, *scheme);
 }
 
+/// Where the curve of the scheme meets the measured damping, the scheme alone damps as much as the body.
 void TimePanel::draw_damping_curve(PanelContext& context, const commands::Choice& scheme) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
     constexpr double usual_longest_s = 0.02;
+    // The curve takes one evaluation of the scheme per point, so it is kept until one of its inputs changes.
     const CurveKey key{
         scheme.id, state.settings.spectral_radius, state.damping_frequency_Hz,
         state.settings.time_step_s <= usual_longest_s ? usual_longest_s : commands::time_step_limits.highest};
     if (!(key == curve_key_)) {
         curve_key_ = key;
+        // Up to 20 ms, or to the limit of the step if the present one is longer.
         step_ms_ = Eigen::VectorXd::LinSpaced(41, 0.0, 1e3 * key.longest_s);
         step_ms_(0) = 1e3 * commands::time_step_limits.lowest;
         ratio_.resize(step_ms_.size());
@@ -230,7 +246,7 @@ void TimePanel::draw_damping_curve(PanelContext& context, const commands::Choice
     plot.legend = true;
     plot.y_least = plot::Range{0.0, 0.01};
     plot.series.push_back({"scheme", step_ms_, ratio_, theme.simulated});
-    // What the trace shows, at its own frequency.
+    // Damping of the measured vibration at its own frequency.
     const double measured = state.scene ? state.scene->damping_ratio : std::numeric_limits<double>::quiet_NaN();
     if (std::isfinite(measured))
         plot.series.push_back({"measured " + plot::value_label(measured, 2), step_ms_,
@@ -242,6 +258,7 @@ void TimePanel::draw_damping_curve(PanelContext& context, const commands::Choice
     context.items.add("model/damping_curve", {corner, {corner.x + size.x, corner.y + size.y}});
     if (std::isfinite(measured)) {
         context.items.add("model/measured_damping", drawn.area.pixels);
+        // Not while the line is dragged.
         if (drawn.hovered && !drawn.active)
             tooltip(theme,
                     "Measured: damping ratio of the free vibration of " +
@@ -249,6 +266,7 @@ void TimePanel::draw_damping_curve(PanelContext& context, const commands::Choice
                         " Hz, y = exp(−ζ ω t) cos(ω_d t) fitted to the largest trace.\n"
                         "Where the curves meet, the scheme alone damps as the body does. Drag the line to set h.");
     }
+    // Dragging the line sets the time step, rounded to hundredths of a millisecond.
     const bool goes_on = curve_edit_.goes_on("curve", drawn.cursor.has_value());
     if (!drawn.cursor) return;
     commands::Settings settings = state.settings;

@@ -5,7 +5,7 @@
 
 namespace myo::ui::panels {
 
-/// How the motion is stepped in time, with the damping that this brings.
+/// Edits time scheme and time step, and shows the numerical damping and the stability that follow from them.
 class TimePanel : public Panel {
 public:
     std::string name() const override { return "time"; }
@@ -15,30 +15,36 @@ public:
     void draw(PanelContext& context) override;
 
 private:
-    /// A slider below a number's row, for the same number.
+    /// Slider below the row of a number, for the same number.
     void draw_slider(PanelContext& context, const SettingField& field, commands::Limits range, bool logarithmic);
+    /// Sample interval, vibration and frequency error for the present step.
     void draw_step_state(PanelContext& context);
+    /// Switch between the program's step and the user's.
     void draw_step_choice(PanelContext& context);
+    /// Stable and unstable range below the slider of the velocity force.
     void draw_stability(PanelContext& context, commands::Limits range);
+    /// Damping ratio that the scheme adds at a frequency of the user's choice.
     void draw_numerical_damping(PanelContext& context);
+    /// Numerical damping over the time step, with the measured damping for comparison.
     void draw_damping_curve(PanelContext& context, const commands::Choice& scheme);
 
+    // Drags in progress: number fields, sliders, the line in the curve, and the preview length.
     OpenEdit edit_;
     OpenEdit slide_;
     OpenEdit curve_edit_;
     OpenEdit preview_edit_;
 
-    // The scheme's damping over the step, and what it was found for.
+    // Inputs of the damping curve; the curve is computed again if one of them changes.
     struct CurveKey {
         std::string integrator;
         double spectral_radius = 0.0;
         double frequency_Hz = 0.0;
-        double longest_s = 0.0;
+        double longest_s = 0.0;  // greatest step of the curve
         bool operator==(const CurveKey&) const = default;
     };
-    CurveKey curve_key_;
-    Eigen::VectorXd step_ms_, ratio_;
-    plot::LinkedAxis axis_;
+    CurveKey curve_key_;               // inputs of the present curve
+    Eigen::VectorXd step_ms_, ratio_;  // the damping curve: steps and damping ratios
+    plot::LinkedAxis axis_;            // zoom of the curve
     plot::PlotState plot_;
     plot::HiddenSeries hidden_;
 };

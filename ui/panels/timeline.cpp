@@ -13,12 +13,14 @@
 namespace myo::ui::panels {
 namespace {
 
+/// List of the trials with their roles.
 void draw_trial_choice(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const commands::SceneTrial* trial = state.scene_trial();
-    // In a narrow window the track needs the room more than the name.
+    // In a narrow window the track needs the room more than the name does.
     const float width = std::min(200.0f * context.theme.scale, 0.24f * ImGui::GetContentRegionAvail().x);
-    const float room = width - ImGui::GetFrameHeight() - 2.0f * ImGui::GetStyle().FramePadding.x;  // beside the arrow
+    // without the arrow of the list
+    const float room = width - ImGui::GetFrameHeight() - 2.0f * ImGui::GetStyle().FramePadding.x;
     ImGui::SetNextItemWidth(width);
     const bool open = ImGui::BeginCombo("##trial", elided(trial ? trial->name : "no trial", room).c_str());
     context.items.mark("timeline/trial");
@@ -33,6 +35,7 @@ void draw_trial_choice(PanelContext& context) {
     ImGui::EndCombo();
 }
 
+/// The track with the play position, the start of motion, and the part covered by a preview. `width` in pixels.
 void draw_track(PanelContext& context, const std::array<double, 2>& span, float width) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
@@ -50,7 +53,9 @@ void draw_track(PanelContext& context, const std::array<double, 2>& span, float 
     };
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({left, middle - 2.0f * s}, {right, middle + 2.0f * s}, platform::packed(theme.raised), 2.0f * s);
+    // A trial with one sample has nothing to move through.
     if (!(range.span() > 0.0)) return;
+    // Dragging stops playing, as both would set the time.
     if (ImGui::IsItemActive()) {
         context.emit(commands::Play{false});
         context.emit(commands::SetTime{plot::from_pixel(range, static_cast<double>(ImGui::GetIO().MousePos.x),
@@ -58,7 +63,7 @@ void draw_track(PanelContext& context, const std::array<double, 2>& span, float 
     }
     const float x = x_of(std::clamp(state.time_s, span[0], span[1]));
     list.AddRectFilled({left, middle - 2.0f * s}, {x, middle + 2.0f * s}, platform::packed(theme.accent), 2.0f * s);
-    // Start of motion, when the record begins before it.
+    // The start of motion is marked if the recording begins before it.
     if (span[0] < 0.0 && span[1] > 0.0) {
         const float x0 = x_of(0.0);
         list.AddLine({x0, middle - 9.0f * s}, {x0, middle + 9.0f * s}, platform::packed(theme.measured), 2.0f * s);
@@ -77,6 +82,7 @@ void draw_track(PanelContext& context, const std::array<double, 2>& span, float 
 
 }  // namespace
 
+/// The track takes the width that the other controls leave.
 void draw_timeline(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const float s = context.theme.scale;
@@ -96,6 +102,7 @@ void draw_timeline(PanelContext& context) {
     ImGui::SameLine();
 
     static constexpr std::array<double, 5> speeds{0.1, 0.25, 0.5, 1.0, 2.0};
+    // The time has a fixed width, so that the track does not change while playing.
     const std::string time = plot::tick_label(state.time_s, 0.001) + " s";
     const float speed_width = 72.0f * s;
     const float time_width = ImGui::CalcTextSize(

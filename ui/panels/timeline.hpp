@@ -4,7 +4,8 @@
 
 namespace myo::ui::panels {
 
-/// The bar below the view: trial, play and pause, a track to scrub with the start of motion marked, time and speed.
+/// Draws the bar below the view: trial, play and pause, a track to move in time, the time and the speed. Fills the
+/// current window.
 void draw_timeline(PanelContext& context);
 
 }  // namespace myo::ui::panels

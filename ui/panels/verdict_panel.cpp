@@ -11,9 +11,11 @@
 
 namespace myo::ui::panels {
 
+/// Verdict, confidence, reasons and remarks as text; then the errors per trial before and with the selected row.
 void VerdictPanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
+    // Each missing precondition has its own text.
     if (!state.scene || !commands::can_be_diagnosed(*state.scene))
         return muted_text(theme,
                           "A diagnosis compares the simulation with measured markers and tries every known effect on "
@@ -24,6 +26,7 @@ void VerdictPanel::draw(PanelContext& context) {
                           "Start it below the view. It fits the declared values first, tests whether more than noise "
                           "is left, then tries every effect of the catalogue.");
     const commands::DiagnosisView& d = *state.diagnosis;
+    // "Nothing is missing" is as good as the checks of the experiment; any other verdict is a warning.
     const commands::LogLevel verdict = d.verdict == commands::DiagnosisVerdict::none
                                            ? commands::log_level(commands::worst_state(d.checks))
                                            : commands::LogLevel::warning;
@@ -44,6 +47,7 @@ void VerdictPanel::draw(PanelContext& context) {
             "noise\" are in units of it.");
     context.items.mark("verdict/noise");
     if (!d.because.empty()) muted_text(theme, d.because);
+    // What cannot be distinguished, what is similar, and further remarks.
     for (const std::vector<std::string>* const list : {&d.confounded, &d.alike, &d.notes})
         for (const std::string& each : *list) notice(theme, commands::LogLevel::information, each);
     const commands::DiagnosisRow* const row = state.diagnosis_row();

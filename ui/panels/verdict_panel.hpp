@@ -4,7 +4,7 @@
 
 namespace myo::ui::panels {
 
-/// The verdict of the diagnosis in words; the ranking is below the view.
+/// Shows the verdict of the diagnosis in words, with confidence and errors; the ranking is below the view.
 class VerdictPanel : public Panel {
 public:
     std::string name() const override { return "verdict"; }

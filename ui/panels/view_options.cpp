@@ -15,7 +15,7 @@
 namespace myo::ui::panels {
 namespace {
 
-/// Least and greatest value of the colours, in the field's unit.
+/// Rows for the range of the colours, edited in the field's unit and stored in SI units.
 void draw_field_range(PanelContext& context, const commands::FieldKind& kind, commands::ViewOptions& view) {
     const auto found = view.field_ranges.find(kind.id);
     bool fixed = found != view.field_ranges.end();
@@ -24,6 +24,7 @@ void draw_field_range(PanelContext& context, const commands::FieldKind& kind, co
     context.items.mark("view/field/fixed");
     tooltip(context.theme, "Without it, the colours span what the whole trial reaches" +
                                std::string(kind.signed_values ? ", evenly to both sides of zero." : "."));
+    // A fixed range starts with the one that is shown, so that the picture does not change.
     if (fixed && !was_fixed) {
         const std::optional<std::array<double, 2>>& shown = context.field_range;
         view.field_ranges[kind.id] = shown ? std::array<double, 2>{kind.per_unit * (*shown)[0],
@@ -40,10 +41,12 @@ void draw_field_range(PanelContext& context, const commands::FieldKind& kind, co
     const bool changed = ImGui::InputScalarN("##range", ImGuiDataType_Double, typed.data(), 2, nullptr, nullptr,
                                              format.c_str(), ImGuiInputTextFlags_EnterReturnsTrue);
     context.items.mark("view/field/range");
+    // An empty or reversed range is not applied.
     if (changed && std::isfinite(typed[0]) && std::isfinite(typed[1]) && typed[0] < typed[1])
         range = {kind.per_unit * typed[0], kind.per_unit * typed[1]};
 }
 
+/// Only for unsigned fields: signed ones have the diverging map.
 void draw_color_map_choice(PanelContext& context, commands::ViewOptions& view) {
     const viewport::ColorMap&
         shown = viewport::color_maps()[static_cast<std::size_t>(viewport::number_of_color_map(view.color_map))];
@@ -62,11 +65,13 @@ void draw_color_map_choice(PanelContext& context, commands::ViewOptions& view) {
     ImGui::EndCombo();
 }
 
+/// Tooltip of a field: explanation, unit, and what it requires.
 std::string words_about(const commands::FieldKind& kind, const std::string& needed) {
     return kind.explanation + (kind.unit.empty() ? "" : " In " + kind.unit + ".") +
            (needed.empty() ? "" : "\n\n" + needed);
 }
 
+// Closed, the list explains the selected field; open, each entry explains itself.
 void draw_field_choice(PanelContext& context, commands::ViewOptions& view) {
     const std::vector<commands::FieldKind> kinds = commands::field_kinds(context.backend);
     const auto chosen = std::find_if(kinds.begin(), kinds.end(),
@@ -79,7 +84,8 @@ void draw_field_choice(PanelContext& context, commands::ViewOptions& view) {
         context.items.mark("view/field/none");
         for (const commands::FieldKind& kind : kinds) {
             const std::string needed = commands::needed_for(kind, context.state);
-            // A run can follow; a diagnosis takes minutes, and is chosen for itself.
+            // A field of a run can be selected before the run; one of a diagnosis only afterwards, as that takes
+            // minutes.
             ImGui::BeginDisabled(commands::of_diagnosis(kind) && !needed.empty());
             if (ImGui::Selectable(kind.label.c_str(), kind.id == view.field)) view.field = kind.id;
             ImGui::EndDisabled();
@@ -134,12 +140,14 @@ void draw_view_options(PanelContext& context, const viewport::Camera& camera) {
         {"Clamp", "view/clamp", &commands::ViewOptions::clamp, "The box in which the body is held"},
         {"Ground grid", "view/grid", &commands::ViewOptions::grid,
          "A grid below the body, in squares of 1, 2 or 5 times a power of ten of a metre"}};
+    // All controls edit a copy; one command is emitted if anything changed.
     commands::ViewOptions view = context.state.view;
     for (const Option& option : options) {
         ImGui::Checkbox(option.label, &(view.*option.value));
         context.items.mark(option.name);
         tooltip(context.theme, option.tip);
     }
+    // At least 10 %: an invisible body could not be found again.
     float opacity = static_cast<float>(100.0 * view.opacity);
     ImGui::SetNextItemWidth(140.0f * context.theme.scale);
     if (ImGui::SliderFloat("Body", &opacity, 10.0f, 100.0f, "%.0f %%", ImGuiSliderFlags_AlwaysClamp)) {

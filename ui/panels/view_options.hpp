@@ -5,7 +5,7 @@
 
 namespace myo::ui::panels {
 
-/// The button in the view's corner with its list of what is shown. At ImGui's cursor.
+/// Draws the button in the corner of the view, and its popup with everything that the view can show. At ImGui's cursor.
 void draw_view_options(PanelContext& context, const viewport::Camera& camera);
 
 }  // namespace myo::ui::panels

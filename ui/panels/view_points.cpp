@@ -3,6 +3,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Size of a text in the small font [pixels].
 ImVec2 extent_of(const platform::Theme& theme, const std::string& text) {
     return theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, text.c_str());
 }

@@ -12,7 +12,7 @@
 
 namespace myo::ui::panels {
 
-/// Where a point of the scene is in the window [pixels]; empty where it is behind the eye or not finite.
+/// Pixel of a point of the scene in the window. Empty if the point lies behind the eye or is not finite.
 inline std::optional<ImVec2> window_pixel(const viewport::ViewportState& view, const Eigen::Vector3d& point_m) {
     if (!point_m.allFinite()) return std::nullopt;
     const auto seen = viewport::project(view.camera, view.size(), point_m);
@@ -21,19 +21,21 @@ inline std::optional<ImVec2> window_pixel(const viewport::ViewportState& view, c
                   view.pixels.lowest.y + static_cast<float>(seen->y())};
 }
 
-/// How far from a marker a click still means it [pixels], at a scale of 1.
+/// Distance from a marker within which a click selects it [pixels at scale 1].
 inline constexpr float marker_reach = 10.0f;
 
-/// Whether Esc was pressed for the view rather than for a field or a popup.
+/// Whether Escape was pressed for the view; text fields and popups handle the key first.
 inline bool escape_pressed() {
     return ImGui::IsKeyPressed(ImGuiKey_Escape, false) && !ImGui::GetIO().WantTextInput &&
            !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId);
 }
 
-/// A note in a small box over the view, its text's upper left corner at `at` [pixels].
+/// Draws a text in a small box over the view. `at`: upper left corner of the text [pixels in the window].
 void draw_note(ImDrawList& list, const platform::Theme& theme, const ImVec2& at, const std::string& text);
 
-/// What a tool waits for, in the middle below the view's buttons; marked as `item`.
+/// Draws what a tool waits for, centred below the view's buttons.
+///
+/// @param item  item name for tests
 void draw_hint(PanelContext& context, const viewport::ViewportState& view, const std::string& text,
                const std::string& item);
 

@@ -12,6 +12,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Width of the left column of the side panel [pixels].
 float label_width() { return std::floor(0.42f * ImGui::GetWindowContentRegionMax().x); }
 
 }  // namespace
@@ -19,7 +20,7 @@ float label_width() { return std::floor(0.42f * ImGui::GetWindowContentRegionMax
 void tooltip(const platform::Theme& theme, const std::string& text, float width) {
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::BeginTooltip();
-    // In a small window with large letters the words would reach beyond its edge.
+    // In a small window with large text the tooltip would extend beyond the window.
     wrapped_text(text, std::min(width * theme.scale, ImGui::GetIO().DisplaySize.x - 24.0f * theme.scale));
     ImGui::EndTooltip();
 }
@@ -49,6 +50,7 @@ std::string duration_label(double seconds) {
     const long whole = std::lround(std::max(0.0, seconds));
     if (seconds < 9.95) return plot::value_label(std::max(0.0, seconds), 2) + " s";
     if (whole < 60) return std::to_string(whole) + " s";
+    // Two units at most: seconds do not matter after an hour.
     if (whole < 3600) return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
     return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
 }
@@ -69,7 +71,7 @@ void text_row(const platform::Theme& theme, const std::string& label, const std:
     ImGui::PushStyleColor(ImGuiCol_Text, theme.muted);
     wrapped_text(label, label_width() - 4.0f);
     ImGui::PopStyleColor();
-    ImGui::SameLine(label_width() - left);  // within a group it counts from there
+    ImGui::SameLine(label_width() - left);  // within a group it counts from the group
     ImGui::PushStyleColor(ImGuiCol_Text, color != nullptr ? *color : theme.text);
     wrapped_text(value);
     ImGui::PopStyleColor();
@@ -98,6 +100,7 @@ void notice(const platform::Theme& theme, commands::LogLevel level, const std::s
 }
 
 bool primary_button(const platform::Theme& theme, const std::string& label, const ImVec2& size) {
+    // Darker shades of the accent for hovered and pressed.
     const auto shade = [&](float f) {
         return ImVec4(theme.accent.x * f, theme.accent.y * f, theme.accent.z * f, 1.0f);
     };
@@ -113,6 +116,7 @@ bool primary_button(const platform::Theme& theme, const std::string& label, cons
 }
 
 bool OpenEdit::goes_on(const std::string& name, bool changed) {
+    // A new activation starts a new edit, even of the same field.
     if (ImGui::IsItemActivated() && name_ == name) name_.clear();
     const bool continues = changed && name_ == name;
     if (changed) name_ = name;
@@ -120,19 +124,23 @@ bool OpenEdit::goes_on(const std::string& name, bool changed) {
     return continues;
 }
 
+// ImGui edits the shown value; limits and value are converted to the shown unit and back.
 bool number_row(PanelContext& context, const NumberField& field, OpenEdit& edit, double& value, bool& goes_on) {
     row_label(context.theme, field.label, field.tip);
     double shown = value / field.per_unit;
     const double lowest = field.limits.lowest / field.per_unit;
     const double highest = field.limits.highest / field.per_unit;
+    // 0.4 % of the value per pixel: the same relative speed for all magnitudes.
     const float speed = static_cast<float>(std::max(0.004 * std::abs(shown), field.smallest_step));
+    // ImGui expands the text as a format
     const std::string format = "%.5g" + (field.unit.empty() ? "" : " " + (field.unit == "%" ? "%%" : field.unit));
     bool changed = ImGui::DragScalar(("##" + field.name).c_str(), ImGuiDataType_Double, &shown, speed, &lowest,
                                      &highest, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
     context.items.mark(field.name);
-    // Typed text may hold anything that reads as a number.
+    // Typed text may be any number that scanf reads, such as nan.
     if (!std::isfinite(shown)) changed = false;
     goes_on = edit.goes_on(field.name, changed);
+    // Not while the field is edited: the tooltip would cover it.
     if (!ImGui::IsItemActive())
         tooltip(context.theme, field.tip + "\n\nDrag, or double-click to type" +
                                    (field.unit.empty() ? "." : " a number in " + field.unit + "."));
@@ -149,7 +157,7 @@ bool slider_row(PanelContext& context, const std::string& name, commands::Limits
     context.items.mark(name);
     goes_on = edit.goes_on(name, changed);
     if (!changed || !std::isfinite(shown)) return false;
-    // Nobody needs a slider's sixteen digits.
+    // A slider with sixteen digits would give unreadable values; three significant digits remain.
     const double digit = std::pow(10.0,
                                   std::floor(std::log10(std::max(std::abs(shown), 1e-3 * shown_limits.highest))) - 2.0);
     shown = std::clamp(std::round(shown / digit) * digit, shown_limits.lowest, shown_limits.highest);
@@ -165,6 +173,7 @@ bool choice_row(PanelContext& context, const std::string& label, const std::stri
                                         current != choices.end() ? current->label.c_str() : id.c_str());
     context.items.mark(name);
     if (!open) {
+        // Closed, the list explains the present choice.
         tooltip(context.theme, current != choices.end() ? current->explanation : tip);
         return false;
     }
@@ -182,6 +191,7 @@ bool choice_row(PanelContext& context, const std::string& label, const std::stri
 }
 
 bool begin_dialog(const platform::Theme& theme, const char* title, float width) {
+    // The caller draws the dialog while its question is open, so it opens itself.
     if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
@@ -190,7 +200,7 @@ bool begin_dialog(const platform::Theme& theme, const char* title, float width) 
 }
 
 bool begin_popup_above(const platform::Theme& theme, const char* name, float width) {
-    // Not over the right edge of the window.
+    // The popup must not extend beyond the right edge of the window.
     const float furthest = ImGui::GetMainViewport()->Pos.x + ImGui::GetMainViewport()->Size.x -
                            (width + 8.0f) * theme.scale;
     const ImVec2 above{std::max(0.0f, std::min(ImGui::GetItemRectMin().x, furthest)),

@@ -8,80 +8,98 @@
 
 namespace myo::ui::panels {
 
+/// Names of the coordinates for labels and item names.
 inline constexpr std::array axis_names{"x", "y", "z"};
 
-/// Words about the last item while the mouse is over it; `width` in units of the scale.
+/// Shows a tooltip while the mouse is over the last item, also if it is disabled. Does nothing without text.
+///
+/// @param width  maximum width [pixels at scale 1]
 void tooltip(const platform::Theme& theme, const std::string& text, float width = 380.0f);
 
-/// A button that is one of several to choose from.
+/// A button that is one of several alternatives. Returns true if it was pressed.
 bool tab(const platform::Theme& theme, const char* label, bool chosen);
 
+/// Text at the right edge of the window.
 void right_aligned(const std::string& text);
+/// A heading within a panel.
 void heading(const platform::Theme& theme, const std::string& text);
 
-/// "42 s", "3 min 5 s", "1 h 2 min"
+/// Formats a duration: "4.2 s", "42 s", "3 min 5 s", "1 h 2 min".
 std::string duration_label(double seconds);
 
-// Rows of the side: a label on the left, the value on the right, all aligned.
+// Rows of the side panel: a label in the left column, the value in the right one, all aligned.
 
-/// Label in the left column; leaves the cursor at the right one with the remaining width set for the next item.
+/// Draws the label and moves the cursor to the right column, with its width set for the next item.
+///
+/// @param tip  tooltip of the label
 void row_label(const platform::Theme& theme, const std::string& label, const std::string& tip = {});
 
-/// A label and a text that wraps; both together are the last item then.
+/// Draws a label and a text that wraps. Afterwards both together are ImGui's last item.
+///
+/// @param color  of the text; null: the default
 void text_row(const platform::Theme& theme, const std::string& label, const std::string& value,
               const ImVec4* color = nullptr);
 
-/// Wrapped text in the secondary colour.
+/// Draws wrapped text in the secondary colour.
 void muted_text(const platform::Theme& theme, const std::string& text);
 
-/// A sentence that a person should notice, with an icon.
+/// Draws a message with the icon of its level.
 void notice(const platform::Theme& theme, commands::LogLevel level, const std::string& text);
 
-/// A button in the accent colour, for the one thing to do next.
+/// A button in the accent colour, for the next thing to do. At most one should be visible at a time. Returns true if it
+/// was pressed.
 bool primary_button(const platform::Theme& theme, const std::string& label, const ImVec2& size);
 
-/// A number that is dragged, or typed after a double click.
+/// A number field: dragged, or typed after a double click.
 struct NumberField {
-    std::string label;
-    std::string name;  // of the item, as "model/youngs_modulus"
-    std::string unit;
-    std::string tip;
+    std::string label;                  // in the left column
+    std::string name;                   // item name for tests: "model/youngs_modulus"
+    std::string unit;                   // shown unit; may be empty
+    std::string tip;                    // tooltip
     double per_unit = 1.0;              // shown value = value / per_unit
-    commands::Limits limits{0.0, 1.0};  // of the value itself
-    double smallest_step = 1e-3;        // of the shown value, while dragging
+    commands::Limits limits{0.0, 1.0};  // of the value, in its own unit
+    double smallest_step = 1e-3;        // of the shown value per pixel of dragging
 };
 
-/// Which field's edit is going on: changes of one drag are one step for undo.
+/// Remembers which field is being dragged, so that undo treats all changes of one drag as one edit. One object per
+/// group of fields, kept by the panel.
 class OpenEdit {
 public:
-    /// After the field's item was submitted: whether a change in this frame continues an earlier one.
+    /// Returns whether a change in this frame continues the drag of an earlier one. Call it right after the field's
+    /// item.
     bool goes_on(const std::string& name, bool changed);
 
 private:
-    std::string name_;
+    std::string name_;  // field of the edit in progress; empty: none
 };
 
-/// True when changed; `goes_on` tells whether by the same drag as before.
+/// Draws a number row. Returns true if the value changed.
+///
+/// @param value  changed within the field's limits
+/// @param goes_on  set to whether the change continues a drag
 bool number_row(PanelContext& context, const NumberField& field, OpenEdit& edit, double& value, bool& goes_on);
 
-/// A slider below its number, without words of its own; `shown` is rounded to what a person would type. True when
-/// changed.
+/// Draws a slider below a number row, without a label. Returns true if the value changed.
+///
+/// @param shown  value in the shown unit; rounded to three significant digits
 bool slider_row(PanelContext& context, const std::string& name, commands::Limits shown_limits, bool logarithmic,
                 OpenEdit& edit, double& shown, bool& goes_on);
 
-/// A list; true when another entry was chosen.
+/// Draws a list. Returns true if another entry was selected.
+///
+/// @param id  id of the selected entry
 bool choice_row(PanelContext& context, const std::string& label, const std::string& name, const std::string& tip,
                 const std::vector<commands::Choice>& choices, std::string& id);
 
-/// A question in the middle of the window that wants an answer before anything else, `width` in units of the scale.
-/// False when it is not drawn; else to be ended with ImGui::EndPopup().
+/// Opens and begins a modal dialog in the middle of the window, `width` [pixels at scale 1] wide. Returns false if it
+/// is not drawn; otherwise the caller ends it with ImGui::EndPopup().
 bool begin_dialog(const platform::Theme& theme, const char* title, float width);
 
-/// A popup that stands on the last item, as parts at the foot of the window need; Esc closes it. False when it is not
-/// open; else to be ended with ImGui::EndPopup().
+/// Begins a popup that opens upwards from the last item, for buttons at the foot of the window. Escape closes it.
+/// Returns false if it is not open; otherwise the caller ends it with ImGui::EndPopup().
 bool begin_popup_above(const platform::Theme& theme, const char* name, float width);
 
-/// "12,345"
+/// Formats a count with separators: "12,345".
 std::string with_separators(double count);
 
 }  // namespace myo::ui::panels

@@ -23,28 +23,33 @@
 namespace myo::ui::panels {
 namespace {
 
+// The parts of the window are ImGui windows at fixed places.
 constexpr ImGuiWindowFlags fixed_window = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
                                           ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
+/// Begins the ImGui window of a part. The caller ends it.
 void begin_part(const char* name, const platform::Rectangle& place, ImGuiWindowFlags flags = 0) {
     ImGui::SetNextWindowPos(place.lowest);
     ImGui::SetNextWindowSize({std::max(1.0f, place.width()), std::max(1.0f, place.height())});
     ImGui::Begin(name, nullptr, fixed_window | flags);
 }
 
+/// The colours of the muscles, in which alone an edit of the list can change the picture.
 std::vector<int> muscle_looks(const std::vector<commands::Muscle>& muscles) {
     std::vector<int> colors;
     for (const commands::Muscle& muscle : muscles) colors.push_back(muscle.color);
     return colors;
 }
 
+/// Beginning of the message after a failure.
 std::string cannot_write(const PictureRequest& request) {
     return request.moves ? "Cannot write the pictures: " : "Cannot write the picture: ";
 }
 
 }  // namespace
 
+// The first panel of the strip in all_panels() is the one in front at the start.
 Result<WorkbenchWindow> WorkbenchWindow::make(commands::Workbench& workbench) {
     auto interface = platform::Interface::make(workbench.state().preferences.theme, workbench.state().scale());
     if (!interface) return interface.error();
@@ -56,6 +61,7 @@ Result<WorkbenchWindow> WorkbenchWindow::make(commands::Workbench& workbench) {
     window.renderer_ = std::move(*renderer);
     window.panels_ = all_panels();
     for (const auto& panel : window.panels_) {
+        // The first panel of the strip is shown at the start.
         if (panel->place() == PanelPlace::strip && window.strip_panel_.empty()) window.strip_panel_ = panel->name();
     }
     return window;
@@ -68,6 +74,7 @@ void WorkbenchWindow::show_step(commands::Step step) {
     wake();
 }
 
+// A side panel is shown by showing its task.
 bool WorkbenchWindow::show_panel(const std::string& name) {
     for (const auto& panel : panels_) {
         if (panel->name() != name) continue;
@@ -88,12 +95,14 @@ std::vector<std::string> WorkbenchWindow::panel_names() const {
 }
 
 bool WorkbenchWindow::must_draw() const {
-    // After a movement one more frame draws the scene with smooth edges.
+    // After a movement one more frame renders the scene with multisampling.
     return pacer_.must_draw(workbench_->animating() || was_moving_ || fields_.waits() || film_.runs() || picture_ ||
                             part_);
 }
 
+/// The column of tasks, and next to it the panels of the selected task.
 void WorkbenchWindow::draw_side(PanelContext& context) {
+    // The tasks fill their column without padding at the sides.
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 8.0f * context.theme.scale));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0f, 2.0f * context.theme.scale));
     begin_part("##steps", layout_.steps, ImGuiWindowFlags_NoScrollbar);
@@ -101,8 +110,9 @@ void WorkbenchWindow::draw_side(PanelContext& context) {
     ImGui::End();
     ImGui::PopStyleVar(2);
     begin_part("##side", layout_.rail, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    // The foot's height is known from the last frame only.
     const ImVec2 padding = ImGui::GetStyle().WindowPadding;
-    // The buttons that start and stop work stay in sight at the foot; the rest scrolls above them.
+    // The buttons that start and stop jobs stay visible at the foot; everything else scrolls above them.
     ImGui::BeginChild((std::string("##scrolling ") + commands::step_id(step_)).c_str(),
                       {0.0f, -(foot_height_ + padding.y)});
     draw_step_head(context, step_);
@@ -123,10 +133,12 @@ void WorkbenchWindow::draw_side(PanelContext& context) {
         draw_import_controls(context);
     else
         draw_run_controls(context);
+    // Known only after drawing; the next frame uses it. A change of height is corrected one frame later.
     foot_height_ = ImGui::GetCursorPosY() - foot_top;
     ImGui::End();
 }
 
+/// One tab per panel; a panel that is not offered has none.
 void WorkbenchWindow::draw_strip(PanelContext& context) {
     begin_part("##strip", layout_.strip, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     const auto width_of = [](const std::string& label) {
@@ -136,10 +148,13 @@ void WorkbenchWindow::draw_strip(PanelContext& context) {
     float all = 0.0f;
     for (const auto& panel : panels_)
         if (panel->place() == PanelPlace::strip && panel->offered(context.state)) all += width_of(panel->title());
+    // Without room for all titles, only the tab in front shows its title.
     const bool icons = all > ImGui::GetContentRegionAvail()
                                  .x;  // of all but the one in front, where there is no room for names
     bool first = true;
+    // Drawn after the tabs; null if its panel has just disappeared.
     Panel* front = nullptr;
+    // The panel in front may disappear, for example when an import ends.
     const auto gone = [&](const auto& panel) {
         return panel->name() == strip_panel_ && !panel->offered(context.state);
     };
@@ -163,9 +178,10 @@ void WorkbenchWindow::draw_strip(PanelContext& context) {
     ImGui::End();
 }
 
+/// The view fills its part of the window; the rendered scene is copied there before ImGui's lists are drawn over it.
 void WorkbenchWindow::draw_view(PanelContext& context) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
-    // Without a scene there is nothing to scrub and plot: the start page has all the room.
+    // Without a scene there is nothing to play or plot, so the start page gets the whole room.
     if (!context.state.scene) layout_.view.highest = {layout_.view.highest.x, layout_.strip.highest.y};
     begin_part("##view", layout_.view,
                ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
@@ -175,6 +191,7 @@ void WorkbenchWindow::draw_view(PanelContext& context) {
         ImGui::End();
         return;
     }
+    // Order matters: the view receives the mouse first, then the tools, and the card of a picked place last.
     const viewport::ToolTakes takes = [&](const Eigen::Vector2d& pixel) {
         return paint_.takes(context.state, scene_, viewport_, pixel);
     };
@@ -188,8 +205,10 @@ void WorkbenchWindow::draw_view(PanelContext& context) {
     ImGui::End();
 }
 
+/// Dragging an edge changes the preferences, so that the sizes are kept for the next session.
 void WorkbenchWindow::draw_edges(PanelContext& context) {
     commands::LayoutSizes sizes = context.state.preferences.layout;
+    // An invisible window over each edge receives the drag.
     const auto edge = [&](const char* name, const platform::Rectangle& place, bool vertical, float& size,
                           float direction) {
         ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
@@ -219,6 +238,7 @@ void WorkbenchWindow::draw_edges(PanelContext& context) {
 void WorkbenchWindow::react_to_keys(PanelContext& context) {
     react_to_shortcuts(context, viewport_);
     if (ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId)) return;
+    // One sample interval per key press.
     const auto step = [&](double frames) {
         const commands::SceneTrial* trial = context.state.scene_trial();
         if (!trial || trial->time_s.size() < 2) return;
@@ -228,6 +248,8 @@ void WorkbenchWindow::react_to_keys(PanelContext& context) {
     if (ImGui::IsKeyPressed(ImGuiKey_RightArrow)) step(1.0);
 }
 
+/// Keeps scene_ up to date. The key contains everything that the scene depends on; comparing it is cheap, as large
+/// parts are compared by pointer.
 void WorkbenchWindow::update_scene() {
     const commands::WorkbenchState& state = workbench_->state();
     const SceneKey key{state.scene,
@@ -246,7 +268,9 @@ void WorkbenchWindow::update_scene() {
                        paint_.revision(),
                        interface_.theme().name,
                        commands::compared_records(state)};
+    // Creating the scene copies all positions, so it happens only if one of its inputs has changed.
     if (key == scene_key_) return;
+    // A new scene starts with the standard direction of view.
     if (key.scene != scene_key_.scene) {
         viewport_.camera = viewport::turn_to(viewport_.camera, viewport::StandardView::oblique);
         viewport_.untouched = true;
@@ -254,14 +278,16 @@ void WorkbenchWindow::update_scene() {
     if (key.scene != scene_key_.scene || key.body != scene_key_.body || key.run != scene_key_.run ||
         key.trial != scene_key_.trial) {
         motion_ = commands::summarize_motion(state);
-        // Until a person chooses another view, all of the motion stays in sight; but edits that are previewed are not
-        // to make it wander.
+        // Until the user moves the camera, the whole motion stays visible. Edits that are previewed are an exception:
+        // the camera must not move with every one.
         if (viewport_.untouched && !(state.previewing() && scene_key_.run)) viewport_.fit_requested = true;
     }
+    // A new import shows its panels.
     if (key.import && !scene_key_.import) {
         show_step(commands::Step::measure);
         show_panel("recording");
     }
+    // After the summary, which contains the whole body.
     cut_.apply(state, motion_);
     const std::optional<commands::FieldKind> kind = commands::shown_field(state, workbench_->backend());
     scene_ = commands::scene_at_time(state, interface_.theme(), motion_, paint_.live(), kind ? &*kind : nullptr,
@@ -270,6 +296,7 @@ void WorkbenchWindow::update_scene() {
     ++revision_;
 }
 
+/// Draws all parts in a fixed order; dialogs last, as they lie in front.
 void WorkbenchWindow::draw_parts(PanelContext& context) {
     constexpr ImGuiWindowFlags still = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
     draw_view(context);
@@ -285,7 +312,7 @@ void WorkbenchWindow::draw_parts(PanelContext& context) {
         draw_strip(context);
     }
     draw_edges(context);
-    // Dialogs belong to no part.
+    // Dialogs belong to no part. Their window is one pixel large and takes no input.
     begin_part("##dialogs", {{0.0f, 0.0f}, {1.0f, 1.0f}},
                still | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoInputs);
     draw_questions(context);
@@ -303,6 +330,7 @@ void WorkbenchWindow::draw_parts(PanelContext& context) {
 
 void WorkbenchWindow::follow(WindowRequests& requests) {
     const commands::WorkbenchState& state = workbench_->state();
+    // Once per request: the dialog must not open again after the user has closed it.
     if (!requests.file && state.asks_where_to_save && !asked_where_) requests.file = save_dialog(state);
     asked_where_ = state.asks_where_to_save;
     if (requests.file) browser_.open(std::move(*requests.file));
@@ -312,10 +340,12 @@ void WorkbenchWindow::follow(WindowRequests& requests) {
     if (requests.about) about_ = true;
     if (requests.clear_distances) distances_.clear();
     if (requests.picture) picture_ = requests.picture;
+    // The dialog that requested the image must have disappeared from the window; that takes two frames.
     if (requests.part) part_ = requests.part, part_waits_ = 2;
     if (requests.save_view) picture_dialog_.open(state, viewport_.size());
 }
 
+/// Images start after the view has been rendered once, as they use its camera and size.
 void WorkbenchWindow::begin_pictures() {
     if (!picture_ || film_.runs()) return;
     const PictureRequest request = *std::exchange(picture_, std::nullopt);
@@ -325,6 +355,7 @@ void WorkbenchWindow::begin_pictures() {
         workbench_->execute(commands::Tell{commands::LogLevel::failure, cannot_write(request) + begun.error().text()});
 }
 
+/// One image per frame, with a message after the last one.
 void WorkbenchWindow::add_picture() {
     if (!film_.runs()) return;
     const PictureRequest request = film_.request();
@@ -337,6 +368,7 @@ void WorkbenchWindow::add_picture() {
         workbench_->execute(commands::Tell{commands::LogLevel::done, written + request.path.string() + "."});
 }
 
+/// The part is read from the framebuffer, so it looks exactly as in the window.
 void WorkbenchWindow::write_part(int width, int height) {
     const WindowPart part = *std::exchange(part_, std::nullopt);
     const Result<void> written = platform::write_png(
@@ -346,6 +378,7 @@ void WorkbenchWindow::write_part(int width, int height) {
                 : commands::Tell{commands::LogLevel::failure, "Cannot write the picture: " + written.error().text()});
 }
 
+/// The order within a frame: results of jobs, input, scene, panels, requests, rendering, and finally the commands.
 Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) {
     // After a pause without frames, playing must not jump.
     seconds = std::clamp(seconds, 0.0, 0.25);
@@ -353,6 +386,7 @@ Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) 
     const commands::WorkbenchState& state = workbench_->state();
     interface_.set_theme(state.preferences.theme, state.scale());
     interface_.begin_frame(width, height, static_cast<float>(seconds));
+    // Before the panels, so that they draw over the scene of this frame.
     update_scene();
     layout_ = make_layout(static_cast<float>(width), static_cast<float>(height), interface_.theme().scale,
                           state.preferences.layout);
@@ -365,11 +399,13 @@ Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) 
     follow(requests);
     interface_.end_frame();
 
+    // Parts that no window covers show the background of the theme.
     const ImVec4 clear = interface_.theme().background;
     platform::gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
     platform::gl::Disable(GL_SCISSOR_TEST);
     platform::gl::ClearColor(clear.x, clear.y, clear.z, 1.0f);
     platform::gl::Clear(GL_COLOR_BUFFER_BIT);
+    // Without multisampling while something moves: at rest the next frame is rendered again with it.
     const bool moving = viewport_.moving || viewport_.tool_held || state.playing;
     if (state.scene && viewport_.size().width > 1 && viewport_.size().height > 1) {
         const auto drawn = renderer_.update(scene_, revision_, viewport::view_colors(interface_.theme()),
@@ -387,6 +423,7 @@ Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) 
     // Commands are carried out after the frame, so that all panels saw one state; their effect shows in the next.
     for (const commands::Command& command : commands) workbench_->execute(command);
     pacer_.frame_drawn();
+    // Something has changed: the next frames show it.
     if (!commands.empty() || !interface_.input().empty()) pacer_.event_arrived();
     was_moving_ = moving;
     return {};

@@ -23,60 +23,85 @@
 
 namespace myo::ui::panels {
 
-/// The whole window: lays out the panels, draws the view under them, and carries out what they ask for. The same for a
-/// real window, for pictures without a display, and for tests.
+/// The whole window: lays out and draws the panels, renders the 3D view below them, and executes their commands and
+/// requests. The same class serves a real window, images without a display, and tests.
+///
+/// Used on the UI thread with a current OpenGL context.
 class WorkbenchWindow {
 public:
-    /// Needs a current context with loaded functions.
+    /// Creates the window. Requires a current context with loaded functions.
+    ///
     /// @param workbench  must outlive the window
+    /// Error: a shader does not compile.
     static Result<WorkbenchWindow> make(commands::Workbench& workbench);
 
-    /// One frame into the default framebuffer. The context has this size [pixels].
+    /// Draws one frame into the default framebuffer, then executes the commands of its panels.
+    ///
+    /// @param width, height  of the framebuffer [pixels]
     /// @param seconds  since the last frame
     /// Error: the driver refuses to draw.
     Result<void> draw_frame(int width, int height, double seconds);
 
-    /// Whether the next frame may differ from the last.
+    /// Whether the next frame may differ from the last one. If not, the caller can wait for an event.
     bool must_draw() const;
-    /// An event came in, or a job reported.
+    /// Requests frames after an event, or after a job has reported something.
     void wake() { pacer_.event_arrived(); }
 
+    /// Files were dropped on the window.
     void drop(const std::vector<std::filesystem::path>& files) { workbench_->execute(commands::Drop{files}); }
+    /// Opens a file or folder, as the command line asks.
     void open(const std::filesystem::path& path) { workbench_->execute(commands::Open{path, std::nullopt}); }
-    /// Shows a step at the side, and what belongs to it below the view.
+    /// Shows a task in the side panel, and its panel below the view.
     void show_step(commands::Step step);
+    /// The task that is shown in the side panel.
     commands::Step step() const { return step_; }
-    /// Brings a panel to the front, by its name; false when there is none.
+    /// Shows a panel by its name. Returns false if there is no such panel.
     bool show_panel(const std::string& name);
+    // The rest of the interface serves tests, and the program's window with its callbacks.
     std::vector<std::string> panel_names() const;
 
+    /// For the window's callbacks and tests, which push events.
     platform::InputQueue& input() { return interface_.input(); }
+    /// Items of the last frame, for tests.
     const platform::ItemRectangles& items() { return interface_.items(); }
+    /// The 3D view, for tests.
     const viewport::ViewportState& viewport() const { return viewport_; }
+    /// The drawn scene, for tests.
     const viewport::DrawnScene& scene() const { return scene_; }
     /// Whether values of the field that colours the body are still being computed.
     bool waits_for_field() const { return fields_.waits(); }
     const InspectTool& inspect_tool() const { return inspect_; }
     const DistanceTool& distance_tool() const { return distances_; }
-    /// The 3D view into files, from the next frame on.
+    /// Writes images of the 3D view, beginning with the next frame.
     void draw_into(const PictureRequest& request) { picture_ = request; }
+    /// Number of rendered scenes, for tests: idle frames render none.
     int scene_draw_count() const { return renderer_.draw_count(); }
 
 private:
+    // Parts of the window.
     void draw_side(PanelContext& context);
+    /// The tabs below the view, with the selected panel.
     void draw_strip(PanelContext& context);
+    /// The view with its tools, or the start page.
     void draw_view(PanelContext& context);
+    /// The edges between the parts, which the user can drag.
     void draw_edges(PanelContext& context);
+    /// All parts of the window and the dialogs.
     void draw_parts(PanelContext& context);
+    /// Shortcuts, and the arrow keys that move in time.
     void react_to_keys(PanelContext& context);
+    /// Executes the requests of the panels.
     void follow(WindowRequests& requests);
+    /// Creates the drawn scene again if one of its inputs has changed.
     void update_scene();
-    /// Takes the view as it is now for the pictures that were asked for.
+    /// Starts writing the requested images of the present view.
     void begin_pictures();
+    /// Writes the next image of a running job.
     void add_picture();
+    /// Writes a part of the window as an image.
     void write_part(int width, int height);
 
-    // What the drawn scene was made from.
+    // Inputs of the drawn scene. An equal key means that the scene is unchanged.
     struct SceneKey {
         std::shared_ptr<const commands::Scene> scene;
         std::shared_ptr<const commands::MeshedBody> body;
@@ -91,41 +116,41 @@ private:
         std::vector<std::shared_ptr<const fibre::CellPaint>> paint;
         std::vector<int> muscle_colors;
         int muscle = 0;
-        int stroke = 0;
+        int stroke = 0;  // PaintTool::revision()
         platform::ThemeName theme = platform::ThemeName::dark;
-        std::vector<std::size_t> compared;  // in the history
+        std::vector<std::size_t> compared;  // indices in the history
         bool operator==(const SceneKey&) const = default;
     };
 
-    commands::Workbench* workbench_ = nullptr;
+    commands::Workbench* workbench_ = nullptr;  // not owned; outlives the window
     platform::Interface interface_;
     viewport::SceneRenderer renderer_;
     platform::FramePacer pacer_;
-    std::vector<std::unique_ptr<Panel>> panels_;
-    commands::Step step_ = commands::Step::body;
+    std::vector<std::unique_ptr<Panel>> panels_;  // all panels, also those that are not shown
+    commands::Step step_ = commands::Step::body;  // shown in the side panel
     FileBrowser browser_;
     Palette palette_;
-    bool about_ = false;
-    bool asked_where_ = false;               // to save: the dialog was opened
-    std::optional<PictureRequest> picture_;  // to be begun after the next drawing of the view
-    std::optional<WindowPart> part_;         // likewise, once the dialog that asked for it is gone
+    bool about_ = false;        // the dialog is open
+    bool asked_where_ = false;  // the dialog for the project's file name was opened for the present request
+    std::optional<PictureRequest> picture_;  // starts after the view has been rendered
+    std::optional<WindowPart> part_;         // written once the dialog that requested it has disappeared
     int part_waits_ = 0;                     // frames until then
     PictureDialog picture_dialog_;
     FilmJob film_;
-    float foot_height_ = 40.0f;  // of the rail's foot, as it was in the last frame
-    Layout layout_;
-    viewport::ViewportState viewport_;
+    float foot_height_ = 40.0f;         // height of the side panel's foot in the last frame [pixels]
+    Layout layout_;                     // of this frame
+    viewport::ViewportState viewport_;  // camera and mouse of the 3D view
     PaintTool paint_;
     InspectTool inspect_;
-    DistanceTool distances_;
-    commands::BodyCut cut_;
-    viewport::DrawnScene scene_;
-    SceneKey scene_key_;
-    commands::MotionSummary motion_;
-    commands::FieldStore fields_;
-    std::uint64_t revision_ = 1;
-    std::string strip_panel_;  // in front
-    bool was_moving_ = false;
+    DistanceTool distances_;          // also drawn into images of the view
+    commands::BodyCut cut_;           // the clip plane, applied to the drawn body
+    viewport::DrawnScene scene_;      // what the view shows
+    SceneKey scene_key_;              // inputs of scene_
+    commands::MotionSummary motion_;  // of the present scene and run
+    commands::FieldStore fields_;     // values of the field that colours the body
+    std::uint64_t revision_ = 1;      // increased with every change of scene_
+    std::string strip_panel_;         // name of the panel below the view
+    bool was_moving_ = false;         // in the last frame
 };
 
 }  // namespace myo::ui::panels

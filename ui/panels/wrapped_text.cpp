@@ -13,7 +13,9 @@ std::string broken_at_spaces(const std::string& text, float width,
     while (at < text.size()) {
         const std::size_t end = std::min(text.find_first_of(" \n", at), text.size());
         const std::string word = text.substr(at, end - at);
+        // The width of the whole line counts, spaces included.
         const std::string longer = line.empty() ? word : line + " " + word;
+        // The first word of a line is placed even if it is too wide; otherwise the loop would not end.
         if (line.empty() || width_of(longer) <= width) {
             line = longer;
         } else {
@@ -33,7 +35,7 @@ void wrapped_text(const std::string& text, float right) {
     const float width = right > 0.0f ? right - ImGui::GetCursorPosX() : ImGui::GetContentRegionAvail().x;
     const std::string broken = broken_at_spaces(
         text, width, [](const std::string& line) { return ImGui::CalcTextSize(line.c_str()).x; });
-    ImGui::PushTextWrapPos(right);  // for words that are wider than a line, as paths are
+    ImGui::PushTextWrapPos(right);  // for words that are wider than a line, such as paths
     ImGui::TextUnformatted(broken.c_str());
     ImGui::PopTextWrapPos();
 }

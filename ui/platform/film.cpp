@@ -16,13 +16,15 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// For the shell, whatever it holds.
+/// Quotes a text for the POSIX shell. File names come from the user and may hold spaces, quotes or `$`.
 std::string quoted(const std::string& text) {
     std::string result = "'";
     for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
     return result + "'";
 }
 
+/// Writes frame_0001.png, frame_0002.png, … into `<folder>.part` and renames that folder in finish(), so that a folder
+/// with the final name always holds the complete film.
 class NumberedFiles : public FilmWriter {
 public:
     explicit NumberedFiles(const fs::path& folder) : folder_(folder), part_(folder.string() + ".part") {
@@ -54,21 +56,26 @@ private:
     bool finished_ = false;
 };
 
+/// Pipes raw RGBA frames into ffmpeg, which encodes H.264 into `<file>.part.mp4`; finish() renames it to the final
+/// name.
 class Mp4 : public FilmWriter {
 public:
     Mp4(const fs::path& file, int width, int height, double rate_Hz) : file_(file), part_(file.string() + ".part.mp4") {
         char format[160];
+        // yuv420p and faststart: the combination that browsers and presentation programs play.
         std::snprintf(format, sizeof format,
                       "-f rawvideo -pix_fmt rgba -s %dx%d -r %.6g -i - -c:v libx264 -preset veryfast -crf 18 -pix_fmt "
                       "yuv420p -movflags +faststart ",
                       width, height, rate_Hz);
-        // A pipe that ends early is told by a failed write, not by a signal.
+        // If ffmpeg ends early, the failed fwrite reports it. Without this line SIGPIPE would end the workbench.
         before_ = std::signal(SIGPIPE, SIG_IGN);
         pipe_ = popen(
             ("ffmpeg -y -loglevel error " + std::string(format) + quoted(part_.string()) + " >/dev/null 2>&1").c_str(),
             "w");
     }
     ~Mp4() override {
+        // finish() sets pipe_ to null, so an open pipe here means that the film was abandoned: the partial file is
+        // removed.
         const bool finished = pipe_ == nullptr;
         (void)close();
         std::signal(SIGPIPE, before_);
@@ -81,6 +88,7 @@ public:
     }
     Result<void> finish() override {
         std::error_code code;
+        // ffmpeg reports encoding errors only by its exit code, which pclose returns.
         if (close() == 0)
             fs::rename(part_, file_, code);
         else
@@ -92,6 +100,7 @@ public:
     }
 
 private:
+    // Ends ffmpeg and waits for it. Returns its exit status, -1 if the pipe is closed already or was never opened.
     int close() { return pipe_ ? pclose(std::exchange(pipe_, nullptr)) : -1; }
     Error failed() const {
         return {"ffmpeg did not write the film; is there room, and does it know H.264?", file_.string()};
@@ -105,6 +114,7 @@ private:
 }  // namespace
 
 bool can_write_films() {
+    // Searches PATH as the shell does. Running ffmpeg to find out would block the frame that draws the dialog.
     const char* const path = std::getenv("PATH");
     std::string rest = path ? path : "";
     while (!rest.empty()) {
@@ -118,6 +128,7 @@ bool can_write_films() {
 Result<std::unique_ptr<FilmWriter>> FilmWriter::begin(const fs::path& path, int width, int height, double rate_Hz) {
     std::error_code code;
     if (path.extension() == ".mp4") {
+        // All checks come before the first frame is rendered, so that a bad target fails at once and not after minutes.
         if (!can_write_films())
             return Error{"films need the program ffmpeg, which is not on the path; write numbered pictures instead",
                          path.string()};

@@ -9,6 +9,7 @@
 namespace myo::ui::platform {
 namespace {
 
+/// Returns the first of these files that exists, or an empty string.
 std::string first_existing(const std::vector<std::string>& files) {
     for (const std::string& file : files) {
         std::error_code ignored;
@@ -17,11 +18,12 @@ std::string first_existing(const std::vector<std::string>& files) {
     return {};
 }
 
-// Latin, Greek, super- and subscripts, dashes and quotes, arrows, the mathematics in use.
+// Latin, Greek, superscripts and subscripts, dashes and quotes, arrows, and the mathematical symbols that labels use.
+// Each range costs space in the font texture, so only these are rasterised.
 const ImWchar text_ranges[] = {0x0020, 0x024f, 0x02b0, 0x02ff, 0x0370, 0x03ff, 0x1d2c, 0x1d6a, 0x2010, 0x2027, 0x2030,
                                0x2033, 0x2070, 0x209c, 0x2190, 0x2195, 0x2202, 0x2202, 0x2207, 0x2207, 0x2212, 0x2212,
                                0x221a, 0x221e, 0x223c, 0x223c, 0x2248, 0x2248, 0x2260, 0x2265, 0x22c5, 0x22c5, 0};
-// Glyphs of pictures are large: what names, units and numbers need.
+// Fonts of exported images are rasterised at a large size, so they hold only what names, units and numbers need.
 const ImWchar label_ranges[] = {0x0020, 0x017f, 0x0370, 0x03ff, 0x2010, 0x2027, 0x2070,
                                 0x209c, 0x2190, 0x2195, 0x2212, 0x2212, 0};
 const ImWchar latin_ranges[] = {0x0020, 0x007e, 0};
@@ -30,7 +32,7 @@ const ImWchar icon_ranges[] = {0xf000, 0xf2e0, 0};
 const std::string inter = "/usr/share/fonts/opentype/inter/Inter-";
 const std::string dejavu = "/usr/share/fonts/truetype/dejavu/DejaVuSans";
 
-/// That of the current context.
+/// Returns the font atlas of the current ImGui context, emptied and set to rasterise through FreeType.
 ImFontAtlas& empty_atlas() {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.Clear();
@@ -38,6 +40,8 @@ ImFontAtlas& empty_atlas() {
     return atlas;
 }
 
+/// Adds one font at `pixels` height: `file`, with the glyphs that it lacks taken from `fallback` and icons merged in.
+/// An empty file name skips that part; with neither text file ImGui's built-in bitmap font is used.
 ImFont* add_font(ImFontAtlas& atlas, const std::string& file, const std::string& fallback, const std::string& icons,
                  float pixels, const ImWchar* ranges = text_ranges) {
     if (file.empty() && fallback.empty()) {

@@ -7,7 +7,8 @@
 
 namespace myo::ui::platform {
 
-/// Icons of Font Awesome 4.7, as UTF-8.
+/// Icons of Font Awesome 4.7 as UTF-8 strings, to be put in front of a label. Drawn as replacement characters if
+/// load_fonts() found no icon font.
 namespace icon {
 inline constexpr const char* folder = "\xef\x81\xbc";         // f07c
 inline constexpr const char* closed_folder = "\xef\x81\xbb";  // f07b
@@ -56,18 +57,23 @@ inline constexpr const char* arrow = "\xef\x81\xa1";          // f061
 inline constexpr const char* remove = "\xef\x80\x8d";         // f00d
 }  // namespace icon
 
-/// What was found on the system; an empty name means that the built-in font is used and icons are missing.
+/// Font files found on this system. An empty text_file means that ImGui's built-in font is used; an empty icon_file
+/// means that icons are missing.
 struct FontReport {
-    std::string text_file;
-    std::string icon_file;
+    std::string text_file;  // full path
+    std::string icon_file;  // full path
 };
 
-/// Builds the atlas of the current ImGui context through FreeType and stores the fonts in the theme.
+/// Builds the font atlas of the current ImGui context through FreeType and stores the fonts in the theme, at sizes
+/// multiplied by theme.scale.
 ///
-/// Text is Inter, with DejaVu for glyphs it lacks (or alone), with ImGui's own font as the last resort.
+/// The text font is Inter, with DejaVu Sans for glyphs that Inter lacks; DejaVu Sans alone if Inter is not installed;
+/// ImGui's built-in font if neither is. The atlas owns the fonts: pointers in the theme are valid until the atlas is
+/// cleared.
 FontReport load_fonts(Theme& theme);
 
-/// Builds an atlas of the theme's small font alone, for labels in large pictures. The other fonts become null.
+/// Builds an atlas with only the theme's small font, for labels in exported images. The theme's other fonts become
+/// null.
 void load_label_font(Theme& theme);
 
 }  // namespace myo::ui::platform

@@ -16,6 +16,7 @@ Result<void> load(GetProcAddress get_proc_address) {
 #undef MYOLOOP_GL_LOAD
     GLint major = 0;
     GLint minor = 0;
+    // The context may be older than 3.3 although the driver exports every function, so the version is checked too.
     GetIntegerv(GL_MAJOR_VERSION, &major);
     GetIntegerv(GL_MINOR_VERSION, &minor);
     if (major * 10 + minor < 33) {

@@ -4,8 +4,9 @@
 
 #include "base/result.hpp"
 
-// The OpenGL 3.3 functions the workbench draws with. OSMesa and GLFW each hand out their own pointers, and the usual
-// loaders insist on GLX, so the pointers are loaded here from whichever context is current.
+// The OpenGL 3.3 functions that the workbench calls. OSMesa and GLFW each return function pointers of their own, and
+// common loaders require GLX, so the pointers are loaded here from the current context. To call a further function, add
+// its line to this list.
 #define MYOLOOP_GL_FUNCTIONS(X)                                                \
     X(PFNGLACTIVETEXTUREPROC, ActiveTexture)                                   \
     X(PFNGLATTACHSHADERPROC, AttachShader)                                     \
@@ -80,12 +81,14 @@ namespace myo::ui::platform::gl {
 MYOLOOP_GL_FUNCTIONS(MYOLOOP_GL_DECLARE)
 #undef MYOLOOP_GL_DECLARE
 
-using AnyFunction = void (*)();
-using GetProcAddress = AnyFunction (*)(const char* name);
+using AnyFunction = void (*)();                            // stands for a function pointer of any type
+using GetProcAddress = AnyFunction (*)(const char* name);  // GLFW's or OSMesa's lookup
 
-/// Fills the pointers above from the current context. Error: a function is missing, or the context is older than 3.3.
+/// Loads the function pointers above from the current context.
 ///
-/// The pointers belong to the process, as OpenGL's own functions do: one kind of context at a time.
+/// Call it once per process, before any other function of this folder. The pointers are global, like OpenGL's own
+/// functions, so a process uses one kind of context at a time. Error: a function is missing, or the context is older
+/// than OpenGL 3.3.
 Result<void> load(GetProcAddress get_proc_address);
 
 }  // namespace myo::ui::platform::gl

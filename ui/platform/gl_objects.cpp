@@ -28,6 +28,7 @@ VertexArray make_vertex_array() {
 
 namespace {
 
+/// Compiles one of the embedded shader files. The caller deletes the shader after linking.
 Result<GLuint> compile(GLenum kind, const std::string& file) {
     const std::string_view source = shader_source(file);
     if (source.empty()) return Error{"no such shader was built into the program", "shaders/" + file};
@@ -59,6 +60,7 @@ Result<Program> make_program(const std::string& name) {
     AttachShader(program.name(), *vertex);
     AttachShader(program.name(), *fragment);
     LinkProgram(program.name());
+    // A linked program keeps its code; the shader objects are no longer needed.
     DeleteShader(*vertex);
     DeleteShader(*fragment);
     GLint linked = 0;
@@ -80,6 +82,7 @@ Texture make_texture(int width, int height, const unsigned char* rgba) {
     TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    // Widths that are not a multiple of 4 bytes are allowed in OpenGL only with this alignment.
     PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
     return texture;
@@ -92,7 +95,7 @@ void upload(const Buffer& buffer, const std::vector<float>& data) {
 
 void attribute(GLuint index, int size, int stride, int offset, GLuint divisor) {
     EnableVertexAttribArray(index);
-    // OpenGL wants the byte offset dressed up as a pointer.
+    // OpenGL takes the byte offset in a pointer argument.
     const void* place = reinterpret_cast<const void*>(static_cast<std::uintptr_t>(offset) * sizeof(float));
     VertexAttribPointer(index, size, GL_FLOAT, GL_FALSE,
                         static_cast<GLsizei>(static_cast<std::size_t>(stride) * sizeof(float)), place);

@@ -13,6 +13,7 @@ namespace myo::ui::platform {
 Image read_frame(int width, int height, unsigned framebuffer) {
     Image image{width, height, {}};
     const std::size_t row = static_cast<std::size_t>(width) * 4;
+    // OpenGL returns the lowest row first; image files start at the top.
     std::vector<std::uint8_t> bottom_up(row * static_cast<std::size_t>(height));
     gl::BindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     gl::PixelStorei(GL_PACK_ALIGNMENT, 1);
@@ -22,7 +23,7 @@ Image read_frame(int width, int height, unsigned framebuffer) {
         const auto first = bottom_up.begin() + static_cast<std::ptrdiff_t>(y * row);
         image.rgba.insert(image.rgba.end(), first, first + static_cast<std::ptrdiff_t>(row));
     }
-    // A window is opaque whatever blending left in its alpha.
+    // Blending leaves arbitrary alpha values in the framebuffer, but the window itself is opaque.
     for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;
     return image;
 }

@@ -11,12 +11,14 @@
 
 namespace myo::ui::platform {
 
-/// Pixels, 8-bit RGBA, row by row from the top.
+/// An 8-bit RGBA image, stored row by row from the top, 4 bytes per pixel.
 struct Image {
-    int width = 0;
-    int height = 0;
-    std::vector<std::uint8_t> rgba;
+    int width = 0;                   // [pixels]
+    int height = 0;                  // [pixels]
+    std::vector<std::uint8_t> rgba;  // 4 x width x height bytes
 
+    /// Red, green and blue (0 to 255) of the pixel at column x, row y, counted from the upper left corner. No bounds
+    /// check.
     std::array<int, 3> color(int x, int y) const {
         const std::size_t i = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                                    static_cast<std::size_t>(x));
@@ -24,13 +26,15 @@ struct Image {
     }
 };
 
-/// A framebuffer of the current context, 0 being that of the window; opaque.
+/// Reads the lower left width x height pixels of a framebuffer of the current context; 0 is the framebuffer of the
+/// window. Waits for the GPU. Alpha is set to opaque.
 Image read_frame(int width, int height, unsigned framebuffer = 0);
 
-/// The part of a picture inside a rectangle [pixels].
+/// Returns the part of an image inside a rectangle [pixels, origin at the upper left], cut off at the image's edges.
+/// May be empty.
 Image cropped(const Image& image, const Rectangle& part);
 
-/// Error: cannot be written.
+/// Writes an image as PNG. Error: the file cannot be written, or the image cannot be encoded.
 Result<void> write_png(const Image& image, const std::filesystem::path& path);
 
 }  // namespace myo::ui::platform

@@ -8,9 +8,11 @@
 namespace myo::ui::platform {
 namespace {
 
+// ImGui stores texture identifiers as pointers; these two convert an OpenGL name to one and back.
 ImTextureID to_texture_id(GLuint name) { return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(name)); }
 GLuint to_name(ImTextureID id) { return static_cast<GLuint>(reinterpret_cast<std::uintptr_t>(id)); }
 
+/// Vertex attribute of ImDrawVert; `offset` in bytes.
 void attribute_at(GLuint index, int size, GLenum type, GLboolean normalized, std::size_t offset) {
     gl::EnableVertexAttribArray(index);
     gl::VertexAttribPointer(index, size, type, normalized, sizeof(ImDrawVert), reinterpret_cast<const void*>(offset));
@@ -43,6 +45,7 @@ void ImguiRenderer::upload_fonts(ImFontAtlas& atlas) {
     int height = 0;
     atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
     fonts_ = gl::make_texture(width, height, pixels);
+    // ImGui refers to the texture by this identifier in each draw command.
     atlas.SetTexID(to_texture_id(fonts_.name()));
     atlas.ClearTexData();
 }
@@ -67,7 +70,9 @@ void ImguiRenderer::draw(const ImDrawData& data, GLuint framebuffer) const {
         gl::BufferData(GL_ARRAY_BUFFER, list.VtxBuffer.size_in_bytes(), list.VtxBuffer.Data, GL_STREAM_DRAW);
         gl::BufferData(GL_ELEMENT_ARRAY_BUFFER, list.IdxBuffer.size_in_bytes(), list.IdxBuffer.Data, GL_STREAM_DRAW);
         for (const ImDrawCmd& command : list.CmdBuffer) {
+            // No panel submits callbacks, so commands with one carry no geometry.
             if (command.UserCallback != nullptr) continue;
+            // ImGui clips from the upper left corner, glScissor counts from the lower left.
             const int left = static_cast<int>(command.ClipRect.x - data.DisplayPos.x);
             const int right = static_cast<int>(command.ClipRect.z - data.DisplayPos.x);
             const int top = static_cast<int>(command.ClipRect.y - data.DisplayPos.y);

@@ -8,25 +8,29 @@ struct ImFontAtlas;
 
 namespace myo::ui::platform {
 
-/// Draws what Dear ImGui hands over. Its own OpenGL back end looks for libGL and so fails under OSMesa.
+/// Draws the output of Dear ImGui through the functions of gl.hpp. ImGui's own OpenGL back end searches for libGL and
+/// therefore fails with OSMesa. Used on the UI thread with a current context.
 class ImguiRenderer {
 public:
+    /// Compiles the shader `interface` and creates the buffers. Error: the shader does not compile.
     static Result<ImguiRenderer> make();
 
-    /// Uploads the font atlas; to be called again after the fonts were rebuilt.
+    /// Copies the font atlas into a texture. Call it again whenever the fonts were rebuilt.
     void upload_fonts(ImFontAtlas& atlas);
 
-    /// Draws over what is there.
-    /// @param framebuffer  0: that of the window
+    /// Draws the frame that ImGui::Render() produced over the present content of a framebuffer; does nothing for an
+    /// empty display.
+    ///
+    /// @param framebuffer  0 is the framebuffer of the window
     void draw(const ImDrawData& data, GLuint framebuffer = 0) const;
 
 private:
     gl::Program program_;
-    gl::VertexArray vertex_array_;
-    gl::Buffer vertices_;
+    gl::VertexArray vertex_array_;  // refilled for each draw list
+    gl::Buffer vertices_;           // refilled for each draw list
     gl::Buffer indices_;
-    gl::Texture fonts_;
-    GLint display_ = -1;
+    gl::Texture fonts_;   // the font atlas
+    GLint display_ = -1;  // location of the uniform with position and size of the display
 };
 
 }  // namespace myo::ui::platform

@@ -9,7 +9,7 @@ void set_modifiers(ImGuiIO& io, const Modifiers& modifiers) {
     io.KeyAlt = modifiers.alt;
 }
 
-// What the frame being filled has taken so far.
+// Kinds of events that the frame being filled has received so far.
 struct Taken {
     bool move = false;
     bool wheel = false;
@@ -17,6 +17,7 @@ struct Taken {
     bool text = false;
 };
 
+/// Whether an event may go into the same frame as those already taken. The rules are documented at InputQueue.
 bool may_follow(const InputEvent& event, const Taken& taken) {
     if (taken.change) return false;
     if (std::holds_alternative<MouseMoved>(event)) return !taken.wheel;
@@ -25,6 +26,7 @@ bool may_follow(const InputEvent& event, const Taken& taken) {
     return true;
 }
 
+/// Writes one event into ImGui's input state. Unknown buttons and keys are ignored.
 void take(const InputEvent& event, ImGuiIO& io, Taken& taken) {
     if (const auto* move = std::get_if<MouseMoved>(&event)) {
         io.MousePos = ImVec2(move->x, move->y);

@@ -7,7 +7,8 @@
 
 namespace myo::ui::platform {
 
-/// Keys that Dear ImGui 1.86 has no name for, numbered after its own.
+/// Keys for which Dear ImGui 1.86 has no name, numbered after ImGuiKey. Shortcuts use them; KeyPressed carries either
+/// kind.
 enum ExtraKey {
     key_b = ImGuiKey_COUNT,
     key_d,
@@ -30,62 +31,75 @@ enum ExtraKey {
     key_count
 };
 
+/// Modifier keys that were held down when an event happened.
 struct Modifiers {
     bool ctrl = false;
     bool shift = false;
     bool alt = false;
 };
 
+// Input events, as the window's callbacks or a test create them. Coordinates are in pixels, origin at the upper left.
 struct MouseMoved {
-    float x = 0.0f, y = 0.0f;
-};  // [pixels] from the upper left corner
+    float x = 0.0f, y = 0.0f;  // [pixels] in the window
+};                             // [pixels] from the upper left corner
+/// A mouse button went down or up at the last reported position.
 struct MouseButton {
-    int button = 0;
+    int button = 0;  // 0 left, 1 right, 2 middle, as in ImGui
     bool down = false;
     Modifiers modifiers;
 };
 struct MouseWheel {
-    float x = 0.0f, y = 0.0f;
-};  // [notches]
+    float x = 0.0f, y = 0.0f;  // [notches]; y > 0: away from the user
+};                             // [notches]
 struct KeyPressed {
-    int key = 0;
+    int key = 0;  // ImGuiKey or ExtraKey
     bool down = false;
     Modifiers modifiers;
 };  // ImGuiKey or ExtraKey
+/// One character of text input, after keyboard layout and dead keys.
 struct TextTyped {
-    unsigned character = 0;
+    unsigned character = 0;  // Unicode code point
 };
 
 using InputEvent = std::variant<MouseMoved, MouseButton, MouseWheel, KeyPressed, TextTyped>;
 
-/// The one way by which input reaches the interface, fed by a window's callbacks or by a test.
+/// Receives all user input for the interface, from the window's callbacks or from a test, and distributes it over
+/// frames.
 ///
-/// Dear ImGui 1.86 takes input as plain state per frame, so events that fall into one slow frame would hide each other:
-/// a click shorter than a frame is lost, a press after a jump of the mouse lands on what was hovered before. Therefore
-/// at most one button or key changes per frame, never in the frame of a move, and text never comes in the frame of a
-/// key.
+/// Dear ImGui 1.86 reads input as plain state once per frame, so events that fall into one slow frame would hide each
+/// other: a click shorter than a frame is lost, and a press after a jump of the mouse acts on the item that was hovered
+/// before. Therefore a frame gets at most one change of a button or key, never together with a mouse move before it,
+/// and no text together with a key.
+///
+/// Used on the UI thread only.
 class InputQueue {
 public:
     void push(const InputEvent& event) { events_.push_back(event); }
     bool empty() const { return events_.empty(); }
 
-    /// Hands as many events as the rules allow to the coming frame.
+    /// Writes as many queued events as the rules allow into ImGui's input state; the rest stays for later frames. Call
+    /// it just before ImGui::NewFrame().
     void apply_to_next_frame(ImGuiIO& io);
 
 private:
-    std::deque<InputEvent> events_;
+    std::deque<InputEvent> events_;  // oldest first
 };
 
-/// Decides when to draw: while events come in, three frames more (a click takes three to show its effect), and as long
-/// as something moves by itself.
+/// Decides whether the next frame has to be drawn, so that an idle window draws nothing.
+///
+/// Each event asks for three more frames, because a click takes three to show its effect. While `animating`, every
+/// frame is drawn. Not drawing is safe: the window keeps its last image.
 class FramePacer {
 public:
+    /// Call it for each input event and each wake-up from a background job.
     void event_arrived() { frames_left_ = 3; }
+    /// Call it after each drawn frame.
     void frame_drawn() { frames_left_ = frames_left_ > 0 ? frames_left_ - 1 : 0; }
+    /// @param animating  something changes without input, such as a playing trial
     bool must_draw(bool animating) const { return animating || frames_left_ > 0; }
 
 private:
-    int frames_left_ = 3;
+    int frames_left_ = 3;  // the first frames after the start count as requested
 };
 
 }  // namespace myo::ui::platform

@@ -16,10 +16,13 @@ Result<Interface> Interface::make(ThemeName theme, float scale) {
     made.context_.reset(ImGui::CreateContext());
     made.theme_ = make_theme(theme, scale);
     ImGuiIO& io = ImGui::GetIO();
+    // ImGui writes no files of its own: the preferences keep the sizes of the window's parts.
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
+    // Plots with many samples need more than 65,536 vertices in one draw list.
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     io.ConfigWindowsMoveFromTitleBarOnly = true;
+    // The event queue already uses ImGui's key numbers, so the map is the identity.
     for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
     return made;
 }
@@ -35,7 +38,7 @@ void Interface::begin_frame(int width, int height, float seconds) {
     if (rebuild_) rebuild();
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
-    // ImGui asserts a positive time step; a long pause must not fast-forward its animations.
+    // ImGui asserts a positive time step. The upper limit keeps its animations from jumping after a long pause.
     io.DeltaTime = std::clamp(seconds, 1e-4f, 0.25f);
     input_->apply_to_next_frame(io);
     items_->clear();

@@ -14,20 +14,31 @@ struct ImGuiContext;
 
 namespace myo::ui::platform {
 
-/// Dear ImGui with its fonts, theme, input and renderer. One per process and OpenGL context.
+/// Owns Dear ImGui's context, fonts, theme, input queue and renderer. One per process and OpenGL context; used on the
+/// UI thread only.
+///
+/// A frame is begin_frame(), the panels, end_frame(), draw().
 class Interface {
 public:
-    /// Needs a current context with loaded functions.
+    /// Creates the interface. Requires a current OpenGL context with loaded functions.
+    ///
+    /// @param scale  of text and controls; 1 = default size
+    /// Error: a shader does not compile.
     static Result<Interface> make(ThemeName theme, float scale);
 
-    /// Starts a frame: applies input, clears the list of items.
-    /// @param seconds  since the last frame
+    /// Starts a frame: rebuilds fonts if the theme changed, applies queued input and clears the recorded item
+    /// rectangles.
+    ///
+    /// @param width, height  size of the window's framebuffer [pixels]
+    /// @param seconds  time since the last frame
     void begin_frame(int width, int height, float seconds);
-    /// Lays out what was submitted; draw() then puts it into the default framebuffer.
+    /// Ends the frame and generates ImGui's draw lists.
     void end_frame();
+    /// Draws the lists into the default framebuffer, over what is there. Call it after end_frame().
     void draw() const;
 
-    /// Takes effect at the start of the next frame.
+    /// Changes theme and scale from the next frame on; fonts and their texture are rebuilt then. The scale is limited
+    /// to 0.75 … 3.
     void set_theme(ThemeName name, float scale);
 
     const Theme& theme() const { return theme_; }
@@ -38,13 +49,16 @@ private:
     struct DestroyContext {
         void operator()(ImGuiContext* context) const;
     };
+    /// Applies the theme to ImGui's style and rebuilds the fonts. Not within a frame, as ImGui must not draw with old
+    /// fonts.
     void rebuild();
 
     std::unique_ptr<ImGuiContext, DestroyContext> context_;
     ImguiRenderer renderer_;
     Theme theme_;
-    bool rebuild_ = true;
+    bool rebuild_ = true;                                                 // the theme changed since the last frame
     std::unique_ptr<InputQueue> input_ = std::make_unique<InputQueue>();  // on the heap: callbacks keep its address
+    // on the heap: panels keep its address
     std::unique_ptr<ItemRectangles> items_ = std::make_unique<ItemRectangles>();
 };
 

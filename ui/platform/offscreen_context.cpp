@@ -6,7 +6,8 @@
 
 #include "platform/gl.hpp"
 
-// osmesa.h drags in the legacy gl.h, whose declarations clash with glcorearb.h; these four are all that is used.
+// osmesa.h includes the legacy gl.h, whose declarations clash with glcorearb.h, so the four functions in use are
+// declared here.
 extern "C" {
 struct osmesa_context;
 osmesa_context* OSMesaCreateContextAttribs(const int* attributes, osmesa_context* share);
@@ -17,6 +18,8 @@ myo::ui::platform::gl::AnyFunction OSMesaGetProcAddress(const char* name);
 
 namespace myo::ui::platform {
 
+/// OSMesa renders into memory that the caller owns: `pixels` is the default framebuffer and must outlive the current
+/// context.
 struct OffscreenContext::Content {
     osmesa_context* context = nullptr;
     std::vector<unsigned char> pixels;
@@ -37,7 +40,7 @@ void OffscreenContext::Destroy::operator()(Content* content) const {
 }
 
 Result<OffscreenContext> OffscreenContext::make(int width, int height) {
-    // Values of osmesa.h: format, depth bits, profile, version.
+    // Constants of osmesa.h: format, depth bits, profile, version.
     constexpr int format = 0x22, depth_bits = 0x30, profile = 0x33, core_profile = 0x34;
     constexpr int version_major = 0x36, version_minor = 0x37, rgba = 0x1908;
     const int attributes[] = {format,        rgba, depth_bits,    24, profile, core_profile,
@@ -56,6 +59,7 @@ int OffscreenContext::width() const { return content_->width; }
 int OffscreenContext::height() const { return content_->height; }
 
 Result<void> OffscreenContext::resize(int width, int height) {
+    // Checked here, because OSMesaMakeCurrent reports only that it failed.
     if (width < 1 || height < 1 || width > 16384 || height > 16384) {
         return Error{"a picture must be 1 to 16384 pixels wide and high, not " + std::to_string(width) + " x " +
                          std::to_string(height),

@@ -6,17 +6,21 @@
 
 namespace myo::ui::platform {
 
-/// An OpenGL context without a display (OSMesa, software), current from its making until its end.
+/// An OpenGL 3.3 context without a display, rendered in software by OSMesa. Used by tests and by the command-line image
+/// export. It is current on the creating thread from make() until its destruction.
 class OffscreenContext {
 public:
-    /// @param width, height  of the default framebuffer [pixels]
-    /// Error: Mesa cannot make a 3.3 core context.
+    /// Creates the context, makes it current and loads the functions of gl.hpp.
+    ///
+    /// @param width, height  size of the default framebuffer [pixels], 1 to 16384
+    /// Error: Mesa cannot create a 3.3 core context, or the size is out of range.
     static Result<OffscreenContext> make(int width, int height);
 
+    // Size of the default framebuffer [pixels].
     int width() const;
     int height() const;
 
-    /// Gives the default framebuffer another size; its content is lost.
+    /// Changes the size [pixels] of the default framebuffer; its content is lost. Error: the size is out of range.
     Result<void> resize(int width, int height);
 
 private:

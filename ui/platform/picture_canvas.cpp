@@ -9,7 +9,8 @@
 namespace myo::ui::platform {
 namespace {
 
-/// Makes a context the current one as long as it lives.
+/// Makes an ImGui context current for the lifetime of this object and restores the previous one afterwards, on every
+/// path.
 class CurrentContext {
 public:
     explicit CurrentContext(ImGuiContext* context) : before_(ImGui::GetCurrentContext()) {
@@ -32,6 +33,8 @@ Result<PictureCanvas> PictureCanvas::make(ThemeName theme, float scale) {
     if (!renderer) return renderer.error();
     PictureCanvas canvas;
     canvas.renderer_ = std::move(*renderer);
+    // CreateContext may leave the new context current. The previous one is restored, so that `current` returns to it at
+    // the end.
     ImGuiContext* const before = ImGui::GetCurrentContext();
     canvas.context_.reset(ImGui::CreateContext());
     ImGui::SetCurrentContext(before);

@@ -11,15 +11,20 @@ struct ImGuiContext;
 
 namespace myo::ui::platform {
 
-/// Draws lines and labels over pictures that are not the window, with letters made for their size.
+/// Draws lines and labels over off-screen images of any size, with fonts rasterised for the scale of that image. Used
+/// for exported images and videos, whose resolution differs from the window's.
 class PictureCanvas {
 public:
-    /// Needs a current context with loaded functions.
-    /// @param scale  of text and lines
+    /// Creates the canvas. Requires a current OpenGL context with loaded functions.
+    ///
+    /// @param scale  of text and line widths, 1 as in the window at scale 1
+    /// Error: a shader does not compile.
     static Result<PictureCanvas> make(ThemeName theme, float scale);
 
-    /// What is drawn, in pixels from the upper left corner; of the theme's fonts it has the small one.
+    /// Callback that draws the annotations. Coordinates are pixels from the upper left corner of the image. Of the
+    /// theme's fonts only `small` is set.
     using Drawing = std::function<void(ImDrawList&, const Theme&)>;
+    /// Runs `drawing` and renders its result over the content of `framebuffer`, whose size is width x height [pixels].
     void draw(GLuint framebuffer, int width, int height, const Drawing& drawing) const;
 
 private:
@@ -27,7 +32,7 @@ private:
         void operator()(ImGuiContext* context) const;
     };
 
-    std::unique_ptr<ImGuiContext, DestroyContext> context_;  // of its own: the window's may be in the middle of a frame
+    std::unique_ptr<ImGuiContext, DestroyContext> context_;  // separate: the window's context may be within a frame
     ImguiRenderer renderer_;
     Theme theme_;
 };

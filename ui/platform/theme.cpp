@@ -5,12 +5,13 @@
 namespace myo::ui::platform {
 namespace {
 
+/// Opaque colour from 0xRRGGBB.
 ImVec4 rgb(unsigned hex) {
     const auto part = [hex](unsigned shift) { return static_cast<float>((hex >> shift) & 0xffu) / 255.0f; };
     return {part(16), part(8), part(0), 1.0f};
 }
 
-/// One colour of both themes, 0xRRGGBB.
+/// A colour of the theme and its value in the dark and light variant, 0xRRGGBB.
 struct Swatch {
     ImVec4 Theme::*color;
     unsigned dark, light;
@@ -30,7 +31,8 @@ constexpr Swatch palette[] = {
     {&Theme::axis_y, 0x7bd88f, 0x2b8a3e},      {&Theme::axis_z, 0x6aa9ff, 0x1864ab},
 };
 
-/// Okabe and Ito 2008, darker for a light ground; the last is between their yellow and green.
+/// Muscle colours by Okabe and Ito 2008, distinguishable with colour vision deficiencies; darker on a light background.
+/// The last is between their yellow and green.
 constexpr unsigned muscle_colors_dark[] = {0xe8663c, 0x56b4e9, 0x1fb58a, 0xcc79a7,
                                            0xe69f00, 0x5b8def, 0xf0e442, 0x9bc53d};
 constexpr unsigned muscle_colors_light[] = {0xd04a14, 0x2a8fca, 0x008f66, 0xb0578a,
@@ -51,6 +53,7 @@ Theme make_theme(ThemeName name, float scale) {
 }
 
 void apply_theme(const Theme& t, ImGuiStyle& style) {
+    // Start from ImGui's defaults: ScaleAllSizes would otherwise multiply already scaled sizes again.
     style = ImGuiStyle();
     style.WindowPadding = {16, 12};
     style.FramePadding = {8, 5};
@@ -71,6 +74,7 @@ void apply_theme(const Theme& t, ImGuiStyle& style) {
     style.ChildRounding = 0;
     style.ScaleAllSizes(t.scale);
 
+    // Each group of ImGui's colours below takes one colour of the theme.
     const auto faint = [](ImVec4 color, float alpha) {
         color.w = alpha;
         return color;

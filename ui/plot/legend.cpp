@@ -3,7 +3,7 @@
 namespace myo::ui::plot {
 namespace {
 
-constexpr float sample_width = 14.0f, gap = 4.0f;  // at a scale of 1
+constexpr float sample_width = 14.0f, gap = 4.0f;  // [pixels] at scale 1
 
 }  // namespace
 
@@ -14,6 +14,7 @@ float legend_width(const LegendEntry& entry, const platform::Theme& theme) {
 
 void draw_legend_entry(ImDrawList& list, const LegendEntry& entry, const platform::Rectangle& box, bool hovered,
                        bool pressed, const platform::Theme& theme, HiddenSeries& hidden) {
+    // A hidden curve keeps its entry, dimmed, so that a second click shows the curve again.
     if (pressed && hidden.erase(entry.name) == 0) hidden.insert(entry.name);
     const float alpha = hidden.count(entry.name) > 0 ? 0.35f : 1.0f;
     const float s = theme.scale, left = box.lowest.x, middle = box.center().y;

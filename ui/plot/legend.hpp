@@ -4,16 +4,21 @@
 
 namespace myo::ui::plot {
 
-/// A name beside a sample of its curve.
+/// One entry of a legend: the name of a curve next to a sample of its line or dot.
 struct LegendEntry {
-    std::string name;
-    ImVec4 color;
-    bool dots = false;
+    std::string name;   // also identifies the curve in HiddenSeries
+    ImVec4 color;       // of the sample
+    bool dots = false;  // sample is a dot instead of a line
 };
 
+/// Width of an entry including its sample [pixels].
 float legend_width(const LegendEntry& entry, const platform::Theme& theme);
 
-/// Draws it with its left edge in the middle of the box's height; `pressed` shows or hides its curve.
+/// Draws an entry at the left edge of `box`, centred vertically.
+///
+/// @param hovered  the mouse is over the box: brighter text
+/// @param pressed  the box was clicked in this frame: hides the curve, or shows it again if it was hidden
+/// @param hidden  names of hidden curves; changed when `pressed`
 void draw_legend_entry(ImDrawList& list, const LegendEntry& entry, const platform::Rectangle& box, bool hovered,
                        bool pressed, const platform::Theme& theme, HiddenSeries& hidden);
 

@@ -8,6 +8,7 @@
 namespace myo::ui::plot {
 namespace {
 
+/// Pixel of a data coordinate in the window. The second one swaps the ends of the area, as pixels grow downwards.
 float px(const PlotArea& area, double x) {
     return static_cast<float>(
         to_pixel(area.x, x, static_cast<double>(area.pixels.lowest.x), static_cast<double>(area.pixels.highest.x)));
@@ -31,6 +32,7 @@ ImVec2 extent(ImFont* font, const std::string& what) {
 Eigen::Index nearest_sample(const Eigen::VectorXd& x, double value) {
     if (x.size() == 0) return -1;
     const double* first = x.data();
+    // The first sample not below `value`; the nearest one is this or the one before.
     const double* last = first + x.size();
     const double* above = std::lower_bound(first, last, value);
     if (above == last) return x.size() - 1;
@@ -44,6 +46,7 @@ void draw_plot_frame(ImDrawList& list, const Plot& plot, const PlotArea& area, c
     ImFont* font = theme.small;
     const ImU32 line = platform::packed(theme.border);
     const ImU32 muted = platform::packed(theme.muted);
+    // One tick per 64 pixels at most: labels with their unit are about this wide.
     const Ticks x_ticks = make_ticks(area.x, std::max(2, static_cast<int>(r.width() / (64.0f * theme.scale))));
     for (const double v : x_ticks.values) {
         const float x = std::round(px(area, v));
@@ -51,18 +54,19 @@ void draw_plot_frame(ImDrawList& list, const Plot& plot, const PlotArea& area, c
         if (!plot.x_axis) continue;
         const std::string label = tick_label(v, x_ticks.step) + " " + plot.x_unit;
         const float width = extent(font, label).x;
-        // Labels at the ends stay inside, so that neighbours do not touch.
+        // Labels at both ends stay inside the area, so that those of neighbouring plots do not touch.
         const float left = std::clamp(x - 0.5f * width, r.lowest.x, r.highest.x - width);
         text(list, font, {left, r.highest.y + 2.0f * theme.scale}, muted, label);
     }
     const Ticks y_ticks = make_ticks(area.y, std::max(5, static_cast<int>(r.height() / (18.0f * theme.scale))));
-    // In a low plot only every second or fifth line has room for its label; zero keeps its own.
+    // In a low plot only every second or fifth grid line has room for its label. Multiples are counted from zero, so
+    // that zero keeps its label.
     const double step_pixels = y_ticks.step / area.y.span() * static_cast<double>(r.height());
     const double needed = static_cast<double>(font->FontSize);
     const long every = step_pixels >= needed ? 1 : 2.0 * step_pixels >= needed ? 2 : 5;
     const auto regular = [&](double v) { return std::lround(v / y_ticks.step) % every == 0; };
     const auto ends = [&](double v) { return v == y_ticks.values.front() || v == y_ticks.values.back(); };
-    // One number alone gives no scale: then the outermost lines are labelled instead.
+    // A single number gives no scale. In that case the outermost lines are labelled instead.
     const bool enough = std::count_if(y_ticks.values.begin(), y_ticks.values.end(), regular) > 1;
     for (const double v : y_ticks.values) {
         const float y = std::round(py(area, v));
@@ -93,7 +97,7 @@ void draw_plot_series(ImDrawList& list, const PlotSeries& series, const PlotArea
         }
         const ImVec2 p{px(area, series.x[i]), py(area, series.y[i])};
         const bool outside = p.x < area.pixels.lowest.x - 50.0f || p.x > area.pixels.highest.x + 50.0f;
-        // Points that fall together are drawn once: traces may hold many samples per pixel.
+        // Points within one pixel are drawn once, as traces may hold many samples per pixel.
         if (series.dots) {
             if (!outside && (!open || std::abs(p.x - last.x) + std::abs(p.y - last.y) > 0.7f)) {
                 list.AddCircleFilled(p, radius, color, 8);
@@ -103,6 +107,7 @@ void draw_plot_series(ImDrawList& list, const PlotSeries& series, const PlotArea
             continue;
         }
         if (open && std::abs(p.x - last.x) < 0.3f && std::abs(p.y - last.y) < 0.3f && i + 1 < count) continue;
+        // Segments that lie outside on one side are skipped; those that cross the area are clipped by ImGui.
         const bool both_left = open && p.x < area.pixels.lowest.x && last.x < area.pixels.lowest.x;
         const bool both_right = open && p.x > area.pixels.highest.x && last.x > area.pixels.highest.x;
         if (open && !both_left && !both_right) list.AddLine(last, p, color, 1.6f * theme.scale);
@@ -114,6 +119,7 @@ void draw_plot_series(ImDrawList& list, const PlotSeries& series, const PlotArea
 void draw_plot_legend(ImDrawList& list, const Plot& plot, const PlotArea& area, const platform::Theme& theme,
                       platform::ItemRectangles& items, HiddenSeries& hidden) {
     const float row = theme.small->FontSize + 6.0f * theme.scale;
+    // From right to left, until the area is full: the first curves lose their entry if there is no room for all.
     float right = area.pixels.highest.x;
     for (std::size_t i = plot.series.size(); i-- > 0;) {
         const PlotSeries& series = plot.series[i];
@@ -141,6 +147,7 @@ void draw_plot_crosshair(ImDrawList& list, const Plot& plot, const PlotArea& are
                                 static_cast<double>(r.highest.x));
     ImGui::BeginTooltip();
     ImGui::PushFont(theme.small);
+    // Hidden curves are left out of the tooltip, too.
     ImGui::Text("%s %s", value_label(x, 4).c_str(), plot.x_unit.c_str());
     for (const PlotSeries& series : plot.series) {
         if (hidden.count(series.name) > 0) continue;

@@ -7,9 +7,10 @@
 namespace myo::ui::plot {
 namespace {
 
-// Of one plot [SVG pixels]; wide enough for a column of a page.
+// Size of one plot and its drawing area [SVG pixels], chosen for a column of a page.
 constexpr double width = 800.0, height = 260.0, left = 64.0, right = 784.0, top = 30.0, bottom = 232.0;
 
+/// Two decimals of an SVG pixel: exact enough for print, and short.
 std::string number(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.2f", value);
@@ -25,6 +26,7 @@ std::string hex(const ImVec4& color) {
     return text;
 }
 
+/// Names come from experiment files and may hold characters with a meaning in XML.
 std::string escaped(const std::string& text) {
     std::string result;
     for (const char c : text) result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
@@ -36,6 +38,7 @@ std::string label(double x, double y, const char* anchor, const ImVec4& color, c
            "\">" + escaped(text) + "</text>\n";
 }
 
+/// A line element; coordinates and thickness in SVG pixels.
 std::string straight(double x0, double y0, double x1, double y1, const ImVec4& color, double thickness) {
     return "<line x1=\"" + number(x0) + "\" y1=\"" + number(y0) + "\" x2=\"" + number(x1) + "\" y2=\"" + number(y1) +
            "\" stroke=\"" + hex(color) + "\" stroke-width=\"" + number(thickness) + "\"/>\n";
@@ -45,6 +48,7 @@ std::string circle(double x, double y, double radius) {
     return "<circle cx=\"" + number(x) + "\" cy=\"" + number(y) + "\" r=\"" + number(radius) + "\"/>\n";
 }
 
+/// Dots outside the visible ranges are left out, so that the file holds only what is seen.
 std::string dots(const SeenPlot& seen, const PlotSeries& series) {
     std::string svg = "<g fill=\"" + hex(series.color) + "\">\n";
     for (Eigen::Index i = 0; i < std::min(series.x.size(), series.y.size()); ++i) {
@@ -55,9 +59,11 @@ std::string dots(const SeenPlot& seen, const PlotSeries& series) {
     return svg + "</g>\n";
 }
 
+/// One path for the whole curve. Segments are cut at the ends of the x range; a NaN or a segment left out starts a new
+/// subpath.
 std::string curve(const SeenPlot& seen, const PlotSeries& series) {
     std::string path;
-    double end = NAN;  // x where the path stands
+    double end = NAN;  // x of the last path point; NaN before the first
     for (Eigen::Index i = 1; i < std::min(series.x.size(), series.y.size()); ++i) {
         const double x0 = series.x[i - 1], x1 = series.x[i], y0 = series.y[i - 1], y1 = series.y[i];
         const double from = std::max(x0, seen.x.lowest), to = std::min(x1, seen.x.highest);
@@ -98,7 +104,7 @@ std::string legend(const SeenPlot& seen, const platform::Theme& theme) {
     for (std::size_t i = seen.plot.series.size(); i-- > 0;) {
         const PlotSeries& series = seen.plot.series[i];
         svg += label(end, top - 10.0, "end", theme.text, series.name);
-        // Fonts differ between viewers: a wide letter's room for each.
+        // The viewer's font is unknown, so each character gets the width of a wide letter.
         const double begin = end - 7.0 * static_cast<double>(series.name.size()) - 22.0;
         svg += series.dots ? "<g fill=\"" + hex(series.color) + "\">" + circle(begin + 9.0, top - 14.0, 3.0) + "</g>\n"
                            : straight(begin, top - 14.0, begin + 16.0, top - 14.0, series.color, 2.0);
@@ -113,6 +119,7 @@ std::string plots_svg(const std::vector<SeenPlot>& plots, const platform::Theme&
     const std::string total = number(height * static_cast<double>(plots.size()));
     std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(width) + "\" height=\"" + total +
                       "\" viewBox=\"0 0 " + number(width) + " " + total +
+                      // Curves may leave the y range; the clip path cuts them at the frame.
                       "\" font-family=\"sans-serif\" font-size=\"12\">\n<clipPath id=\"inside\"><rect x=\"" +
                       number(left) + "\" y=\"" + number(top) + "\" width=\"" + number(right - left) + "\" height=\"" +
                       number(bottom - top) + "\"/></clipPath>\n<rect width=\"" + number(width) + "\" height=\"" +

@@ -7,16 +7,18 @@
 
 namespace myo::ui::plot {
 
-/// A plot with the part of it that is seen; its series are those that are shown.
+/// A plot and the visible part of it. Its series are the visible curves only.
 struct SeenPlot {
     Plot plot;
-    Range x;
-    Range y;
+    Range x;  // visible range
+    Range y;  // visible range
 };
 
-/// The plots below each other as a vector drawing (SVG 1.1) in the colours of the theme: axes, ticks with units, legend
-/// and curves. Curves end at the edges of the x range, interpolated there; a dot for each sample inside both ranges; a
-/// gap where y is NaN.
+/// Returns plots below each other as a vector drawing (SVG 1.1) in the colours of the theme: axes, ticks with units,
+/// legend and curves.
+///
+/// Curves are interpolated to the ends of the x range. Each sample inside both ranges gets a dot if the series has
+/// dots. A NaN in y leaves a gap. Without plots the drawing is empty.
 std::string plots_svg(const std::vector<SeenPlot>& plots, const platform::Theme& theme);
 
 }  // namespace myo::ui::plot

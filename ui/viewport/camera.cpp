@@ -17,6 +17,7 @@ CameraAxes camera_axes(const Camera& c) {
     return axes;
 }
 
+// A parallel projection has no eye point. Six scene radii of extra distance put the whole scene in front of it.
 double eye_distance(const Camera& c) { return c.orthographic ? c.distance + 6.0 * c.scene_radius : c.distance; }
 
 Eigen::Matrix4d view_matrix(const Camera& c) {
@@ -30,10 +31,13 @@ Eigen::Matrix4d view_matrix(const Camera& c) {
 }
 
 Eigen::Matrix4d projection_matrix(const Camera& c, const ViewSize& size) {
+    // The clipping planes follow the scene: a fixed near plane would waste depth resolution, or cut bodies of another
+    // size.
     const double near = std::max(c.distance - 3.0 * c.scene_radius, 0.01 * c.distance);
     const double far = c.distance + 6.0 * c.scene_radius;
     const double f = 1.0 / std::tan(0.5 * c.field_of_view);
     Eigen::Matrix4d projection = Eigen::Matrix4d::Zero();
+    // At the target both projections have the same scale, so switching between them keeps the size of the body.
     if (c.orthographic) {
         const double depth = eye_distance(c) + 6.0 * c.scene_radius;  // from the eye on
         projection(1, 1) = f / c.distance;
@@ -53,6 +57,7 @@ Eigen::Matrix4d projection_matrix(const Camera& c, const ViewSize& size) {
 
 std::optional<Eigen::Vector3d> project(const Camera& c, const ViewSize& size, const Eigen::Vector3d& point) {
     const Eigen::Vector4d seen = view_matrix(c) * point.homogeneous();
+    // A point at the eye or behind it has no pixel.
     if (seen.z() >= -1e-9) return std::nullopt;
     const Eigen::Vector4d clip = projection_matrix(c, size) * seen;
     return Eigen::Vector3d(0.5 * (1.0 + clip.x() / clip.w()) * size.width,
@@ -65,6 +70,7 @@ double metres_per_pixel(const Camera& c, const ViewSize& size) {
 
 Camera orbit(Camera c, double dx, double dy) {
     constexpr double radians_per_pixel = 0.008;
+    // The pitch stops 1e-3 rad before the poles, so that z keeps pointing upwards in the image.
     constexpr double pole = 0.5 * std::numbers::pi - 1e-3;
     c.yaw = std::remainder(c.yaw - radians_per_pixel * dx, 2.0 * std::numbers::pi);
     c.pitch = std::clamp(c.pitch + radians_per_pixel * dy, -pole, pole);
@@ -78,6 +84,7 @@ Camera pan(Camera c, const ViewSize& size, double dx, double dy) {
 }
 
 Camera zoom(Camera c, const ViewSize& size, double factor, const Eigen::Vector2d& cursor) {
+    // The limits keep the camera from passing through the target or losing the scene.
     const double distance = std::clamp(c.distance * factor, 0.02 * c.scene_radius, 50.0 * c.scene_radius);
     const double applied = distance / c.distance;
     const CameraAxes axes = camera_axes(c);
@@ -91,7 +98,8 @@ Camera zoom(Camera c, const ViewSize& size, double factor, const Eigen::Vector2d
 Camera fit(Camera c, const ViewSize& size, const Box& box) {
     c.target = 0.5 * (box.lowest + box.highest);
     c.scene_radius = std::max(0.5 * box.size().norm(), 1e-6);
-    // Each corner asks for a distance at which it stays inside the frustum with a margin.
+    // Each corner of the box requires a distance at which it stays inside the view with a margin of 30 %; the largest
+    // one counts.
     const CameraAxes axes = camera_axes(c);
     const double tan_y = std::tan(0.5 * c.field_of_view);
     const double tan_x = tan_y * size.aspect();
@@ -124,6 +132,7 @@ Camera turn_to(Camera c, StandardView view) {
             c.yaw = -quarter;
             c.pitch = 0.0;
             break;
+        // The greatest pitch that orbit() allows.
         case StandardView::from_z:
             c.yaw = -quarter;
             c.pitch = quarter - 1e-3;

@@ -8,20 +8,21 @@
 
 namespace myo::ui::viewport {
 
-/// Turntable camera: z stays up. Lengths in metres, angles in radians.
+/// Turntable camera with z upwards. Lengths in metres, angles in radians, world frame. A plain value: all operations
+/// below return a changed copy.
 struct Camera {
-    Eigen::Vector3d target = Eigen::Vector3d::Zero();
-    double distance = 1.0;       // from eye to target
-    double yaw = -1.0;           // of the eye around z; 0 = looking from +x
-    double pitch = 0.4;          // of the eye above the horizon
-    double field_of_view = 0.5;  // vertical
-    double scene_radius = 1.0;   // sets the clipping planes
-    bool orthographic = false;   // parallel projection; lengths at the target as in the perspective one
+    Eigen::Vector3d target = Eigen::Vector3d::Zero();  // point that the camera looks at and turns around [m]
+    double distance = 1.0;                             // from eye to target [m]
+    double yaw = -1.0;                                 // of the eye about z [rad]; 0 = looking from +x
+    double pitch = 0.4;                                // of the eye above the horizon [rad]
+    double field_of_view = 0.5;                        // vertical [rad]
+    double scene_radius = 1.0;                         // half the diagonal of the scene [m]; sets the clipping planes
+    bool orthographic = false;  // parallel projection, with the same scale at the target as the perspective one
 
     bool operator==(const Camera&) const = default;
 };
 
-/// Size of a view [pixels].
+/// Size of a view in the window [pixels]. Both sides are at least 1 in a view that is drawn.
 struct ViewSize {
     int width = 1;
     int height = 1;
@@ -30,41 +31,48 @@ struct ViewSize {
     bool operator==(const ViewSize&) const = default;
 };
 
-/// Unit vectors of the view in the world.
+/// Unit vectors of the view, in the world frame.
 struct CameraAxes {
-    Eigen::Vector3d right;
-    Eigen::Vector3d up;
-    Eigen::Vector3d back;  // from the target to the eye
+    Eigen::Vector3d right;  // to the right in the image
+    Eigen::Vector3d up;     // upwards in the image
+    Eigen::Vector3d back;   // from the target to the eye
 };
+/// Axes of the camera's view, from its yaw and pitch.
 CameraAxes camera_axes(const Camera& camera);
 
-/// From the eye to the target [m]. Of a parallel projection the eye stands back far enough to have all in front of it.
+/// Distance from the eye to the target [m]. For a parallel projection the eye is placed far enough back to have the
+/// whole scene in front of it.
 double eye_distance(const Camera& camera);
 
+/// World to view coordinates: x right, y up, z towards the eye.
 Eigen::Matrix4d view_matrix(const Camera& camera);
-/// OpenGL's, depth -1 to 1.
+/// View to clip coordinates as OpenGL expects them, depth from -1 to 1.
 Eigen::Matrix4d projection_matrix(const Camera& camera, const ViewSize& size);
 
-/// Where a world point falls: x, y in pixels from the upper left corner of the view, z the distance before the eye [m].
-/// Empty when the point is behind the eye.
+/// Projects a world point [m].
+///
+/// @return x, y in pixels from the upper left corner of the view; z is the distance in front of the eye [m]. Empty if
+///         the point lies behind the eye.
 std::optional<Eigen::Vector3d> project(const Camera& camera, const ViewSize& size, const Eigen::Vector3d& point);
 
-/// Metres per pixel at the target.
+/// Length [m] that one pixel covers at the distance of the target.
 double metres_per_pixel(const Camera& camera, const ViewSize& size);
 
-/// Turns by a drag of (dx, dy) pixels; the pitch stops short of the poles.
+/// Turns the camera by a mouse drag of (dx, dy) pixels. The pitch is limited just before the poles.
 Camera orbit(Camera camera, double dx, double dy);
-/// Moves so that the target plane follows the cursor.
+/// Moves the target in the image plane, so that the point under the cursor follows a drag of (dx, dy) pixels.
 Camera pan(Camera camera, const ViewSize& size, double dx, double dy);
-/// Scales the distance; the point of the target plane under the cursor (pixels) stays where it is.
+/// Multiplies the distance by `factor`. The point of the target plane under `cursor` (pixels from the upper left) keeps
+/// its place in the image.
 Camera zoom(Camera camera, const ViewSize& size, double factor, const Eigen::Vector2d& cursor);
-/// Whole box in view, same direction.
+/// Moves target and distance so that the whole box [m] is visible; the direction stays. Also sets scene_radius.
 Camera fit(Camera camera, const ViewSize& size, const Box& box);
 
+/// Directions of the view buttons.
 enum class StandardView { oblique, from_x, from_y, from_z };
-/// Same target and distance, seen along an axis (from +x, from -y, from +z).
+/// Turns the camera to look from a standard direction: oblique, from +x, from -y, or from +z. Target and distance stay.
 Camera turn_to(Camera camera, StandardView view);
-/// The same, and from the other side when it is seen so already.
+/// As turn_to(), but looks from the opposite side if the camera already has the standard direction.
 Camera turn_to_or_round(const Camera& camera, StandardView view);
 
 }  // namespace myo::ui::viewport

@@ -8,7 +8,7 @@
 namespace myo::ui::viewport {
 namespace {
 
-// CIE LCh (D65) to sRGB.
+// Converts CIE LCh (D65 white point) to sRGB. Colours outside sRGB are clipped.
 Eigen::Vector3f srgb_from_lch(double L, double C, double hue_deg) {
     const double hue = hue_deg * std::numbers::pi / 180.0;
     const double fy = (L + 16.0) / 116.0;
@@ -28,11 +28,13 @@ Eigen::Vector3f srgb_from_lch(double L, double C, double hue_deg) {
         .cast<float>();
 }
 
+/// Control point of a colour map in CIE LCh.
 struct Control {
     double L, C, hue;
 };  // lightness, chroma, hue [degrees]
 
-/// Between control points at even distances.
+/// Interpolates between control points at equal distances. `level` is limited to [0, 1]; a value that is not finite
+/// counts as 0.
 template <std::size_t n>
 Eigen::Vector3f between(const std::array<Control, n>& controls, double level) {
     const double place = std::clamp(std::isfinite(level) ? level : 0.0, 0.0, 1.0) * static_cast<double>(n - 1);
@@ -43,7 +45,7 @@ Eigen::Vector3f between(const std::array<Control, n>& controls, double level) {
     return srgb_from_lch(mix(a.L, b.L), mix(a.C, b.C), mix(a.hue, b.hue));
 }
 
-// Linear lightness through the hues of glowing iron.
+// Lightness rises linearly through the hues of glowing iron: black, red, yellow, white.
 Eigen::Vector3f heat_color_map(double level) {
     return between(std::array<Control, 5>{{{6, 8, -20}, {28, 55, 25}, {50, 78, 44}, {72, 72, 72}, {95, 22, 98}}},
                    level);
@@ -56,13 +58,13 @@ Eigen::Vector3f grey_color_map(double level) {
 }  // namespace
 
 Eigen::Vector3f color_map(double level) {
-    // Linear lightness, hue turning from violet to yellow.
+    // Lightness rises linearly while the hue turns from violet to yellow.
     return between(std::array<Control, 5>{{{18, 42, 305}, {37, 40, 270}, {55, 34, 200}, {73, 52, 140}, {91, 80, 102}}},
                    level);
 }
 
 Eigen::Vector3f diverging_color_map(double level) {
-    // Two arms of one lightness each, that meet without colour.
+    // Two arms of equal lightness at equal distance from the middle, where they meet without colour.
     if (level < 0.5) return between(std::array<Control, 3>{{{34, 52, 277}, {64, 34, 262}, {92, 0, 250}}}, 2.0 * level);
     return between(std::array<Control, 3>{{{92, 0, 40}, {64, 48, 40}, {34, 62, 32}}}, 2.0 * level - 1.0);
 }

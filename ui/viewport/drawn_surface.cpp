@@ -7,6 +7,8 @@
 namespace myo::ui::viewport {
 
 DrawnSurface drawn_surface(const mesh::BoundaryFaces& faces) {
+    // Corner orders of the triangles of a face. Corner 1 lies opposite the side inside the face, as surface.vert
+    // expects.
     static constexpr std::array<int, 3> triangle{0, 1, 2};
     static constexpr std::array<int, 6> quadrilateral{0, 1, 2, 2, 3, 0};
     static constexpr std::array<int, 12> quadratic{5, 0, 3, 3, 1, 4, 4, 2, 5, 3, 4, 5};
@@ -14,6 +16,7 @@ DrawnSurface drawn_surface(const mesh::BoundaryFaces& faces) {
     surface.face_nodes = static_cast<int>(faces.nodes.rows());
     assert(surface.face_nodes == 3 || surface.face_nodes == 4 || surface.face_nodes == 6);
     const auto add = [&](const auto& order) {
+        // Three vertices per triangle, without an index buffer, as the header explains.
         surface.corners.reserve(order.size() * static_cast<std::size_t>(faces.count()));
         for (Eigen::Index f = 0; f < faces.count(); ++f) {
             for (const int corner : order) surface.corners.push_back(faces.nodes(corner, f));
@@ -38,6 +41,7 @@ std::vector<float> surface_vertices(const DrawnSurface& surface, const Eigen::Ma
     const auto corners_per_face = static_cast<std::size_t>(3 * surface.triangles_per_face());
     assert(tints.cols() == 0 || static_cast<std::size_t>(tints.cols()) * corners_per_face == surface.corners.size());
     std::vector<float> data(surface.corners.size() * surface_floats, 0.0f);
+    // All eight floats of a vertex are interleaved, so one upload per frame suffices.
     for (std::size_t i = 0; i < surface.corners.size(); ++i) {
         const int node = surface.corners[i];
         assert(node >= 0 && node < positions.cols());

@@ -14,6 +14,7 @@ Ray ray_through(const Camera& camera, const ViewSize& size, const Eigen::Vector2
     const double scale = metres_per_pixel(camera, size);
     const Eigen::Vector2d from_middle = pixel - 0.5 * Eigen::Vector2d(size.width, size.height);
     const Vector3d aside = scale * (from_middle.x() * axes.right - from_middle.y() * axes.up);
+    // In a parallel projection all rays have the same direction; the pixel shifts the origin instead.
     if (camera.orthographic) return {camera.target + aside + eye_distance(camera) * axes.back, -axes.back};
     const Vector3d eye = camera.target + camera.distance * axes.back;
     return {eye, (camera.target + aside - eye).normalized()};
@@ -34,9 +35,10 @@ std::optional<SurfaceHit> pick_surface(const DrawnSurface& surface, const Eigen:
         const Vector3d a = positions_m.col(surface.corners[3 * t]);
         const Vector3d ab = positions_m.col(surface.corners[3 * t + 1]) - a,
                        ac = positions_m.col(surface.corners[3 * t + 2]) - a;
-        // Moeller and Trumbore 1997: the ray's parameter and two barycentric coordinates by Cramer's rule.
+        // Moeller and Trumbore 1997: ray parameter and two barycentric coordinates by Cramer's rule.
         const Vector3d p = ray.direction.cross(ac);
-        const double determinant = ab.dot(p);  // positive where the outside is seen
+        const double determinant = ab.dot(p);  // positive if the ray meets the outside
+        // The back of a closed body is not visible, so a ray that starts inside it must not hit.
         if (surface.closed ? !(determinant > 0.0) : determinant == 0.0) continue;
         const Vector3d s = ray.origin_m - a, q = s.cross(ab);
         const double u = s.dot(p) / determinant, v = ray.direction.dot(q) / determinant;

@@ -8,6 +8,7 @@
 namespace myo::ui::viewport {
 namespace {
 
+/// One segment: both ends [m] and the colour, 10 floats.
 void append(std::vector<float>& segments, const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Color& color) {
     for (int k = 0; k < 3; ++k) segments.push_back(static_cast<float>(from[k]));
     for (int k = 0; k < 3; ++k) segments.push_back(static_cast<float>(to[k]));
@@ -25,12 +26,15 @@ void append_segments(std::vector<float>& segments, const DrawnLine& line) {
 
 std::vector<float> grid_segments(const Box& extent, const Color& color) {
     std::vector<float> segments;
+    // About five squares along the longest side, with a size that is easy to read.
     const double reach = extent.size().maxCoeff();
     if (!(reach > 0.0)) return segments;
     const double cell = plot::nice_step(reach / 5.0);
     const Eigen::Vector3d center = 0.5 * (extent.lowest + extent.highest);
+    // Lines at multiples of the square, so that the grid does not move with small changes of the body.
     const double x0 = std::round(center.x() / cell) * cell;
     const double y0 = std::round(center.y() / cell) * cell;
+    // A quarter of the body's height below it leaves room for a body that sags.
     const double z = extent.lowest.z() - 0.25 * extent.size().z();
     constexpr int half = 8;
     const auto point = [&](int i, int j) { return Eigen::Vector3d(x0 + i * cell, y0 + j * cell, z); };
@@ -42,7 +46,7 @@ std::vector<float> grid_segments(const Box& extent, const Color& color) {
     };
     for (int i = -half; i <= half; ++i) {
         for (int j = -half; j < half; ++j) {
-            // A quarter of the fade's resolution is enough; each piece has one colour.
+            // Each piece has one colour. That is enough for a smooth fade, as the alpha changes slowly.
             append(segments, point(i, j), point(i, j + 1), faded(i, j < 0 ? j + 1 : j));
             append(segments, point(j, i), point(j + 1, i), faded(j < 0 ? j + 1 : j, i));
         }
@@ -56,6 +60,7 @@ std::vector<DrawnLine> box_lines(const Box& box, const Color& color, double widt
                                bits & 4 ? box.highest.z() : box.lowest.z());
     };
     std::vector<DrawnLine> lines;
+    // Each edge starts at the corner whose bit for its axis is 0, so that it is created once.
     for (int bits = 0; bits < 8; ++bits) {
         for (int axis = 0; axis < 3; ++axis) {
             if (bits & (1 << axis)) continue;

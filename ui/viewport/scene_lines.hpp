@@ -6,13 +6,15 @@
 
 namespace myo::ui::viewport {
 
-/// Segments as the line shader takes them: from, to, colour; 10 floats each. Pieces with a non-finite end are left out.
+/// Appends the segments of a line in the format of the line shader: from, to [m], colour; 10 floats each. Segments with
+/// an end that is not finite are left out.
 void append_segments(std::vector<float>& segments, const DrawnLine& line);
 
-/// Ground grid under the body: squares of 1, 2 or 5 times a power of ten, fading outwards.
+/// Segments of the ground grid below the body, in squares of 1, 2 or 5 times a power of ten [m], fading outwards. Empty
+/// if the box has no extent.
 std::vector<float> grid_segments(const Box& extent, const Color& color);
 
-/// The 12 edges of a box as lines.
+/// The 12 edges of a box [m] as lines of `width` pixels.
 std::vector<DrawnLine> box_lines(const Box& box, const Color& color, double width);
 
 }  // namespace myo::ui::viewport

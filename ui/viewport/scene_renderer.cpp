@@ -11,18 +11,21 @@
 namespace myo::ui::viewport {
 namespace {
 
-constexpr int segment_floats = 10;
-constexpr int marker_floats = 7;
-constexpr double least_through = 0.22;  // share that is seen of what an opaque body hides
+constexpr int segment_floats = 10;      // see append_segments()
+constexpr int marker_floats = 7;        // position (3) and colour (4)
+constexpr double least_through = 0.22;  // minimum opacity of what an opaque body hides
 
-// Rows of the texture of colours: the maps of the choice, then that of values with a sign.
+// Rows of the colour texture: the maps to choose from, then the one for signed values.
 int color_rows() { return static_cast<int>(color_maps().size()) + 1; }
 
+/// Texture coordinate of a field's colour map. Rows are sampled at their middle, so that filtering does not mix two
+/// maps.
 float color_row(const std::optional<DrawnField>& field) {
     const int row = !field ? 0 : field->diverging ? color_rows() - 1 : field->color_map;
     return (static_cast<float>(row) + 0.5f) / static_cast<float>(color_rows());
 }
 
+/// Vertex data of the markers of one kind. Spheres and rings need separate draw calls.
 std::vector<float> marker_data(const std::vector<DrawnMarker>& markers, bool ring) {
     std::vector<float> data;
     for (const DrawnMarker& marker : markers) {
@@ -37,6 +40,7 @@ std::vector<float> marker_data(const std::vector<DrawnMarker>& markers, bool rin
 
 Result<SceneRenderer> SceneRenderer::make() {
     SceneRenderer renderer;
+    // The four shaders and the members they are stored in.
     const std::pair<const char*, Program*> programs[] = {{"surface", &renderer.surface_},
                                                          {"line", &renderer.line_},
                                                          {"marker", &renderer.marker_},
@@ -65,6 +69,7 @@ Result<SceneRenderer> SceneRenderer::make() {
     platform::gl::attribute(1, 4, marker_floats, 3);
     platform::gl::BindVertexArray(0);
 
+    // All colour maps go into one texture, one row each, so that changing the map changes only a number.
     std::vector<unsigned char> pixels;
     const auto append_row = [&](Eigen::Vector3f (*color)(double)) {
         for (int i = 0; i < 256; ++i) {
@@ -81,6 +86,7 @@ Result<SceneRenderer> SceneRenderer::make() {
 
 Result<void> SceneRenderer::resize(const ViewSize& size, int samples) {
     if (picture_.width != size.width || picture_.height != size.height) {
+        // The resolved image is always needed; the multisampled one only while the view is at rest.
         auto picture = platform::gl::make_render_target(size.width, size.height, 0);
         if (!picture) return picture.error();
         picture_ = std::move(*picture);
@@ -100,6 +106,7 @@ void SceneRenderer::set_camera(const platform::gl::Program& program) const {
 }
 
 void SceneRenderer::draw_backdrop(const ViewColors& colors) const {
+    // The background ignores depth, so that everything else is drawn over it.
     platform::gl::Disable(GL_DEPTH_TEST);
     platform::gl::UseProgram(backdrop_.program.name());
     platform::gl::Uniform3f(platform::gl::uniform(backdrop_.program, "top"), colors.top[0], colors.top[1],
@@ -113,6 +120,7 @@ void SceneRenderer::draw_backdrop(const ViewColors& colors) const {
 
 void SceneRenderer::draw_lines(const std::vector<float>& segments, double width, double opacity) const {
     if (segments.empty()) return;
+    // Lines are quads expanded in the shader, as OpenGL 3.3 core does not draw lines wider than one pixel portably.
     set_camera(line_.program);
     platform::gl::Uniform2f(platform::gl::uniform(line_.program, "size"), static_cast<float>(size_.width),
                             static_cast<float>(size_.height));
@@ -127,6 +135,7 @@ void SceneRenderer::upload_scene(const DrawnScene& scene) {
     if (!scene.surface) return;
     Eigen::VectorXd levels;
     if (scene.field) {
+        // Levels run from 0 to 1 over the range. A range without extent must not divide by zero.
         const double span = scene.field->highest - scene.field->lowest;
         levels = (scene.field->values.array() - scene.field->lowest) / (span > 0.0 ? span : 1.0);
     }
@@ -162,6 +171,8 @@ void SceneRenderer::draw_markers(const DrawnScene& scene, bool ring, double opac
     const platform::gl::Program& p = marker_.program;
     set_camera(p);
     platform::gl::Uniform1f(platform::gl::uniform(p, "radius"),
+                            // Sizes on screen are limited: markers stay visible from afar and do not cover the body
+                            // from nearby.
                             static_cast<float>(scene.marker_radius * (ring ? 1.55 : 1.0)));
     platform::gl::Uniform2f(platform::gl::uniform(p, "pixel_limits"), scale_ * (ring ? 6.5f : 4.0f),
                             scale_ * (ring ? 40.0f : 30.0f));
@@ -176,6 +187,7 @@ void SceneRenderer::draw_markers(const DrawnScene& scene, bool ring, double opac
 Result<void> SceneRenderer::update(const DrawnScene& scene, std::uint64_t revision, const ViewColors& colors,
                                    const Camera& camera, const ViewSize& size, int samples, double scale) {
     const Key key{revision, camera, size, samples, scale};
+    // Most frames change only the interface. They reuse the image and cost a copy.
     if (drawn_ && *drawn_ == key) return {};
     if (const auto sized = resize(size, samples); !sized) return sized;
     if (!uploaded_ || *uploaded_ != revision) upload_scene(scene);
@@ -197,15 +209,17 @@ Result<void> SceneRenderer::update(const DrawnScene& scene, std::uint64_t revisi
     platform::gl::Clear(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
     draw_backdrop(colors);
     if (scene.grid) {
+        // The grid writes no depth, so that it never hides what lies below it.
         platform::gl::DepthMask(GL_FALSE);
         draw_lines(grid_segments(scene.extent, colors.grid), 1.0, 1.0);
         platform::gl::DepthMask(GL_TRUE);
     }
     draw_surface(scene, colors);
 
+    // One draw call per line width.
     std::map<double, std::vector<float>> by_width;
     for (const DrawnLine& line : scene.lines) append_segments(by_width[line.width], line);
-    // What the body hides shows through, faintly at least, so that no marker gets lost; then what is in front.
+    // First the parts that the body hides, drawn with low opacity so that no marker gets lost; then the visible parts.
     const double through = std::max(least_through, 1.0 - scene.body_opacity);
     platform::gl::DepthMask(GL_FALSE);
     for (const bool hidden : {true, false}) {

@@ -10,35 +10,46 @@
 
 namespace myo::ui::viewport {
 
-/// Draws a scene off screen and keeps the picture, so that frames in which only the interface changed cost a copy.
+/// Renders a scene into an off-screen image and keeps it, so that frames in which only the interface changed cost a
+/// copy.
+///
+/// Owns its GPU objects; used on the UI thread with a current context.
 class SceneRenderer {
 public:
+    /// Compiles the shaders and creates buffers and the colour texture. Error: a shader does not compile.
     static Result<SceneRenderer> make();
 
-    /// Draws if anything differs from last time. `revision` stands for the scene and the colours: same number, same
-    /// content.
-    /// @param samples  0 while something moves, 4 at rest
-    /// @param scale    of the widths of lines and edges and the least sizes of markers
+    /// Renders the scene if revision, camera, size, samples or scale differ from the last call.
+    ///
+    /// @param revision  stands for scene and colours: the caller gives equal content the same number, other content
+    ///                  another one
+    /// @param size  of the image [pixels]
+    /// @param samples  per pixel: 0 while something moves, 4 at rest
+    /// @param scale  of line widths, element edges and minimum marker sizes
     /// Error: the driver refuses the size.
     Result<void> update(const DrawnScene& scene, std::uint64_t revision, const ViewColors& colors, const Camera& camera,
                         const ViewSize& size, int samples, double scale);
 
-    /// Where the picture was drawn last, to draw over it.
+    /// Framebuffer with the last image, to draw annotations over it.
     GLuint framebuffer() const { return picture_.framebuffer.name(); }
+    /// Copies the last image into memory. Waits for the GPU.
     platform::Image read() const;
 
-    /// Copies the picture into the default framebuffer, lower left corner at (x, y).
+    /// Copies the last image into the window's framebuffer, its lower left corner at (x, y) [pixels]. Does nothing
+    /// before the first update().
     void blit_to_window(int x, int y) const;
 
-    /// Pictures drawn so far: tests see that idle frames draw none.
+    /// Number of images rendered so far. Tests use it to verify that idle frames render none.
     int draw_count() const { return draw_count_; }
 
 private:
+    /// A shader with the vertex data that it draws.
     struct Program {
         platform::gl::Program program;
         platform::gl::VertexArray vertex_array;
         platform::gl::Buffer buffer;
     };
+    /// All inputs of an image. An equal key means that the last image is still valid.
     struct Key {
         std::uint64_t revision = 0;
         Camera camera;
@@ -48,6 +59,7 @@ private:
         bool operator==(const Key&) const = default;
     };
     Result<void> resize(const ViewSize& size, int samples);
+    /// Uploads positions, field values and tints of the surface. Only if the revision changed.
     void upload_scene(const DrawnScene& scene);
     void draw_backdrop(const ViewColors& colors) const;
     void draw_lines(const std::vector<float>& segments, double width, double opacity) const;
@@ -56,11 +68,11 @@ private:
     void set_camera(const platform::gl::Program& program) const;
 
     Program surface_, line_, marker_, backdrop_;
-    platform::gl::Texture color_map_;
-    platform::gl::RenderTarget target_;   // multisampled
-    platform::gl::RenderTarget picture_;  // resolved
-    std::optional<Key> drawn_;
-    std::optional<std::uint64_t> uploaded_;
+    platform::gl::Texture color_map_;        // one row per colour map, 256 wide
+    platform::gl::RenderTarget target_;      // multisampled image
+    platform::gl::RenderTarget picture_;     // resolved image
+    std::optional<Key> drawn_;               // key of the last image; empty: none
+    std::optional<std::uint64_t> uploaded_;  // revision of the vertex data on the GPU
     Eigen::Matrix4f view_ = Eigen::Matrix4f::Identity();
     Eigen::Matrix4f projection_ = Eigen::Matrix4f::Identity();
     ViewSize size_;

@@ -14,11 +14,12 @@
 namespace myo::ui::viewport {
 namespace {
 
+/// The view's size in whole pixels, as the camera takes it.
 ViewSize size_of(const platform::Rectangle& view) {
     return {static_cast<int>(view.width()), static_cast<int>(view.height())};
 }
 
-// Small text with a thin halo, legible over any picture.
+// Small text with a thin outline, so that it is legible over any image.
 void outlined(ImDrawList& list, const platform::Theme& theme, const ImVec2& at, ImU32 color, ImU32 halo,
               const char* text) {
     ImFont* const font = theme.small;
@@ -29,13 +30,14 @@ void outlined(ImDrawList& list, const platform::Theme& theme, const ImVec2& at, 
     list.AddText(font, font->FontSize, at, color, text);
 }
 
+/// A length or force with an SI prefix: "20 mm", "5 µN". The tolerances keep 1.0 from being printed as 1000 m.
 std::string with_unit(double value, const std::string& unit) {
     if (value >= 1.0 - 1e-9) return plot::value_label(value, 1) + " " + unit;
     if (value >= 1e-3 * (1.0 - 1e-9)) return plot::value_label(value * 1e3, 1) + " m" + unit;
     return plot::value_label(value * 1e6, 1) + " \xc2\xb5" + unit;
 }
 
-// The bar ends at the given place; its label is centred above, as far as the place's margin allows.
+// The bar ends at `end`; its label is centred above it as far as the margin of the view allows.
 void draw_bar_with_label(ImDrawList& list, const ImVec2& end, const ScaleBar& bar, ImU32 color,
                          const platform::Theme& theme) {
     const float s = theme.scale;
@@ -43,13 +45,15 @@ void draw_bar_with_label(ImDrawList& list, const ImVec2& end, const ScaleBar& ba
     list.AddLine({left, end.y}, end, color, 2.0f * s);
     for (const float x : {left, end.x}) list.AddLine({x, end.y - 5.0f * s}, {x, end.y + s}, color, 2.0f * s);
     const float width = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, bar.label.c_str()).x;
+    // centred, or flush right if the label is longer than the bar
     const float from = std::min(0.5f * (left + end.x - width),
                                 end.x - width);  // centred, or flush right where it is longer
     outlined(list, theme, {from, end.y - theme.small->FontSize - 6.0f * s}, color,
              platform::packed(theme.view_bottom, 0.6f), bar.label.c_str());
 }
 
-/// A place beside a point where a label covers nothing, the nearest first: right or left of it, level, below or above.
+/// Finds a place for a label next to a point where it covers no other label. Tries right and left of the point, at its
+/// height, below and above. Returns empty if none is free.
 std::optional<platform::Rectangle> room_beside(const ImVec2& p, const ImVec2& extent, float gap,
                                                const platform::Rectangle& view,
                                                const std::vector<platform::Rectangle>& taken) {
@@ -68,6 +72,7 @@ std::optional<platform::Rectangle> room_beside(const ImVec2& p, const ImVec2& ex
     return std::nullopt;
 }
 
+/// Scale bar for lengths at the distance of the target, in the lower right corner.
 void draw_scale_bar(ImDrawList& list, const platform::Rectangle& view, const Camera& camera,
                     const platform::Theme& theme) {
     const float s = theme.scale;
@@ -76,7 +81,7 @@ void draw_scale_bar(ImDrawList& list, const platform::Rectangle& view, const Cam
                         platform::packed(theme.text), theme);
 }
 
-/// The same for arrows of a force, above it.
+/// Scale bar for force arrows, above the one for lengths, with the name of the force.
 void draw_arrow_scale(ImDrawList& list, const platform::Rectangle& view, const Camera& camera, const ArrowScale& arrows,
                       const platform::Theme& theme) {
     const float s = theme.scale;
@@ -87,6 +92,7 @@ void draw_arrow_scale(ImDrawList& list, const platform::Rectangle& view, const C
     const auto width_of = [&](const std::string& text) {
         return theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, text.c_str()).x;
     };
+    // The long title is used only if it leaves most of the view free.
     const std::string whole = arrows.name + " on each part of the body";
     const std::string& title = width_of(whole) < 0.4f * view.width() ? whole : arrows.name;
     const float width = width_of(title);
@@ -95,6 +101,7 @@ void draw_arrow_scale(ImDrawList& list, const platform::Rectangle& view, const C
              platform::packed(theme.view_bottom, 0.6f), title.c_str());
 }
 
+/// Axes of the world frame in the lower left corner.
 void draw_axes(ImDrawList& list, const platform::Rectangle& view, const Camera& camera, const platform::Theme& theme) {
     const float s = theme.scale;
     const ImVec2 origin{view.lowest.x + 44.0f * s, view.highest.y - 44.0f * s};
@@ -107,7 +114,7 @@ void draw_axes(ImDrawList& list, const platform::Rectangle& view, const Camera& 
     std::vector<Axis> all{{Eigen::Vector3d::UnitX(), theme.axis_x, "x"},
                           {Eigen::Vector3d::UnitY(), theme.axis_y, "y"},
                           {Eigen::Vector3d::UnitZ(), theme.axis_z, "z"}};
-    // Far axes first, so that the one towards the eye covers them.
+    // Axes that point away are drawn first, so that the one towards the eye covers them.
     std::sort(all.begin(), all.end(),
               [&](const Axis& a, const Axis& b) { return a.direction.dot(axes.back) < b.direction.dot(axes.back); });
     for (const Axis& axis : all) {
@@ -127,10 +134,11 @@ void draw_axes(ImDrawList& list, const platform::Rectangle& view, const Camera& 
     }
 }
 
+/// Names of the markers. Each label takes the first free place; markers without one stay unnamed.
 void draw_marker_labels(ImDrawList& list, const platform::Rectangle& view, const Camera& camera,
                         const DrawnScene& scene, const platform::Theme& theme) {
     const float s = theme.scale;
-    // The scale bar, that of forces above it, the axes and the legend keep their corners.
+    // The corners with scale bars, axes and legend are reserved.
     const float corner = (scene.arrows ? 96.0f : 40.0f) * s + theme.small->FontSize;
     std::vector<platform::Rectangle> taken{
         {{view.highest.x - 150.0f * s, view.highest.y - corner}, view.highest},
@@ -145,13 +153,14 @@ void draw_marker_labels(ImDrawList& list, const platform::Rectangle& view, const
         if (!view.contains(p)) continue;
         const ImVec2 extent = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, marker.label.c_str());
         const std::optional<platform::Rectangle> box = room_beside(p, extent, 16.0f * s, view, taken);
-        if (!box) continue;  // a click on the marker tells its name
+        if (!box) continue;  // a click on the marker shows its name
         taken.push_back(*box);
         outlined(list, theme, box->lowest, platform::packed(theme.text), platform::packed(theme.view_bottom, 0.8f),
                  marker.label.c_str());
     }
 }
 
+/// Colour bar with ticks in the upper right corner. Left out if the view is too low for it.
 void draw_field_legend(ImDrawList& list, const platform::Rectangle& view, const DrawnField& field,
                        const platform::Theme& theme) {
     const float s = theme.scale;
@@ -165,6 +174,7 @@ void draw_field_legend(ImDrawList& list, const platform::Rectangle& view, const 
     outlined(list, theme, {right - title_width, top - theme.small->FontSize - 8.0f * s}, platform::packed(theme.text),
              halo, title.c_str());
     const float left = right - 14.0f * s;
+    // Rectangles instead of a texture: 64 of them look continuous at this size.
     constexpr int steps = 64;
     for (int i = 0; i < steps; ++i) {
         const double level = 1.0 - (i + 0.5) / steps;
@@ -194,7 +204,7 @@ void draw_field_legend(ImDrawList& list, const platform::Rectangle& view, const 
 ScaleBar make_scale_bar(double per_pixel, double longest, const std::string& unit) {
     ScaleBar bar;
     bar.length = plot::nice_step(per_pixel * longest);
-    // The smallest nice step above may be too long; the one below it fits.
+    // nice_step() rounds up, so the bar may be too long. The next smaller nice step fits.
     if (bar.length > per_pixel * longest) bar.length = plot::nice_step(bar.length / 2.6);
     bar.pixels = bar.length / per_pixel;
     bar.label = with_unit(bar.length, unit);

@@ -9,22 +9,25 @@ struct ImDrawList;
 
 namespace myo::ui::viewport {
 
-// What is drawn over a 3D picture. `view`: its rectangle in the window.
+// Annotations over a 3D view. `view` is the rectangle of the view in the window [pixels]; all functions draw into
+// `list`.
 
-/// A length, or a force, of 1, 2 or 5 times a power of ten whose bar is at most `longest` pixels.
+/// A length or force of 1, 2 or 5 times a power of ten, whose bar is at most `longest` pixels long.
 struct ScaleBar {
     double length = 0.0;  // [m] or [N]
-    double pixels = 0.0;
-    std::string label;  // "20 mm", "5 mN"
+    double pixels = 0.0;  // length of the bar
+    std::string label;    // "20 mm", "5 mN"
 };
-/// @param unit  of the length: "m", or "N" for the arrows of a force
+/// @param per_pixel  length [m] or force [N] that one pixel stands for; positive
+/// @param longest  maximum length of the bar [pixels]
+/// @param unit  "m", or "N" for force arrows
 ScaleBar make_scale_bar(double per_pixel, double longest, const std::string& unit);
 
-/// Axes, scale bars, the legend of the field and, with `names`, the markers' names.
+/// Draws axes, scale bars, the legend of the field and, if `names` is true, the markers' names.
 void draw_view_overlay(ImDrawList& list, const platform::Rectangle& view, const Camera& camera, const DrawnScene& scene,
                        const platform::Theme& theme, bool names);
 
-/// A line of words in the upper left corner.
+/// Draws one line of text in the upper left corner, such as the time of a video frame.
 void draw_view_title(ImDrawList& list, const platform::Rectangle& view, const std::string& title,
                      const platform::Theme& theme);
 

@@ -11,14 +11,18 @@
 namespace myo::ui::viewport {
 namespace {
 
+/// Camera control with the mouse. Fills the state's fields for this frame.
 void react_to_mouse(ViewportState& state, bool hovered, bool active, const ToolTakes& takes) {
     const ImGuiIO& io = ImGui::GetIO();
     state.hovered = hovered;
     state.mouse = {static_cast<double>(io.MousePos.x - state.pixels.lowest.x),
                    static_cast<double>(io.MousePos.y - state.pixels.lowest.y)};
+    // A tool claims the drag when the button goes down; moving off the body later does not return the drag to the
+    // camera.
     if (ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left))
         state.tool_held = takes && takes(state.mouse);
     state.tool_held = state.tool_held && active && ImGui::IsMouseDown(ImGuiMouseButton_Left);
+    // A press and release in place is a click; a longer movement is a drag of the camera.
     const bool in_place = io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] <
                           io.MouseDragThreshold * io.MouseDragThreshold;
     state.clicked = ImGui::IsItemDeactivated() && hovered && ImGui::IsMouseReleased(ImGuiMouseButton_Left) && in_place;
@@ -30,6 +34,7 @@ void react_to_mouse(ViewportState& state, bool hovered, bool active, const ToolT
         const bool turns = ImGui::IsMouseDown(ImGuiMouseButton_Left) && !io.KeyShift;
         state.camera = turns ? orbit(state.camera, dx, dy) : pan(state.camera, size, dx, dy);
     }
+    // A factor per notch, so that the same number of notches back restores the distance.
     if (hovered && io.MouseWheel != 0.0f) {
         state.camera = zoom(state.camera, size, std::pow(0.87, static_cast<double>(io.MouseWheel)), state.mouse);
     }
@@ -37,6 +42,7 @@ void react_to_mouse(ViewportState& state, bool hovered, bool active, const ToolT
     state.untouched = state.untouched && !state.moving;
 }
 
+/// Buttons in the upper left corner of the view. They lie over the invisible button that receives the mouse.
 void draw_buttons(const platform::Theme& theme, platform::ItemRectangles& items, ViewportState& state) {
     struct ViewButton {
         const char* label;
@@ -81,12 +87,14 @@ void draw_viewport(const DrawnScene& scene, const platform::Theme& theme, platfo
     const ImVec2 extent = ImGui::GetWindowSize();
     state.pixels = {{std::floor(lowest.x), std::floor(lowest.y)},
                     {std::floor(lowest.x + extent.x), std::floor(lowest.y + extent.y)}};
+    // Valid for one frame only; cleared also if the view is too small to be drawn.
     state.moving = state.hovered = state.clicked = false;
     if (state.size().width < 2 || state.size().height < 2) return;
     items.add("view", state.pixels);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const bool nothing = !scene.surface && scene.markers.empty();
     if (nothing) return;
+    // The button covers the whole view. Overlap lets the view buttons and options take the mouse before it.
     ImGui::SetCursorScreenPos(state.pixels.lowest);
     ImGui::SetItemAllowOverlap();
     ImGui::InvisibleButton(
