@@ -34,7 +34,7 @@ struct LeadingSvd {
 ///
 /// @param most  upper limit of the number k of singular values
 /// @return      k <= most values. Values below 1e-7 of the largest are dropped: the Gram matrix squares the condition
-/// number, so they are lost in rounding.
+///              number, so they are lost in rounding.
 LeadingSvd leading_svd(const Eigen::MatrixXd& A, Eigen::Index most);
 
 }  // namespace myo

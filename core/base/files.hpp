@@ -24,8 +24,9 @@ std::filesystem::path behind_links(std::filesystem::path path);
 /// A regular file is written under a temporary name in the same folder and renamed, so that a concurrent reader never
 /// sees partial content; missing parent folders are created. A symbolic link is kept and its target is written.
 /// Devices, pipes and the standard output of this process (/dev/stdout or the file it is redirected to) are written in
-/// place. Errors: the path is a folder; otherwise the system's message, for example "cannot be written: No space left
-/// on device".
+/// place.
+/// Errors: the path is a folder; otherwise the system's message, for example "cannot be written: No space left on
+/// device".
 Result<void> write_file(const std::filesystem::path& path, std::string_view content);
 
 }  // namespace myo

@@ -37,8 +37,8 @@ inline Pack pack_of_bits(const PackBits& bits) { return std::bit_cast<Pack>(bits
 /// J^(-1/3) per lane; NaN for J <= 0.
 ///
 /// The initial value comes from integer arithmetic on the bits (multiplication of the upper half by 2^32 / 3 divides
-/// exponent and mantissa by three; relative error 3.5 %). Two iterations of fourth order on y^-3 = J follow: with
-/// e = 1 - J y^3 the root is y (1 + e/3 + 2 e^2/9 + 14 e^3/81 + ...).
+/// exponent and mantissa by three; relative error 3.5 %). Two iterations of fourth order on y^-3 = J follow: with e = 1
+/// - J y^3 the root is y (1 + e/3 + 2 e^2/9 + 14 e^3/81 + ...).
 inline Pack inverse_cube_root(const Pack& J) {
     const PackBits third = ((bits_of(J) >> 32) * PackBits(0x55555556u)) >> 32;
     Pack y = pack_of_bits((PackBits(0x553ef0ffu) - third) << 32);
@@ -60,8 +60,8 @@ inline double logarithm(double J) { return std::log(J); }
 inline Pack logarithm(const Pack& J) {
     const PackBits bits = bits_of(J);
     Pack m = pack_of_bits((bits & PackBits(0x000fffffffffffffull)) | PackBits(0x3ff0000000000000ull));
-    // Converts the exponent to floating point without a lane-wise conversion: its bits become the mantissa of
-    // 2^52 + exponent, and the constant is subtracted.
+    // Converts the exponent to floating point without a lane-wise conversion: its bits become the mantissa of 2^52 +
+    // exponent, and the constant is subtracted.
     Pack k = pack_of_bits((bits >> 52) | PackBits(0x4330000000000000ull)) - (4503599627370496.0 + 1023.0);
     const PackMask large = m > std::numbers::sqrt2;
     std::experimental::where(large, m) *= 0.5;
