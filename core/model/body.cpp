@@ -21,6 +21,7 @@ BodyPointer make_body(mesh::VolumeMesh mesh, fem::ElementKind kind, const std::v
     body->unit_mass.setFromTriplets(triplets.begin(), triplets.end());
     body->volume_m3 = body->unit_mass.sum();
 
+    // The packed layout depends on the cell type, hence the visit.
     std::visit(
         [&](const auto& cells) {
             body->volume_points_per_cell = cells.volumes_per_cell();

@@ -6,7 +6,7 @@
 
 namespace myo::model {
 
-/// The clamped nodes of a body, ascending.
+/// Clamped nodes of a body, ascending.
 std::vector<int> held_nodes(const Body& body);
 
 }  // namespace myo::model

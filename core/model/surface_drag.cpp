@@ -17,15 +17,17 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
+/// Quadrature point of a wetted face.
 struct DragPoint {
-    VectorXd shape;
-    double area = 0.0;  // at rest [m2]
+    VectorXd shape;     // shape functions of the face nodes
+    double area = 0.0;  // [m2] rest area times weight
 };
 
 struct DragFace : LoadedFace {
     std::vector<DragPoint> points;
 };
 
+/// See surface_drag().
 class SurfaceDrag : public ForceElement {
 public:
     SurfaceDrag(std::shared_ptr<const std::vector<DragFace>> faces, double linear, double quadratic)
@@ -39,6 +41,7 @@ public:
             for (const DragPoint& point : face.points) {
                 const Vector3d u = v * point.shape;
                 const double speed = u.norm();
+                // The potential exists only for a given velocity_factor; at 0 (statics) the force has no Hessian in x.
                 if (factor > 0.0)
                     out.energy += point.area / factor * speed * speed * (0.5 * linear_ + quadratic_ * speed / 3.0);
                 add_force(face, point, point.area * (linear_ + quadratic_ * speed) * u, out.gradient);
@@ -75,10 +78,11 @@ public:
     }
 
 private:
-    /// Derivative of the traction, per area.
+    /// Derivative of the traction with respect to the velocity [Pa s/m].
     Matrix3d by_velocity(const Vector3d& u) const {
         const double speed = u.norm();
         const Matrix3d I = Matrix3d::Identity();
+        // The quadratic part is differentiable at rest, with derivative zero.
         if (speed == 0.0) return linear_ * I;
         return (linear_ + quadratic_ * speed) * I + quadratic_ / speed * u * u.transpose();
     }

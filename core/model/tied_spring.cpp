@@ -13,6 +13,7 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
+/// See tied_spring().
 class TiedSpring : public ForceElement {
 public:
     TiedSpring(LoadedFace nodes, VectorXd shares, const Vector3d& anchor, double rest_length, double stiffness)
@@ -29,7 +30,7 @@ public:
         out.energy += 0.5 * stiffness_ * stretch * stretch;
         add_force(stiffness_ * stretch * d, out.gradient);
         if (kind == HessianKind::none) return;
-        double across = stretch / length;  // the spring turns: it pushes away from its line when it is shortened
+        double across = stretch / length;  // transverse (geometric) stiffness; negative if the spring is compressed
         if (kind != HessianKind::exact) across = std::max(0.0, across);
         const Matrix3d H = stiffness_ * (d * d.transpose() + across * (Matrix3d::Identity() - d * d.transpose()));
         add_face_hessian(body, at_, out.hessian, [&](std::size_t a, std::size_t b) {

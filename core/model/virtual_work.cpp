@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-/// Work of one pack per unit of mu, of kappa and of damping times mu.
+/// Virtual work of one pack per unit of mu, of kappa and of damping times mu.
 struct PackWork {
     Pack mu = 0.0, kappa = 0.0, viscous = 0.0;
 };
@@ -38,6 +38,7 @@ PackWork pack_work(const PackedCells<Geometry>& cells, int pack, const Model& mo
         const material::Matrix3<Pack> F = points.gradient(q), dF = points.tangent(q, motion);
         material.respond(F, factor, zero, false, law);
         work.mu += weight * material::double_dot(law.distortion.gradient, dF);
+        // Laws without a split have no bulk function: their derivative by kappa is the volume gradient itself.
         const Pack change = material::double_dot(law.volume.gradient, dF);
         if (!split) {
             work.kappa += weight * factor * change;
@@ -58,6 +59,7 @@ PackWork pack_work(const PackedCells<Geometry>& cells, int pack, const Model& mo
             work.viscous += 2.0 * weight * factor *
                             double_dot(deviator(strain_rate(F, rate.factor, history, q)), green_strain_tangent(F, dF));
     }
+    // The mean volume carries kappa minus the part that acts at the points.
     if (split && cells.mean_volume) {
         const Pack mean = cells.geometry(pack).volume * material.bulk(theta, mean_factor).first * d_theta;
         work.kappa += (1.0 - bulk.of_kappa) * mean;
@@ -124,6 +126,7 @@ void add_fibre_work(const Model& model, const Matrix3Xd& x, const Matrix3Xd& p, 
             work.by_stiffness[g] += (length - activation[g]) * along;
             if (work.by_shape.empty()) continue;
             const fibre::FibreResponse response = fibre::fibre_response(s, activation[g], group.stiffness_Pa);
+            // Derivative of (psi'(s) . ds) with respect to the shape: s = x shape and ds = p shape.
             work.by_shape[g][k] += point.volume * (xe * (response.hessian * ds) + pe * response.gradient);
         }
     });
