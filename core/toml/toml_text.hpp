@@ -8,7 +8,9 @@ namespace myo::toml {
 
 // Formatting of values for TOML files.
 
-/// Shortest decimal text that parses to the same double; always with a decimal point or exponent.
+/// Shortest decimal text that parses to the same double.
+///
+/// @return  always with a decimal point or exponent, so that it is read as a float
 std::string toml_number(double value);
 
 /// Quoted string; quotes, backslashes and control characters are escaped.
@@ -16,6 +18,9 @@ std::string toml_text(const std::string& text);
 
 /// TOML array "[a, b, c]" with each item formatted by `text`.
 template <class Items, class Text>
+/// TOML array "[a, b, c]".
+///
+/// @param text  formats one item
 std::string toml_list(const Items& items, const Text& text) {
     std::string result;
     for (const auto& item : items) result += (result.empty() ? "" : ", ") + text(item);

@@ -32,11 +32,15 @@ struct TomlValue {
 std::string kind_name(TomlValue::Kind kind);
 
 /// Reads a TOML file.
+///
+/// @return  the document as a table with the location of every value
 /// Errors: missing or unreadable file; larger than 16 MB, thus not written by hand; syntax error, with line.
 Result<TomlValue> read_toml(const std::filesystem::path& path);
 
-/// Parses one value in TOML syntax ("3e5", "[0, 0, -1]", "true"). A bare word or file name is read as a string.
+/// Parses one value in TOML syntax: "3e5", "[0, 0, -1]", "true". A bare word or file name is read as a string.
+///
 /// @param where  location recorded for the value and all its elements
+/// Errors: malformed text, or more than one value.
 Result<TomlValue> parse_toml_value(std::string_view text, const std::string& where);
 
 }  // namespace myo::toml
