@@ -64,6 +64,8 @@ struct AssumedStrainMap {
     /// @param nu       Poisson's ratio of each cell
     AssumedStrainMap(const PackAssumedStrain& g, const PackSurroundings& relaxed, const Pack& nu)
         : geometry(g), poissons_ratio(nu) {
+        // s = relaxed sqrt((1 - nu)/(1 + nu)) gives the equibiaxial strain the stiffness of the others, see
+        // AssumedStrainPolicy.
         const Pack thinning = nu / (1.0 - nu), even = sqrt((1.0 - nu) / (1.0 + nu));
         for (std::size_t k = 0; k < 3; ++k) {
             Pack s = relaxed[k] * even;
@@ -89,6 +91,7 @@ struct AssumedStrainMap {
     /// Strain per unit of the amplitude along an edge, at a corner: uniaxial stress along the edge.
     PackSymmetric bilinear_basis(std::size_t edge) const {
         const PackSymmetric& t = geometry.along[edge];
+        // Uniaxial stress: (1 + nu) t t' - nu tr(t t') I has strain 1 along t and -nu across it.
         const Pack sideways = poissons_ratio * (t[0] + t[1] + t[2]);
         PackSymmetric b;
         for (std::size_t k = 0; k < 6; ++k)
@@ -108,6 +111,7 @@ struct AssumedStrainMap {
             const int i = (k + 1) % 3, j = (k + 2) % 3;
             const auto plane = static_cast<std::size_t>(k);
             const PackAssumedStrain::Plane& p = geometry.planes[plane];
+            // Covariant measures E_ii, E_jj and 2 E_ij of the plane at a corner.
             const Pack e0 = linear_scale * c(j, i), e1 = linear_scale * c(i, j),
                        e2 = linear_scale * (c(i, i) + c(j, j));
             const Pack trace = p.trace[0] * e0 + p.trace[1] * e1 + p.trace[2] * e2, normal = across[plane] * trace,
@@ -134,6 +138,7 @@ struct AssumedStrainMap {
             const auto plane = static_cast<std::size_t>(k);
             const PackAssumedStrain::Plane& p = geometry.planes[plane];
             const PackSymmetric& r = stress.linear[plane];
+            // Transposed operations in reverse order: the trace collects the normal and the isotropic part.
             const Pack of_trace = across[plane] * double_dot(p.normal, r) - left_out[plane] * (r[0] + r[1] + r[2]);
             const auto measure = [&](std::size_t m) {
                 return linear_scale * (double_dot(p.in_plane[m], r) + of_trace * p.trace[m]);
@@ -271,6 +276,7 @@ public:
             mean_ += P;
             return;
         }
+        // F = F0 M: the derivative with respect to F0 at fixed M is P M.
         mean_ += times_symmetric(P, points_.stretch(q));
         // dW = F0'P : dM with dM = dH + (dH H + H dH) / 2.
         const PackSymmetric Y = symmetric_part(transposed_product(points_.mean(), P));

@@ -36,6 +36,7 @@ public:
         add_mean(A, full(M));
         const std::array<material::Matrix3<Pack>, 6> stiffness = by_strain(A);
         const material::Matrix3<Pack> Y = full(symmetric_part(transposed_product(points_.mean(), P)));
+        // Corner q and corner 9 - q are opposite and share a slot.
         Corner& corner = corners_[static_cast<std::size_t>(q <= 4 ? q - 1 : 8 - q)];
         Corner now;
         std::array<PackSymmetric, 6> lifted;  // dM per unit of a strain
@@ -71,6 +72,7 @@ public:
         for (auto& row : mixed)
             for (material::Matrix3<Pack>& block : row) block.setConstant(Pack(0.0));
         for (std::size_t n = 0; n < 12; ++n) {
+            // Chain rule from measures to amplitudes: each measure is a sum of at most two amplitudes.
             const auto to_n = amplitudes(n);
             material::Matrix3<Pack> G = zero_tensor();
             for (std::size_t b = 0; b < 6; ++b) G += mixed_[static_cast<std::size_t>(set[n])][b] * basis[n][b];
@@ -221,6 +223,7 @@ private:
             }
             for (std::size_t t = 0; t < 4; ++t) K[3 + s][3 + t] = product(E, product(shapes[s][t], E_transposed));
         }
+        // Nodal map of all 7 columns: F0 = x G and shapes d(F0^-1 q) = F0^-1 dx Gamma.
         Eigen::Matrix<Pack, 8, 7> map;
         const Eigen::Matrix<Pack, 8, 4> gamma = points_.gamma();
         for (int a = 0; a < 8; ++a) {
@@ -241,6 +244,7 @@ private:
                 V[m] = K[m][0] * map(b, 0);
                 for (std::size_t n = 1; n < 7; ++n) V[m] += K[m][n] * map(b, static_cast<int>(n));
             }
+            // K_ab = sum over columns, plus the geometric term -(f_b (GF)_a' + (GF)_b f_a') of the variation of F0^-1.
             for (int a = b; a < 8; ++a) {
                 material::Matrix3<Pack>& block = matrix_[static_cast<std::size_t>(lower_block<8>(a, b))];
                 for (int j = 0; j < 3; ++j)

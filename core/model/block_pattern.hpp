@@ -17,8 +17,8 @@ struct BlockPattern {
     int free_count = 0;           // number of free nodes
     std::vector<int> free_index;  // per node: index among the free nodes; -1 if clamped
     std::vector<int> free_nodes;  // per free node: node
-    std::vector<int>
-        cell_blocks;  // at (cell * N + b) * N + a: rank of block (a, b) in its block column; -1: not stored
+    // at (cell * N + b) * N + a: rank of block (a, b) in its block column; -1: not stored
+    std::vector<int> cell_blocks;
     solver::SymmetricSparse zero;  // matrix with this pattern and values 0
 
     int unknowns() const { return 3 * free_count; }
@@ -53,9 +53,14 @@ struct BlockPattern {
 /// @param clamped  one flag per node
 BlockPattern block_pattern(const mesh::VolumeMesh& mesh, const std::vector<bool>& clamped);
 
-/// Free columns of X (3 x n) as one vector of unknowns().
+/// Free columns of a nodal field as one vector.
+///
+/// @param X  3 x n
+/// @return   unknowns() entries
 Eigen::VectorXd gather(const BlockPattern& pattern, const Eigen::Matrix3Xd& X);
-/// Inverse of gather(): 3 x n with zero columns at clamped nodes.
+/// Inverse of gather().
+///
+/// @return  3 x n, zero columns at clamped nodes
 Eigen::Matrix3Xd scatter(const BlockPattern& pattern, const Eigen::VectorXd& v);
 
 }  // namespace myo::model

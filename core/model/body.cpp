@@ -15,6 +15,7 @@ BodyPointer make_body(mesh::VolumeMesh mesh, fem::ElementKind kind, const std::v
     body->pattern = block_pattern(body->mesh, body->clamped);
 
     std::vector<Eigen::Triplet<double>> triplets;
+    // Triplets of shared nodes are summed by setFromTriplets().
     for (const fem::MassEntry& entry : fem::consistent_mass(body->mesh))
         triplets.emplace_back(entry.row, entry.column, entry.value);
     body->unit_mass.resize(body->mesh.node_count(), body->mesh.node_count());

@@ -90,6 +90,7 @@ public:
     }
     // Linear interpolation between knots: only the two neighbouring knots contribute.
     void add_tangent(const Body&, const ForceState& at, const VectorXd& change, Matrix3Xd& gradient) const override {
+        // The pressure is linear in the values of its knots, so a change of values interpolates like the values.
         const fibre::Signal::Weights w = pressure_.weights(at.time_s, at.before_jump);
         const double dp = w.left == w.right ? change(static_cast<Eigen::Index>(w.left))
                                             : w.of_left * change(static_cast<Eigen::Index>(w.left)) +
@@ -155,6 +156,7 @@ double cavity_volume(const Body& body, const std::vector<int>& faces, const Matr
 }
 
 int open_edges(const Body& body, const std::vector<int>& faces) {
+    // Quadratic faces are matched by the corners of their edges.
     std::map<Edge, int> shared;
     for (const int face : faces) for_each_edge(body, face, [&](const Edge& edge) { ++shared[edge]; });
     int open = 0;

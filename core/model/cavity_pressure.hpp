@@ -18,8 +18,10 @@ ForceElementPointer cavity_pressure(const Body& body, const std::vector<int>& fa
 /// Volume enclosed by the walls at positions x (3 x n [m]) [m3]; up to a constant if the walls are open.
 double cavity_volume(const Body& body, const std::vector<int>& faces, const Eigen::Matrix3Xd& x);
 
-/// Number of wall edges that no other wall shares and that are not clamped at both ends. 0 is required for a pressure
-/// with potential.
+/// Number of open edges of the walls.
+///
+/// @return  edges that no other wall shares and that are not clamped at both ends; 0 is required for a pressure with
+///          potential
 int open_edges(const Body& body, const std::vector<int>& faces);
 
 /// Edge-connected components of the boundary that enclose a hole in the material, as lists of faces. The outer surface

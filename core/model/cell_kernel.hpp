@@ -132,6 +132,7 @@ public:
             for (std::size_t q = 0; q < Q; ++q)
                 add_pulled_back<N>(hessian_[q], points.geometry().gradient[q], p * points.weight(static_cast<int>(q)),
                                    out.hessian);
+            // The rank-one part couples all nodes of a cell, so it is added after the loop over points.
             const Pack stiffness = U.second * inverse_volume_;
             for (int b = 0; b < N; ++b)
                 for (int a = b; a < N; ++a) {
@@ -169,6 +170,7 @@ template <bool WithHessian, class Geometry>
 void evaluate_pack(const PackedCells<Geometry>& cells, int pack, const PackNodes<Geometry::nodes>& x,
                    const PackInput& in, PackOutput<Geometry::nodes>& out) {
     constexpr int Q = Geometry::points;
+    /// Cells with assumed strain have no volumetric locking, hence no mean volume.
     constexpr bool has_mean_volume = requires(const Geometry& g) { g.weight; };
     const Geometry& geometry = cells.geometry(pack);
     const PointKinematics<Geometry> points(geometry, cells.surroundings_of(pack), x, in.poissons_ratio);
@@ -179,6 +181,7 @@ void evaluate_pack(const PackedCells<Geometry>& cells, int pack, const PackNodes
         for (material::Matrix3<Pack>& block : out.hessian) block.setConstant(Pack(0.0));
     std::optional<StiffnessSum<Geometry>> stiffness;
     if constexpr (WithHessian) stiffness.emplace(points, out.hessian);
+    /// Laws without a split cannot exchange their volume measure; they are evaluated as a whole.
     const bool split = in.elastic && in.material->has_split();
     const bool mean = has_mean_volume && cells.mean_volume && split;
     std::optional<MeanVolume<WithHessian, Geometry>> volume;

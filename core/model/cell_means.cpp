@@ -30,6 +30,7 @@ struct CellIntegrals {
 
 /// Largest principal stretch: square root of the largest eigenvalue of C = F'F.
 double largest_stretch(const Matrix3d& F) {
+    // Eigenvalues are ascending.
     const Eigen::SelfAdjointEigenSolver<Matrix3d> C(F.transpose() * F, Eigen::EigenvaluesOnly);
     return std::sqrt(std::max(0.0, C.eigenvalues()(2)));
 }
@@ -44,6 +45,7 @@ void add_integrals(const PackedCells<Geometry>& cells, int pack, const Model& mo
     const Pack mu = pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].mu; });
     const Pack kappa = pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].kappa; });
     const double* factors = factors_of(cells, pack, model.point_factors);
+    // Same split of the bulk modulus between points and mean volume as in evaluate_pack().
     const bool mean = cells.mean_volume && law.has_split();
     const Pack volume = cells.geometry(pack).volume,
                point_kappa = mean ? point_bulk(cells, pack, model.moduli).of(mu, kappa) : kappa;

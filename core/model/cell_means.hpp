@@ -22,6 +22,7 @@ struct CellMeans {
 CellMeans cell_means(const Model& model, const Eigen::Matrix3Xd& x, const std::vector<double>& activation);
 
 /// Cell values averaged to the nodes, weighted by the cell volumes.
+///
 /// @param cell_values  one per cell, any unit
 /// @param volumes_m3   one per cell
 /// @return             one per node; 0 at nodes without cells

@@ -55,6 +55,7 @@ DirectionalMass added_mass(const Body& body, const std::vector<int>& faces, doub
 
 DirectionalMass line_mass(const VectorXd& share, const Vector3d& direction, double mass_kg) {
     assert(direction.norm() > 0.0 && mass_kg >= 0.0);
+    // Inertia m d d' per node: no mass perpendicular to the thread.
     const Vector3d d = direction.normalized();
     Entries entries;
     for (Index i = 0; i < share.size(); ++i)

@@ -13,8 +13,8 @@ namespace myo::model {
 /// Inertia without weight that acts along fixed directions in space, during [from_s, until_s). Velocities are
 /// continuous when a mass is attached or removed: an attached mass takes the velocity of the body.
 struct DirectionalMass {
-    Eigen::SparseMatrix<double>
-        inertia_kg;  // 3n x 3n, row 3 i + r; symmetric, positive semidefinite; couples nodes of one cell only
+    // 3n x 3n, row 3 i + r; symmetric, positive semidefinite; couples nodes of one cell only
+    Eigen::SparseMatrix<double> inertia_kg;
     double from_s = -std::numeric_limits<double>::infinity();  // [s] start, included
     double until_s = std::numeric_limits<double>::infinity();  // [s] end, excluded
 

@@ -28,6 +28,7 @@ public:
 
     void add(const Body& body, const ForceState& at, HessianKind kind, InternalEnergy& out) const override {
         for (const BedFace& face : *faces_) {
+            // Displacement from the rest configuration; the force is linear in it.
             const Matrix3Xd u = at.x(Eigen::all, face.nodes) - body.mesh.nodes(Eigen::all, face.nodes);
             const Matrix3Xd force = stiffness_ * u * face.area;
             out.energy += 0.5 * force.cwiseProduct(u).sum();

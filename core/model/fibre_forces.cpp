@@ -20,7 +20,7 @@ void add_at_nodes(const Eigen::MatrixXi& cells, int cell, const CellVectors<N>& 
 /// Consecutive fibre points of one cell, one per lane.
 template <int N>
 struct FibreLanes {
-    int first = 0, count = 0;  // lanes beyond count repeat the last point with zero volume
+    int first = 0, count = 0;  // lanes from count on repeat the last point with zero volume
     std::array<Pack, 3> s;     // F m, current fibre vector
     Pack length, stiffness;    // |s|; volume times w
 };
@@ -33,6 +33,7 @@ void for_each_fibre_lanes(const fibre::FibreGroup& group, std::size_t first, std
         FibreLanes<N> lanes;
         lanes.first = static_cast<int>(k);
         lanes.count = static_cast<int>(std::min(last - k, static_cast<std::size_t>(pack_width)));
+        // The last point is repeated in unused lanes, which keeps them finite.
         const auto point = [&](auto lane) -> const fibre::FibrePoint& {
             return group.points[std::min(k + lane, last - 1)];
         };
@@ -72,6 +73,7 @@ struct CellMatrix {
     /// Adds the second derivatives of the points: stiffness (across (I - n n') + n n') with n = s / |s|.
     void add(const fibre::FibreGroup& group, const FibreLanes<N>& lanes, const Pack& across) {
         std::array<Pack, 6> H;
+        // n n' = s s' / |s|^2: the projector is formed without normalising s.
         const Pack along = lanes.stiffness * (1.0 - across) / (lanes.length * lanes.length);
         for (std::size_t k = 0; k < 6; ++k) {
             const auto [r, s] = pairs[k];
@@ -87,6 +89,7 @@ struct CellMatrix {
 
     void assemble(const Body& body, int cell, solver::SymmetricSparse& matrix) const {
         const CellBlocks<N> blocks(body.pattern, body.mesh.cells, cell, {0, body.pattern.free_count}, matrix);
+        // Index of the pair (r, s) in the packed symmetric storage.
         constexpr std::size_t of[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
         for (int b = 0; b < N; ++b)
             for (int a = b; a < N; ++a) blocks.add(a, b, [&](int r, int s) { return part[of[r][s]](a, b); });

@@ -51,6 +51,7 @@ UnitForces unit_forces_of(const PackedCells<Geometry>& cells, const Model& model
     constexpr int N = Geometry::nodes;
     const auto size = static_cast<std::size_t>(cells.pack_count()) * 3 * N;
     UnitForces forces{std::vector<Pack>(size), std::vector<Pack>(size), std::vector<Pack>(rate.size() > 0 ? size : 0)};
+    // Softening multiplies the elastic moduli only; viscous moduli keep the model's factors.
     const VectorXd elastic_factors = times_factors(model.point_factors, softening);
     parallel_ranges(cells.pack_count(), packs_per_thread, [&](int first, int end) {
         PackOutput<N> out;
@@ -68,6 +69,7 @@ UnitForces unit_forces_of(const PackedCells<Geometry>& cells, const Model& model
             elastic.point_bulk = point_bulk(cells, pack, model.moduli);
             elastic.mu = 1.0;
             keep(forces.mu, elastic);
+            // Unit bulk modulus with zero shear modulus.
             std::swap(elastic.mu, elastic.kappa);
             keep(forces.kappa, elastic);
             if (rate.size() == 0) continue;
@@ -114,6 +116,7 @@ std::array<PackNodes<Geometry::nodes>, Geometry::points> point_forces_of(const P
         stress.add_to(forces[q]);
         if (!mean) continue;
         theta += weight / cells.geometry(pack).volume * law.volume.value;
+        // Gradient of the mean volume, needed for the part of the pressure that acts on all points.
         StressSum<Geometry> of_theta(points);
         of_theta.add(point, law.volume.gradient * weight);
         of_theta.add_to(mean_gradient);
@@ -145,12 +148,14 @@ NodalColumns gradients_of(const PackedCells<Geometry>& cells, const Model& model
     const auto field = static_cast<std::size_t>(cells.pack_count()) * 3 * N;
     std::vector<Pack> nodal(field * static_cast<std::size_t>(std::min(at_once, columns)));
     NodalColumns result = NodalColumns::Zero(3 * columns, x.cols());
+    // Groups of columns: each pack's kinematics serve all columns of a group.
     for (Index start = 0; start < columns; start += at_once) {
         const Index count = std::min(at_once, columns - start);
         parallel_ranges(cells.pack_count(), packs_per_thread, [&](int first, int end) {
             PackOutput<N> out;
             for (int pack = first; pack < end; ++pack) {
                 const auto xe = nodes_of_pack(cells, pack, x);
+                // Kinematics are needed for viscous forces only.
                 std::optional<PointKinematics<Geometry>> points;
                 Pack viscous_mu = 0.0;
                 if (changes.rates.size() > 0) {

@@ -115,6 +115,7 @@ void assemble_packs(const PackedCells<Geometry>& cells, const Model& model, cons
                     solver::SymmetricSparse& hessian) {
     constexpr int packs_at_once = 32, N = Geometry::nodes;
     const BlockPattern& pattern = model.body->pattern;
+    // Workspace for one group of packs, reused for all groups.
     std::vector<PackOutput<N>> outputs(static_cast<std::size_t>(std::min(packs_at_once, cells.pack_count())));
     for (int start = 0; start < cells.pack_count(); start += packs_at_once) {
         const int count = std::min(packs_at_once, cells.pack_count() - start);
@@ -171,6 +172,7 @@ VectorXd pack_pressures(const PackedCells<Geometry>& cells, const Model& model, 
     InternalInput input;
     input.stiffness = &stiffness;
     for_each_pack(cells, [&](int pack) {
+        // Pressures depend on elastic moduli only; viscous parts of the input stay empty.
         const PackInput in = pack_input(model, cells, input, pack);
         const auto xe = nodes_of_pack(cells, pack, x), de = dx ? nodes_of_pack(cells, pack, *dx) : xe;
         const PointKinematics<Geometry> points(cells.geometry(pack), cells.surroundings_of(pack), xe,
@@ -187,6 +189,7 @@ VectorXd pack_pressures(const PackedCells<Geometry>& cells, const Model& model, 
             theta += share * law.volume.value;
             factor += share * in.elastic_factor(q);
             if (dx) d_theta += share * material::double_dot(law.volume.gradient, points.tangent(q, motion));
+            // With a mean volume the pressure is known after the last point.
             if (cells.mean_volume && q + 1 < Q) continue;
             const material::ScalarFunctionOf<Pack> U = model.material->bulk(theta, kappa * factor);
             const Pack p = U.first + U.second * d_theta;
@@ -275,6 +278,7 @@ VectorXd strain_tangent(const Model& model, const Matrix3Xd& x, const Matrix3Xd&
 }
 
 Matrix3Xd viscous_gradient(const Model& model, const Matrix3Xd& x, const VectorXd& rate) {
+    // A rate factor of 0 makes the rate constant: the gradient then contains the viscous force alone.
     Stiffness viscous_only = stiffness(model);
     viscous_only.elastic.clear();
     viscous_only.fibres = false;

@@ -27,8 +27,10 @@ struct Stiffness {
 /// Moduli of the model itself.
 Stiffness stiffness(const Model& model);
 
-/// Ratio of viscous moduli to elastic moduli: the damping [s]. 1 for a body with creep, because its rates are
-/// combinations of strain rates and strains that already contain their factors.
+/// Ratio of viscous moduli to elastic moduli.
+///
+/// @return  the damping [s]; 1 for a body with creep, because its rates are combinations of strain rates and strains
+///          that already contain their factors
 double viscous_scale(const Model& model);
 
 /// Product of two fields of factors at the points; an empty field is 1.
@@ -65,19 +67,33 @@ struct InternalInput {
 InternalEnergy internal_energy(const Model& model, const Eigen::Matrix3Xd& x, const InternalInput& input,
                                HessianKind hessian);
 
-/// Pressures U'(theta) [Pa] of all volume points at x, for the elastic moduli of `stiffness`. Zero for laws without
-/// volumetric split.
+/// Pressures of all volume points at x, for the elastic moduli of `stiffness`.
+///
+/// @param x  node positions, 3 x n [m]
+/// @return   U'(theta) [Pa], volume_points entries; zero for laws without volumetric split
 Eigen::VectorXd pressures(const Model& model, const Stiffness& stiffness, const Eigen::Matrix3Xd& x);
-/// Linear prediction of pressures() at x + dx.
+/// Linear prediction of pressures() at x + dx: U'(theta) + U''(theta) dtheta/dx dx.
+///
+/// @param dx  displacement, 3 x n [m]
+/// @return    [Pa], volume_points entries
 Eigen::VectorXd predicted_pressures(const Model& model, const Stiffness& stiffness, const Eigen::Matrix3Xd& x,
                                     const Eigen::Matrix3Xd& dx);
 
-/// Green strains of all points at x, strain_count entries in the layout of PackedCells.
+/// Green strains of all points.
+///
+/// @param x  node positions, 3 x n [m]
+/// @return   strain_count entries in the layout of PackedCells; xx, yy, zz, xy, yz, zx per point
 Eigen::VectorXd strains(const Model& model, const Eigen::Matrix3Xd& x);
-/// Derivative of strains() along dx.
+/// Derivative of strains() along a displacement.
+///
+/// @param dx  3 x n [m]
+/// @return    strain_count entries
 Eigen::VectorXd strain_tangent(const Model& model, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& dx);
 
-/// Gradient of the viscous energy for a given strain rate, 3 x n [N]; linear in the rate.
+/// Gradient of the viscous energy for a given strain rate; linear in the rate.
+///
+/// @param rate  strain_count entries [1/s]
+/// @return      3 x n [N]
 Eigen::Matrix3Xd viscous_gradient(const Model& model, const Eigen::Matrix3Xd& x, const Eigen::VectorXd& rate);
 
 /// Derivative of the gradient along a change of the activations, 3 x n [N]. The gradient is linear in the activations,

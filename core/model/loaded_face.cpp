@@ -9,6 +9,7 @@ std::vector<LoadedFace> loaded_faces(const Body& body, const std::vector<int>& f
     for (const int f : faces) {
         LoadedFace face;
         face.cell = body.boundary.cell(f);
+        // Local numbers in the cell address the face's blocks in the pattern of the body.
         const auto cell = body.mesh.cells.col(face.cell);
         for (const int node : body.boundary.nodes.col(f)) {
             face.nodes.push_back(node);

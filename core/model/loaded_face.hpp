@@ -14,7 +14,9 @@ struct LoadedFace {
     std::vector<int> cell_node;  // per node of the face: its index in the cell
 };
 
-/// Loaded faces for the given boundary face numbers.
+/// Loaded faces for given faces of the boundary.
+///
+/// @param faces  columns of Body::boundary
 std::vector<LoadedFace> loaded_faces(const Body& body, const std::vector<int>& faces);
 
 /// Boundary faces whose nodes are all in the list.

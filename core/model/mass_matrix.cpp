@@ -61,9 +61,11 @@ MassMatrix mass_matrix(const Model& model, double at_s) {
 std::vector<MassSpan> mass_spans(const Model& model) {
     std::vector<double> ends{std::numeric_limits<double>::infinity()};
     for (const DirectionalMass& mass : model.directional_masses)
+        // Times before the start of the run do not split it.
         for (const double t : {mass.from_s, mass.until_s})
             if (std::isfinite(t) && t > 0.0) ends.push_back(t);
     std::sort(ends.begin(), ends.end());
+    // Several masses may start or stop at the same time.
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     std::vector<MassSpan> spans;
     double from_s = 0.0;

@@ -21,8 +21,10 @@ struct MassMatrix {
 /// Mass matrix from its parts; computes nodal_kg.
 MassMatrix mass_matrix(Eigen::SparseMatrix<double> isotropic, Eigen::SparseMatrix<double> directional);
 
-/// Mass matrix of a model at a time: body by its mass model, attached masses on the diagonal, active directional
-/// masses.
+/// Mass matrix of a model at a time.
+///
+/// @return  body by its mass model, attached masses lumped on the diagonal, directional masses that are active at
+///          `at_s`
 MassMatrix mass_matrix(const Model& model, double at_s = 0.0);
 
 /// Mass matrix valid until a time; starts at the end of the previous span.
@@ -32,7 +34,10 @@ struct MassSpan {
 };
 /// Mass matrices of a run from t = 0, in order of time. More than one span if directional masses start or stop later.
 std::vector<MassSpan> mass_spans(const Model& model);
-/// Index of the span that contains a time [s].
+/// Span that contains a time.
+///
+/// @param spans  from mass_spans()
+/// @param at_s   [s]
 std::size_t span_at(const std::vector<MassSpan>& spans, double at_s);
 
 /// Product M X for nodal vectors X of 3 x n.

@@ -7,10 +7,10 @@ namespace myo::model {
 
 /// Discretisation of the mass.
 enum class MassModel {
-    consistent,      // integrals of the shape functions: exact total mass
-    equal_vertices,  // every vertex gets density x mean cell volume, whatever it touches. As published, for comparison:
-                     // the body's mass, and with it its weight, is wrong by vertices over cells (136 % for 23 x 7 x 7
-                     // hexahedra)
+    consistent,  // integrals of the shape functions: exact total mass
+    // Density times mean cell volume at every vertex, independent of its cells. Published scheme, for comparison: mass
+    // and weight of the body have an error of vertices over cells (136 % for 23 x 7 x 7 hexahedra).
+    equal_vertices,
 };
 
 /// Name of the mass model in project files.

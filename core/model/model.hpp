@@ -53,7 +53,7 @@ struct Model {
     double damping_s = 0.0;                // Kelvin-Voigt damping: S = 2 damping mu dev(dE/dt)
     double density_kg_m3 = 0.0;            // of the rest configuration
     MassModel mass_model = MassModel::consistent;            // how the density is discretised
-    double velocity_force_1_s = 0.0;                         // Lambda of the force f = Lambda M v [1/s]; 0: none
+    double velocity_force_1_s = 0.0;                         // Lambda of the force f = Lambda M v ; 0: none
     Eigen::Vector3d gravity_m_s2 = Eigen::Vector3d::Zero();  // world frame
     std::shared_ptr<const std::vector<fibre::FibreGroup>> fibres = std::make_shared<std::vector<fibre::FibreGroup>>();
     std::vector<fibre::Signal> activation;            // a(t) per fibre group
@@ -61,10 +61,10 @@ struct Model {
     std::vector<AttachedMass> masses;                 // with weight and inertia
     std::vector<DirectionalMass> directional_masses;  // with inertia only
     std::vector<ForceElementPointer> force_elements;  // springs, pressures, drag, ...
-    std::optional<material::MaxwellBranch>
-        creep;  // memory of past strain in simulations; statics and modes use the relaxed body
-    std::optional<material::StressSoftening>
-        softening;  // memory of the largest strain; each simulation and each equilibrium starts from the virgin state
+    // Memory of past strain in simulations; statics and modes use the relaxed body
+    std::optional<material::MaxwellBranch> creep;
+    // Memory of the largest strain; each simulation and each equilibrium starts from the virgin state
+    std::optional<material::StressSoftening> softening;
 };
 
 /// Poisson's ratio of each cell, from its moduli.
@@ -73,14 +73,22 @@ std::vector<double> poissons_ratios(const std::vector<material::Moduli>& moduli)
 /// Equal moduli in all cells.
 std::vector<material::Moduli> uniform_moduli(int cell_count, double youngs_modulus_Pa, double poissons_ratio);
 
-/// External dead forces at time t, 3 x n [N]: weight of body and attached masses plus active dead loads.
+/// External dead forces: weight of body and attached masses plus active dead loads.
+///
+/// @param t       [s]
 /// @param before  left limit at a discontinuity
+/// @return        3 x n [N], world frame
 Eigen::Matrix3Xd external_forces(const Model& model, const MassMatrix& mass, double t, bool before = false);
 
-/// Activations of all fibre groups at t [s]; `before`: left limit.
+/// Activations of all fibre groups.
+///
+/// @param t       [s]
+/// @param before  left limit at a discontinuity
 std::vector<double> activations(const Model& model, double t, bool before = false);
 
-/// Times [s] of discontinuities of forces, directional masses, activations and force elements; ascending, unique.
+/// Times of discontinuities of forces, directional masses, activations and force elements.
+///
+/// @return  [s], ascending, unique
 std::vector<double> jump_times(const Model& model);
 
 }  // namespace myo::model

@@ -32,6 +32,7 @@ Rotations mean_gradients(const PackedCells<Geometry>& cells, const Body& body, c
             means[pack] = mean_gradient(cells.geometry(static_cast<int>(pack)), xe);
         }
     });
+    // Gather by node: the order of summation is fixed by the incidence.
     Rotations sum = Rotations::Zero(9, body.node_count());
     const auto* values = reinterpret_cast<const double*>(means.data());
     parallel_ranges(body.node_count(), 500, [&](int first, int end) {

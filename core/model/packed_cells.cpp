@@ -39,6 +39,7 @@ void set_lane_of(PackAssumedStrain& to, Lane lane, const fem::AssumedStrainGeome
 /// True if two packs have equal geometry up to the rounding of coordinates.
 template <class Geometry>
 bool same_shape(const Geometry& a, const Geometry& b) {
+    // Geometry consists of Packs only and is compared as an array.
     constexpr std::size_t count = sizeof(Geometry) / sizeof(Pack);
     const Pack *x = reinterpret_cast<const Pack*>(&a), *y = reinterpret_cast<const Pack*>(&b);
     const Pack scale = abs(a.volume);
@@ -71,6 +72,7 @@ PackedCells<Geometry> pack_cells(const typename Geometry::Block& block) {
                 packed.lane_nodes[pack][static_cast<std::size_t>(a)][lane] = block.cells(a, cell);
             set_lane_of(geometry, lane, block.geometry[static_cast<std::size_t>(cell)]);
         }
+        // Only the most recent shapes are compared, which bounds the cost for unstructured meshes.
         const std::size_t known = packed.shapes.size(), first = known > most_compared ? known - most_compared : 0;
         std::size_t shape = first;
         while (shape < known && !same_shape(packed.shapes[shape], geometry)) ++shape;

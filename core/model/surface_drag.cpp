@@ -46,6 +46,7 @@ public:
                     out.energy += point.area / factor * speed * speed * (0.5 * linear_ + quadratic_ * speed / 3.0);
                 add_force(face, point, point.area * (linear_ + quadratic_ * speed) * u, out.gradient);
                 if (kind == HessianKind::none || factor == 0.0) continue;
+                // dv/dx = factor turns the derivative by velocity into one by position.
                 const Matrix3d H = factor * point.area * by_velocity(u);
                 add_face_hessian(body, face, out.hessian, [&](std::size_t a, std::size_t b) {
                     return Matrix3d(point.shape(static_cast<Eigen::Index>(a)) *
@@ -87,12 +88,14 @@ private:
         return (linear_ + quadratic_ * speed) * I + quadratic_ / speed * u * u.transpose();
     }
 
+    // Distributes a force at a quadrature point to the nodes of its face.
     static void add_force(const DragFace& face, const DragPoint& point, const Vector3d& force, Matrix3Xd& gradient) {
         for (std::size_t a = 0; a < face.nodes.size(); ++a)
             gradient.col(face.nodes[a]) += point.shape(static_cast<Eigen::Index>(a)) * force;
     }
 
     template <class Visit>
+    // Calls visit(face, point, velocity) for all quadrature points; does nothing at rest.
     void for_each_point(const ForceState& at, const Visit& visit) const {
         if (!at.v) return;
         for (const DragFace& face : *faces_) {

@@ -24,6 +24,7 @@ public:
           stiffness_(stiffness) {}
 
     void add(const Body& body, const ForceState& at, HessianKind kind, InternalEnergy& out) const override {
+        // Vector from the anchor to the attachment point in the current configuration.
         const Vector3d arm = at.x(Eigen::all, at_.nodes) * shares_ - anchor_;
         const double length = arm.norm(), stretch = length - rest_length_;
         const Vector3d d = arm / length;
@@ -70,6 +71,7 @@ ForceElementPointer tied_spring(const Body& body, int cell, const std::vector<in
         const auto column = body.mesh.cells.col(cell);
         at.cell_node.push_back(static_cast<int>(std::find(column.begin(), column.end(), node) - column.begin()));
     }
+    // Stress-free length: distance in the rest configuration.
     const double length = (body.mesh.nodes(Eigen::all, nodes) * shares - anchor_m).norm();
     assert(length > 0.0);
     return std::make_shared<TiedSpring>(std::move(at), shares, anchor_m, length, stiffness_N_m);

@@ -36,6 +36,7 @@ PackWork pack_work(const PackedCells<Geometry>& cells, int pack, const Model& mo
     for (int q = 0; q < Geometry::points; ++q) {
         const Pack factor = factors ? entry(factors, q) : one, weight = points.weight(q);
         const material::Matrix3<Pack> F = points.gradient(q), dF = points.tangent(q, motion);
+        // Unit shear modulus and zero bulk modulus: the response is the derivative by mu.
         material.respond(F, factor, zero, false, law);
         work.mu += weight * material::double_dot(law.distortion.gradient, dF);
         // Laws without a split have no bulk function: their derivative by kappa is the volume gradient itself.
@@ -82,6 +83,7 @@ void add_moduli_work(const Model& model, const Matrix3Xd& x, const Matrix3Xd& p,
         [&](const auto& cells) {
             parallel_ranges(cells.pack_count(), 16, [&](int first, int end) {
                 for (int pack = first; pack < end; ++pack) {
+                    // Each cell belongs to one pack, so threads write to different entries.
                     const PackWork of_pack = pack_work(cells, pack, model, x, p, rate);
                     for (int lane = 0; lane < cells.lanes_used(pack); ++lane) {
                         const auto l = static_cast<std::size_t>(lane),
@@ -121,6 +123,7 @@ void add_fibre_work(const Model& model, const Matrix3Xd& x, const Matrix3Xd& p, 
             const fibre::FibrePoint& point = group.points[k];
             const auto shape = shape_of<N>(point);
             const Eigen::Vector3d s = xe.transpose() * shape, ds = pe.transpose() * shape;
+            // Virtual elongation of the fibre times its volume.
             const double length = s.norm(), along = s.dot(ds) / length * point.volume;
             work.by_activation[g] -= group.stiffness_Pa * along;
             work.by_stiffness[g] += (length - activation[g]) * along;

@@ -14,7 +14,7 @@ struct ModuliWork {
     std::vector<material::Moduli> elastic;  // [m3] per cell, per unit of mu and of kappa
     std::vector<double> viscous;            // [m3/s] per cell, per unit of damping times mu
 };
-/// Zero work for all cells of a model.
+/// Zero work for all cells of a model, to be passed to add_moduli_work().
 ModuliWork no_moduli_work(const Model& model);
 
 /// Adds the work of elastic and viscous forces.
@@ -27,8 +27,8 @@ void add_moduli_work(const Model& model, const Eigen::Matrix3Xd& x, const Eigen:
 struct FibreWork {
     std::vector<double> by_activation;  // per group: derivative by activation a [J]
     std::vector<double> by_stiffness;   // per group: derivative by stiffness w [m3]
-    std::vector<std::vector<Eigen::VectorXd>>
-        by_shape;  // per group and point: derivative by FibrePoint::shape; empty unless requested
+    // per group and point: derivative by FibrePoint::shape; empty unless requested
+    std::vector<std::vector<Eigen::VectorXd>> by_shape;
 };
 /// Zero work for all fibre groups.
 /// @param with_shapes  also allocate by_shape
