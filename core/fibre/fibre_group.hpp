@@ -22,9 +22,9 @@ struct FibrePoint {
 struct FibreGroup {
     std::string name;                // in files and messages
     double stiffness_Pa = 0.0;       // w
-    std::vector<FibrePoint> points;  // consecutive points belong to the same cell where possible
-    std::vector<Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 10, 3>>
-        gradients{};  // dN/dX per point [1/m]: shape = gradient m
+    std::vector<FibrePoint> points;  // points of a cell are consecutive
+    // dN/dX per point [1/m]: shape = gradient m
+    std::vector<Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 10, 3>> gradients{};
 
     /// Total rest volume of the points [m3].
     double volume() const;

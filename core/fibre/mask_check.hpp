@@ -11,7 +11,7 @@ namespace myo::fibre {
 struct MaskRule {
     /// Cell size over the distance to the nearest other element, median over the mask: 1 for cubes, 1.7 for boxes of 1
     /// : 2 : 2, 2.5 to 4 for tetrahedra. Below least_size the paint leaves gaps between elements; far above, it extends
-    /// beyond them.
+    /// outside.
     double least_size = 0.85, most_size = 6.0;
     /// Smallest number of elements for an estimate of the spacing.
     Eigen::Index least_places = 4;
