@@ -28,7 +28,7 @@ struct ConjugateGradientReport {
 /// @param B          right-hand sides, n x k
 /// @param tolerance  stop when |b - A x| <= tolerance |b| in every column
 /// @param guess      initial X, n x k; zero if empty
-/// Errors: none; the report tells convergence, the iteration limit and negative curvature apart.
+/// Errors: none; the report distinguishes convergence, iteration limit and negative curvature.
 /// Source: Nocedal & Wright 2006, alg. 5.3 and 7.1.
 ConjugateGradientReport conjugate_gradient(const LinearOperator& A, const LinearOperator& preconditioner,
                                            const Eigen::MatrixXd& B, double tolerance, int max_iterations,

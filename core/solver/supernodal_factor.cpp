@@ -122,8 +122,8 @@ private:
 
     const SupernodalPattern& p_;
     SupernodalFactor<Scalar>& factor_;
-    std::vector<Matrix>
-        left_;  // per supernode, lower triangle: update matrix for the rows below, -L21 L21' plus the children's
+    // per supernode, lower triangle: update matrix for the rows below, -L21 L21' plus the children's
+    std::vector<Matrix> left_;
     std::atomic<bool> definite_ = true;  // cleared by the first non-positive pivot
 };
 
