@@ -9,8 +9,9 @@ namespace myo::statistics {
 /// Test whether the residuals of different markers are independent in time. A missing force moves many markers at the
 /// same time; measurement errors act on each marker separately.
 struct IndependenceTest {
-    double p = 0.0;  // p-value of a pattern across markers as strong as the observed, under independent courses;
-                     // Bonferroni over trials. 0 if no trial can be tested
+    // p-value of a pattern across markers as strong as the observed, under independent courses; Bonferroni over trials.
+    // 0 if no trial can be tested
+    double p = 0.0;
     double typical_share = 0.0;   // systematic mean square of the median marker over the mean of all markers: near 1 if
                                   // all are similar, near 0 if few dominate
     double constant_share = 1.0;  // constant share of the systematic squares; constants cannot be tested here

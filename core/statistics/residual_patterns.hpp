@@ -11,8 +11,8 @@ namespace myo::statistics {
 /// One spatial pattern times one time course.
 struct ResidualMode {
     double share = 0.0;  // of the trial's energy
-    Eigen::Matrix3Xd
-        pattern;  // 3 x markers, root mean square 1 over the series, sign such that the largest entry is positive
+    // 3 x markers, root mean square 1 over the series, sign such that the largest entry is positive
+    Eigen::Matrix3Xd pattern;
     Eigen::VectorXd course;  // T: amplitude in units of the noise
 };
 
