@@ -26,6 +26,7 @@ public:
     Progress() = default;
     explicit Progress(Sink sink, std::atomic<bool>* cancel = nullptr) : sink_(std::move(sink)), cancel_(cancel) {}
 
+    /// Passes an event to the sink, if there is one.
     void report(const ProgressEvent& event) const {
         if (sink_) sink_(event);
     }
