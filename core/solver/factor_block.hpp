@@ -141,9 +141,9 @@ private:
         return Rows([](auto lane) { return static_cast<Scalar>(lane); }) >= static_cast<Scalar>(first % width);
     }
 
+    /// Forward substitution with N columns. L11 acts on the N own rows; its result is broadcast and L21 is applied
+    /// register by register. The register that contains both own rows and rows below is masked.
     template <int N>
-    // L11 acts on the N own rows; its result is broadcast and L21 is applied register by register. The register that
-    // contains both own rows and rows below is masked.
     void forward_columns(int start, Scalar* y) const {
         const Scalar* const at = column(start);
         const auto n = static_cast<std::size_t>(stride);

@@ -32,6 +32,7 @@ struct SupernodalPattern {
 
     /// Rows of A.
     int size() const { return static_cast<int>(permutation.size()); }
+    /// Number of supernodes.
     int supernodes() const { return static_cast<int>(parent.size()); }
     /// Columns that supernode s owns.
     int columns(int s) const {
