@@ -9,8 +9,9 @@ namespace myo::statistics {
 /// Lomb-Scargle periodogram without removal of the mean: share of the energy that a least-squares sinusoid of each
 /// frequency explains. Entry 0 is the constant. Without gaps the entries are the periodogram over its sum.
 ///
-/// @return  frequencies k / T, k = 0 ... ceil(T / 2) - 1 (below the Nyquist frequency); zeros for a zero series For
-///          white Gaussian noise of n samples, P(share > x) = (1 - x)^((n - 2) / 2) for k > 0, with or without gaps.
+/// For white Gaussian noise of n samples, P(share > x) = (1 - x)^((n - 2) / 2) for k > 0, with or without gaps.
+///
+/// @return  frequencies k / T, k = 0 ... ceil(T / 2) - 1 (below the Nyquist frequency); zeros for a zero series
 /// Source: Scargle 1982, Astrophys. J. 263, 835.
 Eigen::VectorXd energy_shares(const GriddedSeries& series);
 
