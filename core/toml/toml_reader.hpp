@@ -135,6 +135,7 @@ private:
     /// Value of a required key.
     const TomlValue& value(const std::string& key) const;
     const TomlValue& value(const std::string& key, TomlValue::Kind kind) const;
+    /// Required string that is one of the words; fails with a suggestion.
     std::string choose(const std::string& key, const std::vector<std::string>& words) const;
     Eigen::VectorXd vector(const std::string& key, const TomlValue& array, Eigen::Index size) const;
 

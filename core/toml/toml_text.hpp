@@ -16,11 +16,10 @@ std::string toml_number(double value);
 /// Quoted string; quotes, backslashes and control characters are escaped.
 std::string toml_text(const std::string& text);
 
-/// TOML array "[a, b, c]" with each item formatted by `text`.
-template <class Items, class Text>
 /// TOML array "[a, b, c]".
 ///
 /// @param text  formats one item
+template <class Items, class Text>
 std::string toml_list(const Items& items, const Text& text) {
     std::string result;
     for (const auto& item : items) result += (result.empty() ? "" : ", ") + text(item);

@@ -25,6 +25,7 @@ struct TomlValue {
 
     /// Value of a key in a table; null if absent.
     const TomlValue* find(std::string_view key) const;
+    /// The same for a value to be changed.
     TomlValue* find(std::string_view key);
 };
 
