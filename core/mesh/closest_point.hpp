@@ -38,8 +38,10 @@ struct BoundaryPoint {
 
 /// Boundary point nearest to a given point.
 ///
+/// Asserts that the locator has faces.
+///
 /// @param point  [m], mesh frame
-/// @return       the lowest face number on ties Asserts that the locator has faces.
+/// @return       the lowest face number on ties
 BoundaryPoint closest_boundary_point(const BoundaryLocator& locator, const Eigen::Vector3d& point);
 
 }  // namespace myo::mesh

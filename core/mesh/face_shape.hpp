@@ -18,9 +18,10 @@ Eigen::MatrixX2d face_shape_gradient(int nodes, const Eigen::Vector2d& uv);
 
 /// Parameters of the point of a face nearest to p, inside the domain of the face.
 ///
-/// @param X  node positions, 3 x (3, 4 or 6) [m] Exact on flat faces with straight sides. On curved faces a local
-///           minimum by Gauss-Newton steps from the nearest point of the flat approximation, never worse than the
-///           nearest point of a quadrilateral's sides.
+/// Exact on flat faces with straight sides. On curved faces a local minimum by Gauss-Newton steps from the nearest
+/// point of the flat approximation, never worse than the nearest point of a quadrilateral's sides.
+///
+/// @param X  node positions, 3 x (3, 4 or 6) [m]
 Eigen::Vector2d closest_face_parameters(const Eigen::Matrix3Xd& X, const Eigen::Vector3d& p);
 
 }  // namespace myo::mesh

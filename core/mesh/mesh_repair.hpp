@@ -7,7 +7,9 @@
 
 namespace myo::mesh {
 
-/// Removes nodes that no cell uses; the order of the rest is kept.
+/// Mesh without the nodes that no cell uses.
+///
+/// @return  remaining nodes in their order, cells renumbered
 VolumeMesh without_unused_nodes(const VolumeMesh& mesh);
 
 /// Reorders the nodes of cells with negative volume, so that all volumes are positive, and removes unused nodes.

@@ -11,22 +11,25 @@ namespace myo::mesh {
 
 /// Distance below which two vertices count as one.
 ///
+/// STL stores 32-bit numbers, which round at 6e-8 of the coordinate, so copies of a vertex may differ by that. A
+/// millionth of the body (0.1 um for 100 mm) is far below any feature that could be meshed.
+///
 /// @return  [m], 1e-6 of the bounding box's diagonal, or four roundings of single precision at the largest coordinate
-///          if that is more STL stores 32-bit numbers, which round at 6e-8 of the coordinate, so copies of a vertex may
-///          differ by that. A millionth of the body (0.1 um for 100 mm) is far below any feature that could be meshed.
+///          if that is more
 double weld_tolerance(const SurfaceMesh& surface);
 
 /// Merges close vertices and removes what becomes degenerate.
 ///
+/// Thin triangles with three distinct corners are kept, even with zero area: removing them would open the surface.
+///
 /// @param tolerance  vertices closer than this [m] are merged; the first of them is kept
 /// @return           without triangles with coincident corners, duplicate triangles (the first is kept) and unused
-///                   vertices; order preserved Thin triangles with three distinct corners are kept, even with zero
-///                   area: removing them would open the surface.
+///                   vertices; order preserved
 SurfaceMesh weld(const SurfaceMesh& surface, double tolerance);
 /// weld() with weld_tolerance().
 SurfaceMesh weld(const SurfaceMesh& surface);
 
-/// Surface with reversed orientation.
+/// Surface with reversed orientation: the last two corners of each triangle are exchanged.
 SurfaceMesh flipped(SurfaceMesh surface);
 
 /// Result of check_surface().
@@ -60,9 +63,10 @@ Result<void> check_plausible_size(const Eigen::Vector3d& size);
 
 /// Pairs of triangles that cross or overlap.
 ///
+/// Triangles that only touch or share a corner or an edge are not reported, unless they are folded onto each other.
+///
 /// @param tolerance  smaller penetration [m] is ignored
-/// @return           each pair once, ascending Triangles that only touch or share a corner or an edge are not reported,
-///                   unless they are folded onto each other.
+/// @return           each pair once, ascending
 std::vector<std::pair<int, int>> self_intersections(const SurfaceMesh& surface, double tolerance);
 
 }  // namespace myo::mesh

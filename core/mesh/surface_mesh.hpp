@@ -12,7 +12,9 @@ struct SurfaceMesh {
     Eigen::Matrix3Xi triangles;  // 3 x m, vertex numbers from 0, outward by the right-hand rule
 };
 
-/// Bounding box of points (3 x n [m]). Asserts n > 0.
+/// Bounding box of points.
+///
+/// @param points  3 x n [m]; asserts n > 0
 Box bounding_box(const Eigen::Matrix3Xd& points);
 
 /// Volume enclosed by a closed surface (divergence theorem).
@@ -20,7 +22,9 @@ Box bounding_box(const Eigen::Matrix3Xd& points);
 /// @return  [m3], positive if outward, negative if inward; meaningless if the surface is open
 double enclosed_volume(const SurfaceMesh& surface);
 
-/// Surface of a box, 12 triangles, outward.
+/// Surface of a box.
+///
+/// @return  8 vertices in VTK's corner order and 12 outward triangles
 SurfaceMesh box_surface(const Box& box);
 
 }  // namespace myo::mesh

@@ -20,6 +20,7 @@ struct TetgenExchange {
 /// Exit status of the worker. TetGen's own error codes (1 to 10) are added to `tetgen_error`.
 namespace worker_status {
 inline constexpr int done = 0;
+/// Wrong arguments, or the request cannot be read.
 inline constexpr int bad_call = 64;
 inline constexpr int cannot_write = 65;
 inline constexpr int out_of_memory = 66;
