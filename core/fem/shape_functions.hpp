@@ -18,6 +18,7 @@ struct Hex8 {
                                                              .finished();
         return signs;
     }
+    /// N(xi).
     static Eigen::Matrix<double, 8, 1> values(const Eigen::Vector3d& xi) {
         const auto& s = corners();
         Eigen::Matrix<double, 8, 1> N;
@@ -25,6 +26,7 @@ struct Hex8 {
             N(a) = 0.125 * (1 + s(a, 0) * xi(0)) * (1 + s(a, 1) * xi(1)) * (1 + s(a, 2) * xi(2));
         return N;
     }
+    /// dN/dxi.
     static Eigen::Matrix<double, 8, 3> derivatives(const Eigen::Vector3d& xi) {
         const auto& s = corners();
         Eigen::Matrix<double, 8, 3> D;
