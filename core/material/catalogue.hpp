@@ -7,10 +7,13 @@
 
 namespace myo::material {
 
-/// The laws; formulas and sources are in their .cpp files.
+/// Nearly incompressible neo-Hookean law.
 MaterialPointer neo_hookean();
+/// Corotational linear elasticity: small strain, large rotations.
 MaterialPointer corotational();
+/// Published variant without separable volume; locks near incompressibility.
 MaterialPointer projective_corotational();
+/// St. Venant-Kirchhoff law: small strain, large rotations; soft in compression.
 MaterialPointer st_venant_kirchhoff();
 
 /// All material laws. A new law is one file and one entry in catalogue.cpp.
