@@ -27,8 +27,8 @@ void for_each_pack(const Cells& cells, const Visit& visit) {
     });
 }
 
-template <class Cells>
 /// Input of one pack from the fields of the body.
+template <class Cells>
 PackInput pack_input(const Model& model, const Cells& cells, const InternalInput& input, int pack) {
     const Stiffness& stiffness = *input.stiffness;
     PackInput in;

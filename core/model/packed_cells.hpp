@@ -75,10 +75,12 @@ struct PackedCells {
     int pack_count() const { return static_cast<int>(lane_nodes.size()); }
     /// Lanes of a pack that hold cells; less than pack_width only in the last pack.
     int lanes_used(int pack) const { return std::min(pack_width, cell_count - pack * pack_width); }
+    /// Surroundings of a pack; zeros for elements without them.
     const PackSurroundings& surroundings_of(int pack) const {
         static const PackSurroundings none{};
         return surroundings.empty() ? none : surroundings[static_cast<std::size_t>(pack)];
     }
+    /// Geometry of a pack, possibly shared with others.
     const Geometry& geometry(int pack) const {
         return shapes[static_cast<std::size_t>(shape_of_pack[static_cast<std::size_t>(pack)])];
     }

@@ -48,6 +48,7 @@ public:
     Pack weight(int q) const { return geometry_.weight[static_cast<std::size_t>(q)]; }
     const PackGeometry<N, Q>& geometry() const { return geometry_; }
 
+    /// F is linear in x, so a motion is the displacement itself.
     Motion along(const PackNodes<N>& dx) const { return &dx; }
     material::Matrix3<Pack> tangent(int q, Motion dx) const {
         return nodal_product(*dx, geometry_.gradient[static_cast<std::size_t>(q)]);

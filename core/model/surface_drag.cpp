@@ -94,8 +94,8 @@ private:
             gradient.col(face.nodes[a]) += point.shape(static_cast<Eigen::Index>(a)) * force;
     }
 
+    /// Calls visit(face, point, velocity) for all quadrature points; does nothing at rest.
     template <class Visit>
-    // Calls visit(face, point, velocity) for all quadrature points; does nothing at rest.
     void for_each_point(const ForceState& at, const Visit& visit) const {
         if (!at.v) return;
         for (const DragFace& face : *faces_) {

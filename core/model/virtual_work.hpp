@@ -35,8 +35,11 @@ struct FibreWork {
 FibreWork no_fibre_work(const Model& model, bool with_shapes);
 
 /// Adds the work of the fibres.
+///
+/// by_shape is computed only if `work` has it allocated.
+///
 /// @param x, p        node positions [m] and motions, 3 x n
-/// @param activation  per group by_shape is computed only if `work` has it allocated.
+/// @param activation  per group
 void add_fibre_work(const Model& model, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& p,
                     const std::vector<double>& activation, FibreWork& work);
 
