@@ -4,11 +4,12 @@
 
 namespace myo {
 
-/// Axis-aligned box; also the schema's `box_m`.
+/// Axis-aligned box; the project file's key `box_m` reads into it.
 struct Box {
-    Eigen::Vector3d lowest = Eigen::Vector3d::Zero();
-    Eigen::Vector3d highest = Eigen::Vector3d::Zero();
+    Eigen::Vector3d lowest = Eigen::Vector3d::Zero();   // [m] corner with the smallest coordinates
+    Eigen::Vector3d highest = Eigen::Vector3d::Zero();  // [m] corner with the largest coordinates
 
+    /// @return  true for points inside the box and on its boundary
     bool contains(const Eigen::Vector3d& point) const {
         return (point.array() >= lowest.array()).all() && (point.array() <= highest.array()).all();
     }

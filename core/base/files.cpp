@@ -24,6 +24,7 @@ Result<std::string> read_file(const fs::path& path) {
     return std::move(content).str();
 }
 
+// read_symlink returns one level and a relative target refers to the folder of the link.
 fs::path behind_links(fs::path path) {
     std::error_code code;
     while (fs::is_symlink(path, code)) {
@@ -39,7 +40,7 @@ Error not_written(const fs::path& path, int reason) {
 
 namespace {
 
-/// Writes the whole content; 0, or the system's error number.
+/// Writes all of the content, resuming after partial writes and signals. Returns 0 or errno.
 int write_all(int descriptor, std::string_view content) {
     while (!content.empty()) {
         const ssize_t written = ::write(descriptor, content.data(), content.size());
@@ -49,7 +50,7 @@ int write_all(int descriptor, std::string_view content) {
     return 0;
 }
 
-/// Opens with these flags and writes; 0, or the system's error number.
+/// Opens with the given flags, writes and closes. Returns 0 or errno.
 int write_opened(const fs::path& path, int flags, std::string_view content) {
     const int descriptor = ::open(path.c_str(), flags | O_WRONLY | O_CLOEXEC | O_NOCTTY, 0666);
     if (descriptor < 0) return errno;
@@ -58,7 +59,7 @@ int write_opened(const fs::path& path, int flags, std::string_view content) {
     return ::close(descriptor) == 0 || failed != 0 ? failed : errno;
 }
 
-/// The standard stream that leads to this file, as after `myoloop ... > file`; -1: none.
+/// Descriptor of the standard stream that is redirected to this file, as after `myoloop ... > file`; -1 if none.
 int standard_stream_of(const struct ::stat& file) {
     for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
         struct ::stat other {};
@@ -68,7 +69,7 @@ int standard_stream_of(const struct ::stat& file) {
     return -1;
 }
 
-/// Writes under a temporary name beside the file and renames, so that a reader never sees half a file.
+/// Writes to a temporary file in the same folder and renames it, which is atomic within a file system.
 Result<void> replace_file(const fs::path& path, std::string_view content) {
     std::error_code code;
     if (path.has_parent_path()) fs::create_directories(path.parent_path(), code);
@@ -87,11 +88,12 @@ Result<void> replace_file(const fs::path& path, std::string_view content) {
 Result<void> write_file(const fs::path& path, std::string_view content) {
     struct ::stat found {};
     const int missing = ::stat(path.c_str(), &found) == 0 ? 0 : errno;
+    // A loop of links fails here: behind_links() below would not return.
     if (missing == ELOOP) return not_written(path, missing);
     if (missing != 0) return replace_file(behind_links(path), content);
     if (S_ISDIR(found.st_mode)) return Error{"is a folder, not a file", path.string()};
-    // A device is the same however often it is opened; a file or socket of the program's own output goes on where it
-    // is.
+    // Writing to a redirected standard stream continues at its current offset; opening the file again would overwrite
+    // what was already printed. A character device has no such offset and can be opened again.
     const int stream = S_ISCHR(found.st_mode) ? -1 : standard_stream_of(found);
     if (stream < 0 && S_ISREG(found.st_mode)) return replace_file(behind_links(path), content);
     const int failed = stream < 0 ? write_opened(path, 0, content) : write_all(stream, content);

@@ -8,19 +8,25 @@
 
 namespace myo {
 
-/// Whole content of a file. Error: missing, a folder, or unreadable.
+/// Content of a file as one string. Errors: the file is missing, is a folder or cannot be read.
 Result<std::string> read_file(const std::filesystem::path& path);
 
-/// "PATH: cannot be written: No space left on device", from the system's error number.
+/// Error of a failed write, for example "PATH: cannot be written: No space left on device".
+/// @param reason  errno of the failed call
 Error not_written(const std::filesystem::path& path, int reason);
 
-/// Where a link leads, also where nothing is there yet; `path` itself when it is no link. Links must not form a loop.
+/// Target of a chain of symbolic links; the target need not exist.
+/// @return  `path` itself if it is not a link. The links must not form a loop.
 std::filesystem::path behind_links(std::filesystem::path path);
 
-/// Writes a file whole. A plain file is written under a temporary name beside it and renamed, so that a reader never
-/// sees half of it; missing parent folders are made. A link stays and what it leads to is written; a device, a pipe
-/// and the program's own standard output (/dev/stdout, or the file behind it) are written into.
-/// Errors: a folder; else the system's own words, as "cannot be written: No space left on device".
+/// Replaces the content of a file.
+///
+/// A regular file is written under a temporary name in the same folder and renamed, so that a concurrent reader never
+/// sees partial content; missing parent folders are created. A symbolic link is kept and its target is written.
+/// Devices, pipes and the standard output of this process (/dev/stdout or the file it is redirected to) are written in
+/// place.
+/// Errors: the path is a folder; otherwise the system's message, for example "cannot be written: No space left on
+/// device".
 Result<void> write_file(const std::filesystem::path& path, std::string_view content);
 
 }  // namespace myo

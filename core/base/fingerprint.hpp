@@ -7,10 +7,13 @@
 
 namespace myo {
 
-/// Tells lists of numbers apart, by their bits; the same in every run and on every machine of one byte order. All NaN
-/// count as the same. Source: FNV-1a (Fowler, Noll, Vo).
+/// Hash of lists of numbers, computed from their bits.
+///
+/// Reproducible between runs and between machines of the same byte order. All NaN hash to one value.
+/// Source: FNV-1a (Fowler, Noll, Vo).
 class Fingerprint {
 public:
+    /// Appends `count` numbers to the hashed sequence.
     void add(const double* values, std::ptrdiff_t count) {
         for (std::ptrdiff_t k = 0; k < count; ++k) {
             const double value = std::isnan(values[k]) ? std::numeric_limits<double>::quiet_NaN() : values[k];
@@ -19,7 +22,7 @@ public:
         }
     }
     void add(double value) { add(&value, 1); }
-    /// Of any dense matrix of doubles.
+    /// Appends the entries of a dense matrix of doubles in storage order.
     template <class Matrix>
     void add_all(const Matrix& values) {
         add(values.data(), values.size());
@@ -28,7 +31,7 @@ public:
     std::uint64_t value() const { return hash_; }
 
 private:
-    std::uint64_t hash_ = 1469598103934665603u;
+    std::uint64_t hash_ = 1469598103934665603u;  // 64-bit offset basis of FNV-1a
 };
 
 }  // namespace myo

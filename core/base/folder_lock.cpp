@@ -17,7 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether the open file still has this name: its owner may have removed it between our opening and locking it.
+/// False if the previous owner removed the lock file between our open() and flock(): our lock is then on a deleted
+/// file.
 bool is_still(const fs::path& file, int descriptor) {
     struct ::stat named {
     }, opened{};
@@ -25,15 +26,16 @@ bool is_still(const fs::path& file, int descriptor) {
            named.st_ino == opened.st_ino;
 }
 
+/// ", process 1234" from the lock file; empty if the id is not yet written.
 std::string owner_words(const fs::path& file) {
     const Result<std::string> id = read_file(file);
     const bool known = id && !id->empty() && id->find_first_not_of("0123456789\n") == std::string::npos;
     return known ? ", process " + id->substr(0, id->find('\n')) : "";
 }
 
+/// Writes the process id for messages of other runs. The lock is valid without it, for example on a full disk.
 void write_owner(int descriptor) {
     const std::string id = std::to_string(::getpid()) + "\n";
-    // The id is for people; on a full disk the lock holds without it.
     const bool written = ::ftruncate(descriptor, 0) == 0 && ::write(descriptor, id.data(), id.size()) >= 0;
     static_cast<void>(written);
 }
@@ -42,6 +44,7 @@ void write_owner(int descriptor) {
 
 Result<FolderLock> FolderLock::take(const fs::path& folder) {
     const fs::path file = folder / ".myoloop.lock";
+    // Repeats until the locked file is also the file of that name, see is_still().
     while (true) {
         const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
         if (descriptor < 0) return Error{"cannot be made: " + std::generic_category().message(errno), file.string()};
@@ -76,7 +79,7 @@ FolderLock::~FolderLock() { release(); }
 
 void FolderLock::release() {
     if (descriptor_ < 0) return;
-    // Removed before it is let go: afterwards the file may be another run's.
+    // Deleted while the lock is still held: after unlocking, the file may belong to another run.
     ::unlink(file_.c_str());
     ::close(std::exchange(descriptor_, -1));
 }

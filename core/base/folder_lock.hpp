@@ -6,14 +6,15 @@
 
 namespace myo {
 
-/// Keeps other runs out of a folder of results until it is destroyed: two runs at once would mix their files.
+/// Exclusive use of a results folder for the lifetime of the object: two concurrent runs would mix their files.
 ///
-/// The file `.myoloop.lock` in the folder holds the process id. It is also locked for the system, which ends that with
-/// the process: what a killed process left behind is taken over, even where its id was given to another process.
+/// The file `.myoloop.lock` in the folder holds the process id and carries an flock. The system releases the flock when
+/// the process ends, so the lock of a killed process can be taken even if its id has been reused.
 class FolderLock {
 public:
-    /// Error: "DIR is used by another run of myoloop, process 1234; wait for it or choose another folder"; the file
-    /// cannot be made.
+    /// Takes the lock without waiting.
+    /// Errors: "DIR is used by another run of myoloop, process 1234; wait for it or choose another folder"; or the lock
+    /// file cannot be created.
     static Result<FolderLock> take(const std::filesystem::path& folder);
 
     FolderLock(FolderLock&& other) noexcept;
@@ -27,7 +28,7 @@ private:
     void release();
 
     std::filesystem::path file_;
-    int descriptor_ = -1;  // -1: holds nothing
+    int descriptor_ = -1;  // file descriptor with the flock; -1: the object was moved from
 };
 
 }  // namespace myo

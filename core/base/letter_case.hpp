@@ -5,13 +5,13 @@
 
 namespace myo {
 
-/// With all ASCII letters in lower case.
+/// Copy of the text with all ASCII letters in lower case.
 inline std::string lower_case(std::string text) {
     for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return text;
 }
 
-/// With its first letter in lower case, as within a sentence.
+/// Copy of the text with its first letter in lower case, for use inside a sentence.
 inline std::string lower_first(std::string text) {
     if (!text.empty()) text[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(text[0])));
     return text;

@@ -12,27 +12,33 @@
 
 namespace myo {
 
-/// As many numbers as the processor handles at once: one lane per cell. Formulas are templates over double and Pack, so
-/// that the vectorised kernel and the tests of single points run the same code.
+/// One SIMD register of doubles; each lane holds the value of one cell.
+///
+/// Formulas are templates over double and Pack, so that the vectorised kernel and the single-point tests run the same
+/// code.
 using Pack = std::experimental::native_simd<double>;
 using PackMask = Pack::mask_type;
-inline constexpr int pack_width = static_cast<int>(Pack::size());
+inline constexpr int pack_width = static_cast<int>(Pack::size());  // lanes per register
 
+/// Loads pack_width consecutive numbers; no alignment required.
 inline Pack load_pack(const double* lanes) { return Pack(lanes, std::experimental::element_aligned); }
 
-/// J^(-1/3), not a number for J <= 0.
+/// J^(-1/3); NaN for J <= 0.
 inline double inverse_cube_root(double J) {
     return J > 0.0 ? 1.0 / std::cbrt(J) : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The bits of every lane.
+/// Bit patterns of all lanes, for the logarithm and the inverse cube root below.
 using PackBits = std::experimental::rebind_simd_t<std::uint64_t, Pack>;
 static_assert(sizeof(PackBits) == sizeof(Pack));
 inline PackBits bits_of(const Pack& x) { return std::bit_cast<PackBits>(x); }
 inline Pack pack_of_bits(const PackBits& bits) { return std::bit_cast<Pack>(bits); }
 
-/// From a guess on the bits (3.5 % off: a third of the exponent's and mantissa's bits, by a multiplication with 2^32 /
-/// 3), two steps of fourth order on y^-3 = J: with e = 1 - J y^3 the root is y (1 + e/3 + 2 e^2/9 + 14 e^3/81 + ...).
+/// J^(-1/3) per lane; NaN for J <= 0.
+///
+/// The initial value comes from integer arithmetic on the bits (multiplication of the upper half by 2^32 / 3 divides
+/// exponent and mantissa by three; relative error 3.5 %). Two iterations of fourth order on y^-3 = J follow: with e = 1
+/// - J y^3 the root is y (1 + e/3 + 2 e^2/9 + 14 e^3/81 + ...).
 inline Pack inverse_cube_root(const Pack& J) {
     const PackBits third = ((bits_of(J) >> 32) * PackBits(0x55555556u)) >> 32;
     Pack y = pack_of_bits((PackBits(0x553ef0ffu) - third) << 32);
@@ -44,15 +50,18 @@ inline Pack inverse_cube_root(const Pack& J) {
     return y;
 }
 
-/// ln J, not a number for J < 0.
+/// ln J; NaN for J < 0.
 inline double logarithm(double J) { return std::log(J); }
 
-/// With J = 2^k m, m within a factor sqrt(2) of 1, and f = (m - 1) / (m + 1): k ln 2 + 2 (f + f^3/3 + f^5/5 + ...).
-/// The standard library's goes lane by lane.
+/// ln J per lane; -inf for 0 and NaN for J < 0. The standard library evaluates lane by lane, this series does not.
+///
+/// J = 2^k m with m within a factor sqrt(2) of 1, and f = (m - 1) / (m + 1): ln J = k ln 2 + 2 (f + f^3/3 + f^5/5 +
+/// ...).
 inline Pack logarithm(const Pack& J) {
     const PackBits bits = bits_of(J);
     Pack m = pack_of_bits((bits & PackBits(0x000fffffffffffffull)) | PackBits(0x3ff0000000000000ull));
-    // The exponent as a number: its bits as the mantissa of 2^52 + exponent.
+    // Converts the exponent to floating point without a lane-wise conversion: its bits become the mantissa of 2^52 +
+    // exponent, and the constant is subtracted.
     Pack k = pack_of_bits((bits >> 52) | PackBits(0x4330000000000000ull)) - (4503599627370496.0 + 1023.0);
     const PackMask large = m > std::numbers::sqrt2;
     std::experimental::where(large, m) *= 0.5;
@@ -71,7 +80,7 @@ inline Pack logarithm(const Pack& J) {
 
 namespace Eigen {
 
-/// Packs as scalars of small fixed-size matrices.
+/// Registers Pack as a scalar type, so that Eigen's small fixed-size matrices can hold one cell per lane.
 template <>
 struct NumTraits<myo::Pack> : GenericNumTraits<myo::Pack> {
     using Real = myo::Pack;

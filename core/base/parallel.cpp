@@ -11,10 +11,11 @@
 namespace myo {
 namespace {
 
-/// Threads for the loops inside the task at hand. Two trials on two threads leave none to their steps: a loop that
-/// waited for the other trial's thread took three times as long as one that does all of its work.
-thread_local int free_threads = 0;  // 0: outside of all tasks, all of the machine's
+/// Threads for the loops inside the current task. With as many tasks as threads this is 1: a loop that waited for a
+/// thread busy with another task took three times as long as one that did all its work itself.
+thread_local int free_threads = 0;  // 0: outside of all tasks, where the whole machine is available
 
+/// Sets free_threads for one scope, so that nested loops and exceptions restore it.
 class FreeThreads {
 public:
     explicit FreeThreads(int count) : before_(free_threads) { free_threads = count; }
@@ -32,6 +33,8 @@ void parallel_tasks(int count, int threads, const std::function<void(int)>& task
     if (count <= 0) return;
     std::vector<std::exception_ptr> failures(static_cast<std::size_t>(count));
     threads = std::clamp(threads, 1, hardware_threads());
+    // Exceptions are collected instead of propagated, because TBB would cancel the remaining tasks and report an
+    // arbitrary one.
     const auto guarded = [&](int i) {
         const FreeThreads inside(std::max(1, threads / count));
         try {
@@ -51,11 +54,13 @@ void parallel_ranges(int count, int grain, const std::function<void(int, int)>& 
     const int threads = free_threads > 0 ? free_threads : tbb::this_task_arena::max_concurrency();
     const int parts = std::min(threads, count / std::max(grain, 1));
     if (parts <= 1) return range(0, count);
+    // Bounds from integer arithmetic on count and part alone: they do not depend on scheduling.
     const auto start_of = [&](int part) { return static_cast<int>(static_cast<long>(count) * part / parts); };
     const auto guarded = [&](int part) {
         const FreeThreads inside(threads);
         range(start_of(part), start_of(part + 1));
     };
+    // isolate() keeps the waiting thread from starting an unrelated task, whose thread-local storage would collide.
     tbb::this_task_arena::isolate([&] { tbb::parallel_for(0, parts, guarded, tbb::static_partitioner()); });
 }
 

@@ -4,17 +4,21 @@
 
 namespace myo {
 
-/// Runs task(0) ... task(count - 1) on up to `threads` threads, all loops inside them included; returns when all are
-/// done.
+/// Runs task(0) ... task(count - 1) in parallel and returns when all are done.
 ///
-/// Each index is run exactly once by one thread; results that a task writes to its own slot do not
-/// depend on the number of threads. The first exception of the lowest index is rethrown.
+/// Each index runs once, on one thread. Results written to a slot per index do not depend on the number of threads.
+///
+/// @param threads  upper limit of the threads in use, parallel_ranges() inside the tasks included
+/// Errors: the exception of the lowest failing index is rethrown after all tasks have ended.
 void parallel_tasks(int count, int threads, const std::function<void(int)>& task);
 
-/// Calls range(first, end) for consecutive ranges that cover 0 ... count - 1, at least `grain` long, on the threads
-/// that the surrounding parallel_tasks() left free (all of the machine's outside of one). What a range writes to slots
-/// of its own does not depend on their number. A thread that waits here takes up nothing else meanwhile, so `range` may
-/// use its thread's storage.
+/// Splits 0 ... count - 1 into consecutive ranges and calls range(first, end) for each, in parallel.
+///
+/// Uses the threads that the enclosing parallel_tasks() left free, or all threads outside of it. Results written to a
+/// slot per index do not depend on the number of threads. A waiting thread takes up no other work, so that `range` may
+/// use thread-local storage.
+///
+/// @param grain  smallest length of a range; shorter loops run on the calling thread
 void parallel_ranges(int count, int grain, const std::function<void(int, int)>& range);
 
 /// Number of hardware threads, at least 1.

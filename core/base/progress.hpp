@@ -7,18 +7,18 @@
 
 namespace myo {
 
-/// One progress event of a long task: `done` of `total`, counted in `unit` ("steps", "evaluations").
+/// Progress of a long task: `done` of `total`, both counted in `unit`.
 struct ProgressEvent {
-    std::string task;
-    double done = 0.0;
-    double total = 0.0;
-    std::string unit;
-    std::string message;
+    std::string task;     // name shown to the user
+    double done = 0.0;    // completed amount [unit]
+    double total = 0.0;   // full amount [unit]
+    std::string unit;     // "steps", "evaluations", ...
+    std::string message;  // optional detail
 };
 
-/// Where a long task reports to and asks whether it shall stop. Thread-safe when the sink is.
+/// Sink for progress reports plus the cancel flag of a long task. Thread-safe if the sink is.
 ///
-/// Copies share the cancel flag, so the owner of a job keeps one and hands out another.
+/// Copies share the cancel flag: the owner of a job keeps one copy and passes another to the job.
 class Progress {
 public:
     using Sink = std::function<void(const ProgressEvent&)>;
@@ -26,12 +26,14 @@ public:
     Progress() = default;
     explicit Progress(Sink sink, std::atomic<bool>* cancel = nullptr) : sink_(std::move(sink)), cancel_(cancel) {}
 
+    /// Passes an event to the sink, if there is one.
     void report(const ProgressEvent& event) const {
         if (sink_) sink_(event);
     }
-    /// The same cancel flag with another sink (none: silent).
+    /// Copy with the same cancel flag and another sink; an empty sink discards the reports.
     Progress with_sink(Sink sink) const { return Progress(std::move(sink), cancel_); }
 
+    /// True once cancellation was requested. Long loops poll this and return early.
     bool cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
 
 private:

@@ -7,16 +7,18 @@
 
 namespace myo {
 
-/// Bad input, told to a person: one clear sentence, and where it stands (file and line, or key).
+/// Description of bad input for the user.
 struct Error {
-    std::string what;
-    std::string where;
+    std::string what;   // one sentence
+    std::string where;  // file and line, or key; may be empty
 
-    /// "where: what", or only "what" when no place is known.
+    /// "where: what"; only "what" if the location is unknown.
     std::string text() const { return where.empty() ? what : where + ": " + what; }
 };
 
-/// A value, or the reason why there is none. Spelled like std::expected, which GCC 12 lacks in C++20.
+/// A value, or the error that explains its absence. Interface of std::expected, which GCC 12 lacks in C++20.
+///
+/// value() and operator* assert has_value(); error() asserts the opposite.
 template <class T>
 class [[nodiscard]] Result {
 public:
@@ -53,7 +55,7 @@ private:
     std::variant<T, Error> content_;
 };
 
-/// Success without a value.
+/// Success without a value, or an error.
 template <>
 class [[nodiscard]] Result<void> {
 public:

@@ -4,7 +4,7 @@
 
 namespace myo {
 
-/// Seconds on the wall clock since it was made.
+/// Wall-clock time since construction [s]; based on the monotonic clock.
 class Stopwatch {
 public:
     double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
@@ -13,7 +13,7 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// Adds the time from its making to its end to a sum [s].
+/// Adds its own lifetime to a sum [s].
 class TimedScope {
 public:
     explicit TimedScope(double& sum_s) : sum_s_(sum_s) {}

@@ -9,7 +9,7 @@
 namespace myo {
 namespace {
 
-// Levenshtein distance with one row of the table.
+// Levenshtein distance by dynamic programming; only the current row of the table is stored.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
@@ -54,6 +54,7 @@ bool parse_number(std::string_view text, double& value) {
     const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
     while (!text.empty() && blank(text.front())) text.remove_prefix(1);
     while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+    // from_chars does not accept a leading plus sign; "+-1" must stay an error.
     if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
     return code == std::errc{} && end == text.data() + text.size() && !std::isinf(value);

@@ -5,8 +5,8 @@
 
 namespace myo {
 
-/// Tells when there is something new to show: at once, then at most ten times a second, which is enough to read.
-/// Thread-safe.
+/// Limits the rate of display updates: ready() returns true at once, then at most ten times a second, which is fast
+/// enough to read. Thread-safe.
 class Throttle {
 public:
     bool ready() {

@@ -13,7 +13,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
-/// eta zeta, zeta xi, xi eta, xi eta zeta at the corners.
+/// Hourglass shapes eta zeta, zeta xi, xi eta, xi eta zeta at the corners.
 Eigen::Matrix<double, 8, 4> hourglass_shapes() {
     const auto& s = Hex8::corners();
     Eigen::Matrix<double, 8, 4> h;
@@ -22,12 +22,13 @@ Eigen::Matrix<double, 8, 4> hourglass_shapes() {
     return h;
 }
 
-/// The symmetric part of a b' as (xx, yy, zz, xy, yz, zx).
+/// Symmetric part of a b' as (xx, yy, zz, xy, yz, zx).
 Vector6d symmetric_product(const Vector3d& a, const Vector3d& b) {
     const auto of = [&](int i, int j) { return 0.5 * (a(i) * b(j) + a(j) * b(i)); };
     return (Vector6d() << of(0, 0), of(1, 1), of(2, 2), of(0, 1), of(1, 2), of(2, 0)).finished();
 }
 
+/// In-plane basis from two edge vectors: dual vectors turn covariant strain components into Cartesian tensors.
 AssumedStrainGeometry::Plane plane_of(const Vector3d& g_i, const Vector3d& g_j) {
     Eigen::Matrix<double, 3, 2> g, dual;
     g << g_i, g_j;
@@ -46,6 +47,7 @@ AssumedStrainGeometry geometry_of(const Eigen::Matrix<double, 3, 8>& X) {
     static const Eigen::Matrix<double, 8, 4> shapes = hourglass_shapes();
     AssumedStrainGeometry result;
     result.gradient.setZero();
+    // G averages dN/dX over the cell with 2 x 2 x 2 Gauss points, exact for the volume of a trilinear hexahedron.
     for (const QuadraturePoint& point : hex_gauss(2)) {
         const Eigen::Matrix<double, 8, 3> D = Hex8::derivatives(point.xi);
         const Matrix3d jacobian = X * D;
@@ -54,6 +56,7 @@ AssumedStrainGeometry geometry_of(const Eigen::Matrix<double, 3, 8>& X) {
         result.volume += weight;
     }
     result.gradient /= result.volume;
+    // Removing G X h makes gamma orthogonal to linear displacement fields (Flanagan-Belytschko projection).
     result.gamma = 0.125 * (shapes - result.gradient * (X * shapes));
     result.edges = X * Hex8::derivatives(Vector3d::Zero());
     for (std::size_t k = 0; k < 3; ++k) {

@@ -9,6 +9,7 @@
 namespace myo::fem {
 namespace {
 
+/// A side counts as held if all its nodes are clamped, otherwise as open if no cell is behind it.
 CellSurroundings around_hexahedra(const mesh::VolumeMesh& mesh, const std::vector<bool>& clamped) {
     const mesh::FaceTable faces = mesh::face_table(mesh);
     CellSurroundings result(static_cast<std::size_t>(mesh.cell_count()));
@@ -33,19 +34,19 @@ CellSurroundings around_hexahedra(const mesh::VolumeMesh& mesh, const std::vecto
     return result;
 }
 
-/// Unit normals of the faces of the free surface, in lists that nodes see.
+/// Unit normals of free surface faces, collected per node.
 using Normals = std::vector<Eigen::Vector3d>;
 
 bool opposite(const Normals& normals) {
-    constexpr double most = -0.5;  // cosine: sides of a wall, not of an edge of a box
+    constexpr double most = -0.5;  // cosine: opposite sides of a wall, not the faces at an edge of a box
     for (std::size_t i = 0; i < normals.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
             if (normals[i].dot(normals[j]) < most) return true;
     return false;
 }
 
-/// Whether nodes see two opposite sides of the body: those on its surface the sides that they lie on, those within what
-/// their neighbours lie on. Cells with such corners are one or two to the thickness.
+/// True for nodes that see two opposite sides of the body. Surface nodes see the sides they lie on; interior nodes see
+/// those of their neighbours. Cells with such corners are one or two across the thickness.
 std::vector<bool> see_both_sides(const mesh::VolumeMesh& mesh, const std::vector<bool>& clamped,
                                  const std::vector<Normals>& on) {
     std::vector<Normals> seen = on;
@@ -58,7 +59,7 @@ std::vector<bool> see_both_sides(const mesh::VolumeMesh& mesh, const std::vector
             if (outside[node] || clamped[node]) continue;
             for (int b = 0; b < 4; ++b)
                 for (const Eigen::Vector3d& n : on[static_cast<std::size_t>(cell(b))]) {
-                    // As many as there are directions, not as there are faces.
+                    // One entry per direction instead of one per face.
                     const bool known = std::any_of(seen[node].begin(), seen[node].end(),
                                                    [&](const Eigen::Vector3d& m) { return m.dot(n) > 0.9; });
                     if (!known) seen[node].push_back(n);
@@ -69,6 +70,7 @@ std::vector<bool> see_both_sides(const mesh::VolumeMesh& mesh, const std::vector
     return result;
 }
 
+/// Distinct normals of the free faces at each node; clamped faces are skipped.
 std::vector<Normals> normals_at_nodes(const mesh::VolumeMesh& mesh, const std::vector<bool>& clamped) {
     std::vector<Normals> normals(clamped.size());
     const mesh::BoundaryFaces faces = mesh::boundary_faces(mesh);
@@ -88,6 +90,7 @@ std::vector<Normals> normals_at_nodes(const mesh::VolumeMesh& mesh, const std::v
     return normals;
 }
 
+/// Classification of tetrahedra: thin ones are free, others clamped or inner.
 CellSurroundings around_tetrahedra(const mesh::VolumeMesh& mesh, const std::vector<bool>& clamped) {
     const std::vector<Normals> on = normals_at_nodes(mesh, clamped);
     const std::vector<bool> both = see_both_sides(mesh, clamped, on);

@@ -7,18 +7,19 @@
 
 namespace myo::fem {
 
-/// What lies around a cell: of a hexahedron at both sides along one of its edges, of a tetrahedron at its corners.
+/// Neighbourhood of a cell: for hexahedra on both sides along one edge direction, for tetrahedra at the corners.
 enum class CellSides {
-    free,     // no other cell at one side at least, next to a clamp at both; a tetrahedron that is one of one or two
-              // across the body
-    inner,    // other cells at both sides, next to a clamp at one; all other tetrahedra
-    clamped,  // a face at one side is held still; a corner of a tetrahedron that is not free
+    free,   // hexahedron: no cell on at least one side, next to a clamp on both; tetrahedron: one of one or two across
+            // the body
+    inner,  // hexahedron: cells on both sides, next to a clamp on one; all other tetrahedra
+    clamped,  // hexahedron: a face on one side is clamped; tetrahedron: a corner is clamped and it is not free
 };
 
-/// Per cell: along the three edges of a hexahedron; the same three times of a tetrahedron.
+/// Per cell: the three edge directions of a hexahedron; three equal entries for a tetrahedron.
 using CellSurroundings = std::vector<std::array<CellSides, 3>>;
 
-/// clamped: per node.
+/// Classifies all cells of a mesh.
+/// @param clamped  one flag per node
 CellSurroundings cell_surroundings(const mesh::VolumeMesh& mesh, const std::vector<bool>& clamped);
 
 }  // namespace myo::fem

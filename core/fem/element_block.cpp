@@ -21,6 +21,7 @@ constexpr NameTable<ElementKind, 7> element_names{{{
     {ElementKind::tet4, "tet4"},
 }}};
 
+/// Rest positions of the nodes of a cell, 3 x N.
 template <int N>
 Eigen::Matrix<double, 3, N> cell_positions(const mesh::VolumeMesh& mesh, Eigen::Index cell) {
     Eigen::Matrix<double, 3, N> X;
@@ -28,6 +29,7 @@ Eigen::Matrix<double, 3, N> cell_positions(const mesh::VolumeMesh& mesh, Eigen::
     return X;
 }
 
+/// Isoparametric elements with a quadrature rule.
 template <class Shape, int Q>
 ElementBlock<Shape::nodes, Q> gauss_block(const mesh::VolumeMesh& mesh, const std::vector<QuadraturePoint>& rule,
                                           bool mean_volume) {
@@ -51,7 +53,7 @@ ElementBlock<Shape::nodes, Q> gauss_block(const mesh::VolumeMesh& mesh, const st
     return block;
 }
 
-/// Quadratic tetrahedra with a mean volume and a part of the bulk modulus at their points.
+/// Quadratic tetrahedra with a mean volume and part of the bulk modulus at their points.
 template <int Q>
 ElementBlock<10, Q> tet10_block(const mesh::VolumeMesh& mesh, const std::vector<QuadraturePoint>& rule,
                                 const CellSurroundings& surroundings) {
@@ -63,6 +65,7 @@ ElementBlock<10, Q> tet10_block(const mesh::VolumeMesh& mesh, const std::vector<
     return block;
 }
 
+/// Consistent mass of all cells; the rule must integrate products of shape functions exactly.
 template <class Shape>
 void add_cell_mass(const mesh::VolumeMesh& mesh, const std::vector<QuadraturePoint>& rule,
                    std::vector<MassEntry>& entries) {

@@ -16,82 +16,90 @@ namespace myo::fem {
 enum class ElementKind {
     hex8,                  // assumed strains, nine points: no volumetric and no shear locking
     hex8_mean_dilatation,  // eight points, one volume per cell: no volumetric locking
-    hex8_full,             // eight points: locks; as published, for comparison
+    hex8_full,             // eight points: locks; published formulation, for comparison
     tet10,                 // four points, one volume per cell: no locking
-    tet10_fine,            // the same at ten points: for what varies within cells, see fine_element()
-    tet10_full,            // four points
+    tet10_fine,            // as tet10 with ten points: for fields that vary inside cells, see fine_element()
+    tet10_full,            // four points, full integration of the volume
     tet4,                  // one point: locks
 };
 
+/// Name in project files.
 std::string to_string(ElementKind kind);
+/// All names.
 std::vector<std::string> element_ids();
-/// False when there is no element of this name.
+/// Looks up an element by name. Returns false if unknown; `kind` is then unchanged.
 bool parse_element(const std::string& id, ElementKind& kind);
+/// Cell type of the mesh that an element needs.
 mesh::CellType cell_type(ElementKind kind);
+/// Default element of a cell type.
 ElementKind default_element(mesh::CellType type);
 
-/// The element with the same nodes for what varies within its cells: fields of moduli, stiffening, softening. The
-/// kind itself unless it is tet10.
+/// Element with the same nodes and enough points for fields that vary inside cells: moduli, stiffening, softening.
+/// Returns `kind` itself unless it is tet10.
 ///
-/// With uniform moduli and an energy quadratic in the strain, the four points of tet10 are exact in straight-sided
-/// cells and more of them change nothing. Stiffening and softening need the fourth power of the strain: one layer in
-/// bending at nu 0 (no influence of the clamp) shows 26 % too little of the stiffening with four points, 1.6 % with
-/// ten and 1.9 % with fourteen (test OneLayer). Ten take 1.3 times the time of four in a step of `myoloop bench
-/// elements`.
+/// For uniform moduli and an energy quadratic in the strain, four points integrate straight-sided tet10 exactly.
+/// Stiffening and softening involve the fourth power of the strain: for one layer in bending at nu 0 (no influence of
+/// the clamp) the stiffening is underestimated by 26 % with four points, 1.6 % with ten and 1.9 % with fourteen (test
+/// OneLayer). Ten points take 1.3 times the time of four in a step of `myoloop bench elements`.
 ElementKind fine_element(ElementKind kind);
 
-/// Gradients of the shape functions with respect to rest coordinates at each quadrature point, [1/m], and volumes [m3].
+/// Precomputed geometry of one cell with N nodes and Q quadrature points.
 template <int N, int Q>
 struct CellGeometry {
-    std::array<Eigen::Matrix<double, N, 3>, Q> gradient;
-    std::array<double, Q> weight;
-    double volume = 0.0;
+    std::array<Eigen::Matrix<double, N, 3>, Q> gradient;  // shape gradients in rest coordinates [1/m]
+    std::array<double, Q> weight;                         // quadrature weight times Jacobian [m3]
+    double volume = 0.0;                                  // sum of the weights [m3]
 };
 
-/// Bound of the bulk modulus at the points of cells with a mean volume, in units of mu; the rest acts on the mean
-/// volume. What varies within a cell answers as if Poisson's ratio were that of the part at the points.
+/// Bulk modulus at the points of cells with a mean volume, relative to mu; the remainder acts on the mean volume.
+/// Variations inside a cell see the Poisson's ratio of the part at the points.
 ///
-/// The mean alone is stable (quadratic displacements with one pressure per cell fulfil the inf-sup condition: test
-/// InfSup), what stays at the points is bounded as nu goes to 1/2, so that nothing locks, and no pressure is an
-/// unknown. How much is best depends on how free the nodes are. Measured with 1.5 / 3 / 5 / 8 everywhere at nu 0.49:
-/// one layer of a plate bends +10 / +5 / +1 / -1.6 % off; the thick beam of `myoloop bench locking` in three layers
-/// -0.9 / -1.8 / -2.4 / -2.9 %, and -0.2 % with 1.5 but for 2/3 next to the clamp.
+/// The mean alone is stable: quadratic displacements with one pressure per cell satisfy the inf-sup condition (test
+/// InfSup). The part at the points is bounded as nu goes to 1/2, so there is no locking and pressures are not unknowns.
+/// The best value depends on the freedom of the nodes. Measured with 1.5 / 3 / 5 / 8 everywhere at nu 0.49: bending
+/// error of a plate of one layer +10 / +5 / +1 / -1.6 %; the thick beam of `myoloop bench locking` in three layers -0.9
+/// / -1.8 / -2.4 / -2.9 %, and -0.2 % with 1.5 and 2/3 next to the clamp.
 struct PointBulkPolicy {
-    double free = 4.0;           // nu 0.38
+    double free = 4.0;           // corresponds to nu 0.38
     double inner = 1.5;          // nu 0.23
     double clamped = 2.0 / 3.0;  // nu 0
 
+    /// Bound for a cell, kappa at the points over mu.
     double over_mu(CellSides sides) const {
         return sides == CellSides::free ? free : sides == CellSides::inner ? inner : clamped;
     }
 };
 
-/// All cells of one formulation. cells: N x m node numbers.
+/// All cells of one formulation with N nodes and Q points.
 template <int N, int Q>
 struct ElementBlock {
     static constexpr int nodes = N;
     static constexpr int points = Q;
 
-    bool mean_volume = false;
-    std::vector<double> point_bulk_over_mu;  // per cell, see PointBulkPolicy; empty: 0
-    Eigen::MatrixXi cells;
-    std::vector<CellGeometry<N, Q>> geometry;
+    bool mean_volume = false;                  // the volume measure is averaged over the cell
+    std::vector<double> point_bulk_over_mu;    // per cell, see PointBulkPolicy; empty: 0
+    Eigen::MatrixXi cells;                     // N x m node numbers
+    std::vector<CellGeometry<N, Q>> geometry;  // per cell
 
     int cell_count() const { return static_cast<int>(cells.cols()); }
 };
 
+/// All supported formulations. The variant is visited once per block of cells, not per cell.
 using Elements = std::variant<AssumedStrainBlock, ElementBlock<8, 8>, ElementBlock<4, 1>, ElementBlock<10, 4>,
                               ElementBlock<10, 10>>;
 
-/// Asserts that the mesh has the kind's cell type. surroundings: empty for cells each by itself.
+/// Elements of a mesh. Asserts that the mesh has the kind's cell type.
+/// @param surroundings  per cell; empty: all cells as if isolated
 Elements make_elements(const mesh::VolumeMesh& mesh, ElementKind kind, const CellSurroundings& surroundings = {});
 
-/// Consistent mass per unit density [m3] as triplets (node, node, value) of the scalar n x n matrix, both triangles.
+/// Entry of the scalar n x n mass matrix for unit density.
 struct MassEntry {
     int row = 0;
     int column = 0;
-    double value = 0.0;
+    double value = 0.0;  // [m3]
 };
+/// Consistent mass for unit density as triplets, both triangles; entries of shared nodes occur several times and add
+/// up. Integrated exactly for straight-sided cells.
 std::vector<MassEntry> consistent_mass(const mesh::VolumeMesh& mesh);
 
 }  // namespace myo::fem

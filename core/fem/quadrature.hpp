@@ -7,12 +7,13 @@
 
 namespace myo::fem {
 
+/// Point of a quadrature rule on the reference cell.
 struct QuadraturePoint {
-    Eigen::Vector3d xi;
+    Eigen::Vector3d xi;   // reference coordinates
     double weight = 0.0;  // sums to the reference volume: 8 (hexahedron), 1/6 (tetrahedron)
 };
 
-/// Gauss-Legendre, n per axis, n = 1, 2, 3. Exact to degree 2 n - 1 per axis.
+/// Gauss-Legendre rule with n points per axis, n = 1, 2, 3. Exact to degree 2 n - 1 per axis.
 inline std::vector<QuadraturePoint> hex_gauss(int n) {
     std::vector<double> x{0.0}, w{2.0};
     if (n == 2) x = {-1.0 / std::sqrt(3.0), 1.0 / std::sqrt(3.0)}, w = {1.0, 1.0};
@@ -24,19 +25,21 @@ inline std::vector<QuadraturePoint> hex_gauss(int n) {
     return points;
 }
 
-/// The four points of a tetrahedron with three barycentric coordinates a: on the lines from the corners to the faces.
+/// Adds the orbit of four points with three barycentric coordinates a: on the lines from corners to opposite faces.
 inline void add_towards_corners(double a, double w, std::vector<QuadraturePoint>& points) {
     const double b = 1.0 - 3.0 * a;
     points.insert(points.end(), {{{a, a, a}, w}, {{b, a, a}, w}, {{a, b, a}, w}, {{a, a, b}, w}});
 }
 
-/// The six points with two barycentric coordinates a and two 1/2 - a: on the lines between the middles of edges.
+/// Adds the orbit of six points with barycentric coordinates a, a, 1/2 - a, 1/2 - a: on the lines between midpoints of
+/// opposite edges.
 inline void add_towards_edges(double a, double w, std::vector<QuadraturePoint>& points) {
     const double b = 0.5 - a;
     points.insert(points.end(),
                   {{{a, a, b}, w}, {{a, b, a}, w}, {{b, a, a}, w}, {{b, b, a}, w}, {{b, a, b}, w}, {{a, b, b}, w}});
 }
 
+/// One point, degree 1.
 inline std::vector<QuadraturePoint> tet_centroid() { return {{{0.25, 0.25, 0.25}, 1.0 / 6.0}}; }
 
 /// Four points, degree 2 (Hammer & Stroud 1956).
@@ -46,8 +49,8 @@ inline std::vector<QuadraturePoint> tet_degree2() {
     return points;
 }
 
-/// Ten points, degree 3, positive weights (Shunn & Ham 2012). The fourth power of a linear function with mean zero is
-/// off by at most 3 %, with the four points by 20 to 53 %.
+/// Ten points, degree 3, positive weights (Shunn & Ham 2012). The integral of the fourth power of a linear function
+/// with mean zero has an error of at most 3 %, with the four points 20 to 53 %.
 inline std::vector<QuadraturePoint> tet_degree3() {
     std::vector<QuadraturePoint> points;
     add_towards_corners(0.0738349017262234, 0.0476331348432089 / 6.0, points);

@@ -8,9 +8,12 @@
 
 namespace myo::fem {
 
-/// Reference coordinates of a point of a cell, by Newton's method from `middle`, those of a point well inside.
+/// Reference coordinates of a point in a cell by Newton's method.
 ///
-/// @param X  nodes of the cell [m], 3 x Shape::nodes, in the order of the shape functions
+/// @param X        nodes of the cell [m], 3 x Shape::nodes, in the order of the shape functions
+/// @param point_m  point inside the cell or close to it
+/// @param middle   initial value well inside the cell
+/// Errors: none. Without convergence in 30 iterations the last iterate is returned.
 template <class Shape>
 Eigen::Vector3d reference_coordinates(const Eigen::Matrix3Xd& X, const Eigen::Vector3d& point_m,
                                       const Eigen::Vector3d& middle) {
@@ -24,6 +27,7 @@ Eigen::Vector3d reference_coordinates(const Eigen::Matrix3Xd& X, const Eigen::Ve
     return xi;
 }
 
+/// Reference coordinates of a point in a cell of a mesh.
 inline Eigen::Vector3d reference_coordinates(const mesh::VolumeMesh& mesh, int cell, const Eigen::Vector3d& point_m) {
     const Eigen::Matrix3Xd X = mesh.nodes(Eigen::all, mesh.cells.col(cell));
     const Eigen::Vector3d in_tetrahedron = Eigen::Vector3d::Constant(0.25);

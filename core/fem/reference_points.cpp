@@ -6,6 +6,7 @@
 namespace myo::fem {
 namespace {
 
+/// Shape functions at the points of a rule.
 template <class Shape>
 std::vector<Eigen::VectorXd> values_of(const std::vector<QuadraturePoint>& rule) {
     std::vector<Eigen::VectorXd> values;

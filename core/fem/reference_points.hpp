@@ -8,7 +8,7 @@
 
 namespace myo::fem {
 
-/// Shape functions at the points at which an element's law is evaluated, one vector per point.
+/// Shape functions at the quadrature points of an element, one vector per point.
 std::vector<Eigen::VectorXd> shape_values_at_points(ElementKind kind);
 
 }  // namespace myo::fem

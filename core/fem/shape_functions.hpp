@@ -6,18 +6,19 @@
 
 namespace myo::fem {
 
-/// Shape functions on the reference cell in VTK's node order: values N (n) and derivatives dN/dxi (n x 3).
-///
-/// Hexahedron: xi in [-1, 1]^3. Tetrahedron: xi = barycentric coordinates of the nodes 1, 2, 3.
+/// Trilinear shape functions of the hexahedron in VTK's node order, xi in [-1, 1]^3: values N (n), derivatives dN/dxi
+/// (n x 3).
 /// Source: Hughes 1987, ch. 3.
 struct Hex8 {
     static constexpr int nodes = 8;
+    /// Reference coordinates of the corners, 8 x 3.
     static const Eigen::Matrix<double, 8, 3>& corners() {
         static const Eigen::Matrix<double, 8, 3> signs = (Eigen::Matrix<double, 8, 3>() << -1, -1, -1, 1, -1, -1, 1, 1,
                                                           -1, -1, 1, -1, -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1)
                                                              .finished();
         return signs;
     }
+    /// N(xi).
     static Eigen::Matrix<double, 8, 1> values(const Eigen::Vector3d& xi) {
         const auto& s = corners();
         Eigen::Matrix<double, 8, 1> N;
@@ -25,6 +26,7 @@ struct Hex8 {
             N(a) = 0.125 * (1 + s(a, 0) * xi(0)) * (1 + s(a, 1) * xi(1)) * (1 + s(a, 2) * xi(2));
         return N;
     }
+    /// dN/dxi.
     static Eigen::Matrix<double, 8, 3> derivatives(const Eigen::Vector3d& xi) {
         const auto& s = corners();
         Eigen::Matrix<double, 8, 3> D;
@@ -36,6 +38,8 @@ struct Hex8 {
     }
 };
 
+/// Linear shape functions of the tetrahedron in VTK's node order; xi are the barycentric coordinates of the nodes 1, 2,
+/// 3.
 struct Tet4 {
     static constexpr int nodes = 4;
     static Eigen::Vector4d values(const Eigen::Vector3d& xi) { return {1.0 - xi.sum(), xi(0), xi(1), xi(2)}; }
@@ -46,9 +50,10 @@ struct Tet4 {
     }
 };
 
+/// Quadratic shape functions of the tetrahedron in VTK's node order; xi as in Tet4.
 struct Tet10 {
     static constexpr int nodes = 10;
-    /// Corners of the mid-side nodes 4 ... 9.
+    /// Corner nodes of the edges with the mid-side nodes 4 ... 9.
     static constexpr std::array<std::array<int, 2>, 6> edges{{{0, 1}, {1, 2}, {0, 2}, {0, 3}, {1, 3}, {2, 3}}};
 
     static Eigen::Matrix<double, 10, 1> values(const Eigen::Vector3d& xi) {

@@ -15,16 +15,18 @@ using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// A cell counts as lying at the surface though its centre is up to so many edges above it: surfaces of voxels are not
-/// where the body's is.
+/// Cells whose centre is up to this many edges above the surface still count as surface cells: a voxel surface differs
+/// from the body's.
 constexpr double above_surface = 0.5;
 
+/// Reflection of a vector.
 Vector3d mirrored(const Vector3d& v, const Vector3d& normal) { return v - 2.0 * v.dot(normal) * normal; }
 
 }  // namespace
 
 double Brush::weight(double distance_m) const {
     if (distance_m > radius_m) return 0.0;
+    // Smoothstep 3 s^2 - 2 s^3: continuous slope at both ends of the falloff.
     const double soft = falloff * radius_m, inside = radius_m - distance_m;
     if (inside >= soft) return strength;
     const double s = inside / soft;
@@ -57,6 +59,7 @@ void Stroke::add(const Vector3d& position_m, const Vector3d& outward) {
     press(from, to);
     if (!brush_.mirror) return;
     const MirrorPlane& mirror = *brush_.mirror;
+    // Reflection of position and normal.
     const auto across = [&](const Point& p) {
         return Point{mirror.point_m + mirrored(p.position_m - mirror.point_m, mirror.normal),
                      mirrored(p.outward, mirror.normal)};
@@ -67,11 +70,13 @@ void Stroke::add(const Vector3d& position_m, const Vector3d& outward) {
 void Stroke::press(const Point& from, const Point& to) {
     const Vector3d way = to.position_m - from.position_m, outward = (from.outward + to.outward).normalized();
     const double length = way.norm();
+    // Fibres lie in the tangent plane: the normal part of the path is removed.
     const Vector3d along = way - way.dot(outward) * outward;
     const Vector3d tangent = along.norm() > 1e-9 * length ? along.normalized() : Vector3d::Zero();
     const double above = above_surface * places_.edge_m;
     const double reach = brush_.radius_m + std::max(above, std::isfinite(brush_.depth_m) ? brush_.depth_m : 0.0) +
                          length;
+    // Closest point on the segment, clamped to its ends; then height and radius relative to the mean surface normal.
     for (Index c = 0; c < places_.centre_m.cols(); ++c) {
         const Vector3d x = places_.centre_m.col(c) - from.position_m;
         if (std::isfinite(brush_.depth_m) && x.squaredNorm() > reach * reach) continue;
@@ -81,6 +86,7 @@ void Stroke::press(const Point& from, const Point& to) {
         if (height > above || height < -brush_.depth_m) continue;
         const double weight = brush_.weight((beside - height * outward).norm());
         if (!(weight > 0.0)) continue;
+        // Maximum, not sum: overlapping segments of one stroke do not accumulate.
         weights_(c) = std::max(weights_(c), weight);
         const double pull = weight * length;
         dyads_[static_cast<std::size_t>(c)] += pull * tangent * tangent.transpose();
@@ -110,7 +116,7 @@ CellPaint Stroke::over(const CellPaint& before, const Vector3d& otherwise) const
             line = otherwise * otherwise.transpose();
         else
             continue;
-        // The last stroke has its way as far as its weight goes.
+        // The new stroke overrides the existing direction in proportion to its weight.
         if (was_painted)
             line = weight * line + (1.0 - weight) * before.directions.col(c) * before.directions.col(c).transpose();
         paint.directions.col(c) = mean_line(line);

@@ -25,7 +25,7 @@ CellPaint paint_of_group(const mesh::VolumeMesh& mesh, const FibreGroup& group) 
     for (std::size_t i = 0; i < group.points.size(); ++i) {
         const FibrePoint& point = group.points[i];
         const auto& gradient = group.gradients[i];
-        // shape = gradient m: of three unknowns many equations.
+        // Least squares: nodes-per-cell equations shape = gradient m for three unknowns.
         const Eigen::Vector3d line = (gradient.transpose() * gradient).ldlt().solve(gradient.transpose() * point.shape);
         paint.weights(point.cell) += point.volume;
         dyads[static_cast<std::size_t>(point.cell)] += point.volume * line * line.transpose();
@@ -49,6 +49,7 @@ CellPaint grown(const CellPaint& paint, const Eigen::Matrix2Xi& neighbours) {
         double weight = 0.0, count = 0.0;
         Eigen::Matrix3d dyads = Eigen::Matrix3d::Zero();
     };
+    // Both orders of each pair are visited, because either cell may be the painted one.
     std::vector<Gathered> gathered(static_cast<std::size_t>(paint.count()));
     const auto give = [&](int from, int to) {
         if (!(paint.weights(from) > 0.0) || paint.weights(to) > 0.0) return;
@@ -89,6 +90,7 @@ CellPaint filled(const CellPaint& paint, const mesh::VolumeMesh& mesh, const Eig
                  const Eigen::Vector3d& axis) {
     assert(paint.count() == mesh.cell_count());
     if (paint.weights(cell) > 0.0) return paint;
+    // Connected components of unpainted cells.
     mesh::DisjointSets pieces(static_cast<std::size_t>(paint.count()));
     std::vector<int> painted;
     for (const auto pair : neighbours.colwise())

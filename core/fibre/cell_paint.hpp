@@ -7,38 +7,42 @@
 
 namespace myo::fibre {
 
-/// Muscle painted on a mesh, cell by cell.
+/// Muscle painted on a mesh, per cell.
 struct CellPaint {
-    Eigen::VectorXd weights;      // per cell, the share of it that is muscle, 0 ... 1
-    Eigen::Matrix3Xd directions;  // 3 x cells, unit where the weight is not 0; signs do not matter
+    Eigen::VectorXd weights;      // per cell: volume fraction of muscle, 0 ... 1
+    Eigen::Matrix3Xd directions;  // 3 x cells, unit where the weight is not 0; the sign is arbitrary
 
+    /// Number of cells.
     Eigen::Index count() const { return weights.size(); }
 };
+/// Paint with zero weights.
 CellPaint blank_paint(const mesh::VolumeMesh& mesh);
 
-/// The share of each cell that fibres stand for, and their mean line there.
+/// Volume fraction and mean direction of a fibre group in each cell. Asserts that the group has its gradients.
 CellPaint paint_of_group(const mesh::VolumeMesh& mesh, const FibreGroup& group);
 
+/// Size of a painted region.
 struct PaintedAmount {
-    int cells = 0;           // with any paint
-    double volume_m3 = 0.0;  // of muscle
+    int cells = 0;           // cells with weight > 0
+    double volume_m3 = 0.0;  // volume of muscle
 };
+/// Painted cells and volume.
 /// @param volumes_m3  per cell
 PaintedAmount amount_of(const CellPaint& paint, const Eigen::VectorXd& volumes_m3);
 
-/// One layer more: cells without paint beside painted ones get their mean weight and mean line.
+/// Dilation by one layer: unpainted neighbours of painted cells get the mean weight and mean direction of these.
 ///
-/// @param neighbours  as neighbouring_cells() gives them, 2 x k
+/// @param neighbours  pairs of cells, 2 x k, from neighbouring_cells()
 CellPaint grown(const CellPaint& paint, const Eigen::Matrix2Xi& neighbours);
 
-/// One layer less: painted cells beside ones without paint lose theirs. The surface of the body is no edge.
+/// Erosion by one layer: painted neighbours of unpainted cells lose their paint. The surface of the body does not count
+/// as an edge.
 CellPaint shrunk(const CellPaint& paint, const Eigen::Matrix2Xi& neighbours);
 
-/// All that can be reached from a cell without paint, up to painted cells and the surface, is painted wholly: as smooth
-/// as can be between the directions that are there, or along `axis` where nothing is painted yet. Nothing where the
-/// cell itself has paint.
+/// Flood fill: paints all unpainted cells connected to `cell` with weight 1. Directions interpolate the existing ones
+/// smoothly, or are `axis` if nothing is painted yet. No effect if the cell is already painted.
 ///
-/// @param axis  unit
+/// @param axis  unit vector
 CellPaint filled(const CellPaint& paint, const mesh::VolumeMesh& mesh, const Eigen::Matrix2Xi& neighbours, int cell,
                  const Eigen::Vector3d& axis);
 

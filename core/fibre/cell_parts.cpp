@@ -17,9 +17,10 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Depth at which samples are gathered: a quarter of an edge.
+/// Depth at which samples are merged: a quarter of an edge.
 constexpr int block_depth = 2;
 
+/// Calls visit with the shape functions of a cell type.
 template <class Visit>
 auto with_shape(mesh::CellType type, const Visit& visit) {
     switch (type) {
@@ -36,6 +37,7 @@ Eigen::Matrix<double, 3, Shape::nodes> cell_nodes(const mesh::VolumeMesh& mesh, 
     return X;
 }
 
+/// Volume of a part in reference coordinates.
 double reference_volume(const CellPart& part) {
     Matrix3d edges;
     if (part.corners.cols() == 8) return (part.corners.col(6) - part.corners.col(0)).prod();
@@ -43,6 +45,7 @@ double reference_volume(const CellPart& part) {
     return std::abs(edges.determinant()) / 6.0;
 }
 
+/// Smallest rule for strains linear in the cell.
 std::vector<fem::QuadraturePoint> rule_of(mesh::CellType type) {
     if (type == mesh::CellType::hex8) return fem::hex_gauss(2);
     return type == mesh::CellType::tet4 ? fem::tet_centroid() : fem::tet_degree2();
@@ -65,10 +68,11 @@ std::vector<CellPart> cut_in_eight(const CellPart& part) {
         const int block = part.depth < block_depth ? 8 * part.block + static_cast<int>(children.size()) : part.block;
         children.push_back({corners, part.depth + 1, block});
     };
+    // Eight bricks, or four corner tetrahedra, scaled by 1/2 towards each corner.
     for (Eigen::Index i = 0; i < part.corners.cols(); ++i)
         add((0.5 * (part.corners.colwise() + part.corners.col(i))).eval());
     if (part.corners.cols() == 8) return children;
-    // The octahedron that the corners leave, cut along one of its diagonals.
+    // The remaining octahedron is divided along one of its diagonals.
     constexpr std::array<std::array<std::size_t, 4>, 4> inner{{{0, 2, 3, 4}, {0, 1, 2, 4}, {2, 1, 5, 4}, {2, 3, 4, 5}}};
     for (const auto& edges : inner) {
         Eigen::Matrix<double, 3, 4> corners;
@@ -91,7 +95,8 @@ PartPlace place_of(const mesh::VolumeMesh& mesh, int cell, const CellPart& part)
         for (const Vector3d corner : part.corners.colwise()) {
             const Vector3d from_centre = X * Shape::values(corner) - place.centre_m;
             place.radius_m = std::max(place.radius_m, from_centre.norm());
-            // Exact for tetrahedra (n + 16 = 20) and for parallelepipeds (24).
+            // Second moment from the corners, sum x x' / (n + 16): exact for tetrahedra (n + 16 = 20) and for
+            // parallelepipeds (24).
             place.second_moment_m2 += from_centre * from_centre.transpose() /
                                       static_cast<double>(part.corners.cols() + 16);
         }
@@ -132,6 +137,7 @@ void add_samples(const mesh::VolumeMesh& mesh, int cell, const std::vector<Fibre
     };
     std::array<Block, 64> blocks{};
     for (const FibreSample& sample : samples) {
+        // A linear tetrahedron has constant strain: one point is exact.
         Block& block = blocks[mesh.type == mesh::CellType::tet4 ? 0u : static_cast<std::size_t>(sample.part.block)];
         block.volume += sample.volume_m3;
         block.moment += sample.volume_m3 * sample.part.centre();
@@ -145,7 +151,7 @@ void add_samples(const mesh::VolumeMesh& mesh, int cell, const std::vector<Fibre
 Vector3d mean_line(const Matrix3d& sum_of_dyads) {
     const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(sum_of_dyads);
     Vector3d line = eigen.eigenvectors().col(2);
-    // A line has no sign; one rule for all of them keeps neighbours alike to a person who reads them.
+    // The sign of a line is arbitrary. One rule for all makes neighbouring cells comparable for the reader.
     Eigen::Index largest = 0;
     line.cwiseAbs().maxCoeff(&largest);
     return line(largest) < 0.0 ? Vector3d(-line) : line;

@@ -21,17 +21,19 @@ Vector3d centre(const mesh::VolumeMesh& mesh, Index cell) {
     return place_of(mesh, static_cast<int>(cell), whole_cell(mesh.type)).centre_m;
 }
 
+/// Dyad d d' as six components.
 Eigen::Matrix<double, 1, 6> packed(const Vector3d& d) {
     return {d(0) * d(0), d(1) * d(1), d(2) * d(2), d(0) * d(1), d(1) * d(2), d(2) * d(0)};
 }
 
+/// Symmetric matrix from six components.
 Matrix3d unpacked(const Eigen::Matrix<double, 1, 6>& v) {
     Matrix3d D;
     D << v(0), v(3), v(5), v(3), v(1), v(4), v(5), v(4), v(2);
     return D;
 }
 
-/// Sum over cells of grad N_a . grad N_b dV, n x n.
+/// Stiffness matrix of the Laplacian: sum over cells of grad N_a . grad N_b dV, n x n.
 Eigen::SparseMatrix<double> laplacian(const mesh::VolumeMesh& mesh) {
     FibreGroup points;  // for its gradients and volumes
     std::vector<Eigen::Triplet<double>> entries;
@@ -53,7 +55,7 @@ Eigen::SparseMatrix<double> laplacian(const mesh::VolumeMesh& mesh) {
     return K;
 }
 
-/// Nodes of given cells have the mean of these, marked by a positive count.
+/// Dirichlet values: the mean dyad of the given cells at each of their nodes; count > 0 marks given nodes.
 struct GivenNodes {
     Dyads dyads;
     Eigen::VectorXd count;
@@ -71,14 +73,16 @@ struct GivenNodes {
     Eigen::Matrix<double, 1, 6> mean() const { return dyads.colwise().sum() / (count.array() > 0.0).count(); }
 };
 
-/// Given nodes keep their value; K D = 0 at the others.
+/// Solves K D = 0 at the free nodes with given values at the others.
 Dyads harmonic(Eigen::SparseMatrix<double> K, const GivenNodes& given) {
     Dyads right = Dyads::Zero(given.dyads.rows(), 6);
-    const double weak = 1e-12 * K.diagonal().mean();  // a piece of the body with nothing given takes the mean
+    const double weak = 1e-12 * K.diagonal().mean();  // regularisation: components without given nodes take the mean
     for (Index column = 0; column < K.outerSize(); ++column)
         for (Eigen::SparseMatrix<double>::InnerIterator entry(K, column); entry; ++entry) {
             const bool row_given = given.count(entry.row()) > 0.0, column_given = given.count(column) > 0.0;
             if (column_given && !row_given) right.row(entry.row()) -= entry.value() * given.dyads.row(column);
+            // Rows and columns of given nodes become identity, which keeps the matrix symmetric for the LDL'
+            // factorisation.
             if (row_given || column_given)
                 entry.valueRef() = entry.row() == column ? 1.0 : 0.0;
             else if (entry.row() == column)
@@ -118,7 +122,7 @@ Matrix3Xd directions_along_longest_axis(const mesh::VolumeMesh& mesh, const Eige
         const Vector3d centroid = X.rowwise().mean();
         volume += own;
         first += own * centroid;
-        // Exact for tetrahedra and for parallelepipeds alike.
+        // Exact for tetrahedra and parallelepipeds.
         second += own * (X * X.transpose() + 16.0 * centroid * centroid.transpose()) / (corners + 16);
     }
     if (!(volume > 0.0)) return constant_directions(mesh, Vector3d::UnitX());

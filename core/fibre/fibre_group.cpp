@@ -13,7 +13,7 @@
 namespace myo::fibre {
 namespace {
 
-/// The cell as a box, when its edges lie along the axes.
+/// True if the cell is an axis-aligned brick; returns it.
 bool axis_aligned(const mesh::VolumeMesh& mesh, int cell, Box& box) {
     box = {mesh.nodes.col(mesh.cells(0, cell)), mesh.nodes.col(mesh.cells(6, cell))};
     const Eigen::Vector3d size = box.size();
@@ -25,6 +25,8 @@ bool axis_aligned(const mesh::VolumeMesh& mesh, int cell, Box& box) {
     return size.minCoeff() > 0.0;
 }
 
+/// Intersection of an axis-aligned cell with the box: a brick in reference coordinates, integrated by its own 2 x 2 x 2
+/// Gauss points.
 void add_box_cell(const mesh::VolumeMesh& mesh, int cell, const Box& cell_box, const Box& box,
                   const Eigen::Vector3d& direction, FibreGroup& group) {
     const Eigen::Vector3d size = cell_box.size();
@@ -42,8 +44,8 @@ void add_box_cell(const mesh::VolumeMesh& mesh, int cell, const Box& cell_box, c
     }
 }
 
-/// Four points of equal weight with a volume's centre and second moments: what is quadratic in the position is
-/// integrated exactly. In a whole tetrahedron they are the usual four.
+/// Four points of equal weight with the centre and second moments of a volume: integrates quadratic functions of
+/// position exactly. For a complete tetrahedron these are the points of the standard rule.
 Eigen::Matrix<double, 3, 4> points_of(const mesh::ClippedVolume& part) {
     const Eigen::Vector3d centre = part.centre_m();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(part.second_moment_m5 / part.volume_m3 -
@@ -54,7 +56,7 @@ Eigen::Matrix<double, 3, 4> points_of(const mesh::ClippedVolume& part) {
            centre;
 }
 
-/// The part of a cell inside a box: so a group that ends inside cells keeps its lever arm and its stiffness in bending.
+/// Part of a cell inside a box. A group that ends inside cells keeps its lever arm and bending stiffness.
 void add_cut_cell(const mesh::VolumeMesh& mesh, int cell, const Box& box, const Eigen::Vector3d& direction,
                   FibreGroup& group) {
     const mesh::ClippedVolume part = mesh::cell_in_box(mesh, cell, box, mesh::region_tolerance(mesh));
@@ -62,13 +64,12 @@ void add_cut_cell(const mesh::VolumeMesh& mesh, int cell, const Box& box, const 
     const auto add = [&](const Eigen::Vector3d& x, double volume_m3) {
         add_fibre_point(mesh, cell, fem::reference_coordinates(mesh, cell, x), volume_m3, direction, group);
     };
-    if (mesh.type == mesh::CellType::tet4)
-        return add(part.centre_m(), part.volume_m3);  // its strain is the same everywhere
+    if (mesh.type == mesh::CellType::tet4) return add(part.centre_m(), part.volume_m3);  // constant strain in the cell
     const Eigen::Matrix<double, 3, 4> points = points_of(part);
     for (int k = 0; k < 4; ++k) add(points.col(k), 0.25 * part.volume_m3);
 }
 
-/// Of less a cell counts as whole: at its own points the fibres bend with it.
+/// Above this fraction a cell counts as whole and uses its own quadrature points.
 constexpr double uncut = 1.0 - 1e-6;
 
 }  // namespace

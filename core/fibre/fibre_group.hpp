@@ -10,39 +10,45 @@
 
 namespace myo::fibre {
 
-/// One quadrature point of a fibre: F m = x_cell * shape, with shape = (dN/dX) m.
+/// Quadrature point of a fibre: F m = x_cell * shape with shape = (dN/dX) m.
 struct FibrePoint {
-    int cell = 0;
+    int cell = 0;                                              // cell number
     Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 10, 1> shape;  // nodes per cell [1/m]
-    double volume = 0.0;                                       // rest volume it stands for [m3]
+    double volume = 0.0;                                       // [m3] rest volume represented by the point
 };
 
-/// Muscle fibres with one signal a(t): energy per rest volume w/2 (|F m| - a)^2.
-/// Source: the experiment schema; Min et al. 2019 ("SoftCon").
+/// Muscle fibres with a common activation a(t): energy per rest volume w/2 (|F m| - a)^2.
+/// Source: the project file; Min et al. 2019 ("SoftCon").
 struct FibreGroup {
-    std::string name;
-    double stiffness_Pa = 0.0;  // w
-    std::vector<FibrePoint> points;
-    std::vector<Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 10, 3>>
-        gradients{};  // dN/dX per point [1/m]: shape = gradient m
+    std::string name;                // in files and messages
+    double stiffness_Pa = 0.0;       // w
+    std::vector<FibrePoint> points;  // points of a cell are consecutive
+    // dN/dX per point [1/m]: shape = gradient m
+    std::vector<Eigen::Matrix<double, Eigen::Dynamic, 3, 0, 10, 3>> gradients{};
 
+    /// Total rest volume of the points [m3].
     double volume() const;
 };
 
-/// Fibres along `direction` (unit, rest frame) in the part of the body inside `box`.
+/// Fibres along a direction in the part of the body inside a box.
 ///
-/// Cells are integrated over their intersection with the box, exactly for flat faces and strains linear in the rest
-/// position, so that a group thinner than a cell bends as it should.
+/// The intersection of each cell with the box is integrated exactly for flat faces and strains linear in the rest
+/// position, so that a group thinner than a cell has the correct bending stiffness.
+/// @param box           rest frame [m]
+/// @param direction     unit, rest frame
+/// @param stiffness_Pa  w
 FibreGroup fibres_in_box(const mesh::VolumeMesh& mesh, const Box& box, const Eigen::Vector3d& direction,
                          double stiffness_Pa, std::string name);
 
-/// Energy per rest volume of one point and its derivatives with respect to s = F m.
+/// Energy density of one fibre point and its derivatives with respect to s = F m.
 struct FibreResponse {
-    double energy = 0.0;
-    Eigen::Vector3d gradient;
-    Eigen::Matrix3d hessian;
-    Eigen::Vector3d gradient_activation;  // d gradient / d a
+    double energy = 0.0;                  // [J/m3]
+    Eigen::Vector3d gradient;             // d energy / d s [Pa]
+    Eigen::Matrix3d hessian;              // d2 energy / d s2 [Pa]
+    Eigen::Vector3d gradient_activation;  // d gradient / d a [Pa]
 };
+/// Fibre law w/2 (|s| - a)^2.
+/// @param s  F m, dimensionless; non-finite results for s = 0
 FibreResponse fibre_response(const Eigen::Vector3d& s, double activation, double stiffness_Pa);
 
 }  // namespace myo::fibre

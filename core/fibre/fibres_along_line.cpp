@@ -14,17 +14,20 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The edge of the least parts over the radius. A round wall through parts of edge w encloses 1 + (w/r)^2 / 12 of its
-/// volume.
+/// Edge of the smallest parts over the radius. A round wall resolved by parts of edge w encloses 1 + (w/r)^2 / 12 of
+/// its volume.
 constexpr double finest_part = 1.0 / 6.0;
-/// Parts of a cell along each axis, at most: 2^9. A tube thinner than a hundredth of the cell is not resolved further.
+/// Maximum number of subdivisions: 2^9 parts along each axis. A tube thinner than a hundredth of a cell is not resolved
+/// further.
 constexpr int most_cuts = 9;
 
-/// Of a part whose centre is so deep behind a flat wall across its width. Exact for a brick along the wall.
+/// Share of a part behind a flat wall, from the depth of its centre and its width across the wall. Exact for a brick
+/// parallel to the wall.
 double share_inside(double depth, double width) {
     return width > 0.0 ? std::clamp(0.5 + depth / width, 0.0, 1.0) : depth > 0.0 ? 1.0 : 0.0;
 }
 
+/// Adaptive subdivision of one cell by the distance to the tube's wall.
 class TubeInCell {
 public:
     TubeInCell(const mesh::VolumeMesh& mesh, int cell, const Polyline& line, double radius_m)
@@ -40,11 +43,13 @@ public:
             whole_ = true;
             return;
         }
+        // At least two levels, the resolution of a block; then until the part is small compared with the radius.
         const bool fine = part.depth >= 2 && (inside || std::cbrt(place.volume_m3) <= finest_part * radius_);
         if (!fine && part.depth < most_cuts) {
             for (const CellPart& child : cut_in_eight(part)) collect(child);
             return;
         }
+        // Product of the share inside the round wall and the share inside the end plane.
         const double share = inside ? 1.0
                                     : share_inside(radius_ - beside.distance_m, place.width_m(beside.away)) *
                                           share_inside(beside.inward_m, place.width_m(beside.tangent));
@@ -63,7 +68,8 @@ private:
     std::vector<FibreSample> samples_;
 };
 
-/// Whether the axis goes through the triangle; its edges count for the side on which the cross product is positive.
+/// True if the axis intersects the triangle. An edge belongs to the side with positive cross product, so that adjacent
+/// triangles do not both count.
 bool pierces(const Vector3d& point, const Vector3d& axis, const Vector3d& a, const Vector3d& b, const Vector3d& c) {
     const auto side = [&](const Vector3d& p, const Vector3d& q) {
         return axis.dot((p - point).cross(q - point)) >= 0.0;
@@ -72,6 +78,7 @@ bool pierces(const Vector3d& point, const Vector3d& axis, const Vector3d& a, con
     return first == side(b, c) && first == side(c, a);
 }
 
+/// A hexahedron face is tested as two triangles.
 bool pierces_cell(const mesh::VolumeMesh& mesh, int cell, const Vector3d& point, const Vector3d& axis) {
     const auto at = [&](int corner) -> Vector3d { return mesh.nodes.col(mesh.cells(corner, cell)); };
     if (mesh.type != mesh::CellType::hex8)
@@ -104,7 +111,7 @@ FibreGroup fibres_in_column(const mesh::VolumeMesh& mesh, const Vector3d& point_
                             double stiffness_Pa, std::string name) {
     FibreGroup group{std::move(name), stiffness_Pa, {}, {}};
     if (mesh.node_count() == 0) return group;
-    // A point that lies exactly between two columns shall choose one: it is moved by less than anyone can mean.
+    // A point exactly between two columns must select one. The shift is smaller than any intended distance.
     const double nudge = 1e-7 * mesh::bounding_box(mesh.nodes).size().maxCoeff();
     const Vector3d across = axis.unitOrthogonal(), other = axis.cross(across);
     const Vector3d point = point_m + nudge * (0.8 * across + 0.37 * other);

@@ -19,7 +19,7 @@ std::vector<Box> places(const PaintedMask& mask) {
     return boxes;
 }
 
-/// Median distance to the nearest place elsewhere; NaN where there is none.
+/// Median distance to the nearest other element; NaN if there is none. Coincident elements are skipped.
 double spacing(const PaintedMask& mask) {
     constexpr double nowhere = std::numeric_limits<double>::max();
     const mesh::BoxTree tree(places(mask));
@@ -41,6 +41,7 @@ double spacing(const PaintedMask& mask) {
 
 std::string in_mm(double length_m) { return format_number(1e3 * length_m, 3) + " mm"; }
 
+/// True if two rows are equal in weight and fibre direction.
 bool alike(const PaintedMask& mask, int a, int b) {
     if (mask.weights(a) != mask.weights(b)) return false;
     return !(mask.weights(a) > 0.0) || mask.directions.col(a).cross(mask.directions.col(b)).norm() < 1e-3;
@@ -72,6 +73,7 @@ std::vector<std::string> contradictions(const PaintedMask& mask, const MaskRule&
     return found;
 }
 
+// Distance to the bounding boxes of cells: a cheap lower bound of the distance to the mesh.
 Index elements_off_mesh(const mesh::VolumeMesh& mesh, const PaintedMask& mask) {
     if (mask.count() == 0) return 0;
     std::vector<Box> cells;

@@ -7,24 +7,24 @@
 
 namespace myo::fibre {
 
-/// When a mask contradicts itself or the body.
+/// Limits for a consistent mask.
 struct MaskRule {
-    /// The cell size over the distance to the nearest other place, median over the mask: 1 for cubes, 1.7 for boxes of
-    /// 1 : 2 : 2, 2.5 to 4 for tetrahedra. Below, paint does not fill the room between the places; far above, it
-    /// spreads beyond them.
+    /// Cell size over the distance to the nearest other element, median over the mask: 1 for cubes, 1.7 for boxes of 1
+    /// : 2 : 2, 2.5 to 4 for tetrahedra. Below least_size the paint leaves gaps between elements; far above, it extends
+    /// outside.
     double least_size = 0.85, most_size = 6.0;
-    /// Fewer places do not tell how far apart they are.
+    /// Smallest number of elements for an estimate of the spacing.
     Eigen::Index least_places = 4;
-    /// Places nearer than this part of the spacing are one.
+    /// Elements closer than this fraction of the spacing count as identical.
     double same_place = 1e-6;
 };
 
-/// Sentences on what a mask says of itself that cannot be so: a cell size that is not the spacing of its places, places
-/// listed twice with other weights or fibres.
+/// Inconsistencies of a mask as sentences for the user: a cell size that does not match the spacing, elements listed
+/// twice with different weights or fibres.
 std::vector<std::string> contradictions(const PaintedMask& mask, const MaskRule& rule = {});
 
-/// Painted elements that lie outside the mesh by more than half their spacing and half a cell of it, which a coarser
-/// mesh may miss.
+/// Number of painted elements outside of the mesh. Tolerance: half their spacing plus half a cell of the mesh, since a
+/// coarser mesh may not reach them.
 Eigen::Index elements_off_mesh(const mesh::VolumeMesh& mesh, const PaintedMask& mask);
 
 }  // namespace myo::fibre

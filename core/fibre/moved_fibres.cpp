@@ -15,7 +15,8 @@ FibreGroup moved_fibres(const mesh::VolumeMesh& from, const mesh::VolumeMesh& to
         if (to.nodes(Eigen::all, cell) == from.nodes(Eigen::all, cell)) continue;
         auto& gradient = group.gradients[k];
         const Eigen::Matrix3Xd X = to.nodes(Eigen::all, cell);
-        const Eigen::Matrix3d moved = X * gradient;  // dX' / dX
+        const Eigen::Matrix3d moved = X * gradient;  // dX' / dX, deformation of the rest shape
+        // F m transforms the direction; normalised, because a fibre direction is a unit vector.
         const Eigen::Vector3d direction = (X * point.shape).normalized();
         gradient = (gradient * moved.inverse()).eval();
         point.shape = gradient * direction;

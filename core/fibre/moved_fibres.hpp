@@ -4,10 +4,11 @@
 
 namespace myo::fibre {
 
-/// The same fibres, cell by cell, where nodes of the mesh lie elsewhere at rest: their points, lines and volumes go
-/// along with their cells.
+/// Fibre group after a change of the rest positions of the nodes: points, directions and volumes are mapped with their
+/// cells.
 ///
-/// Asserts that both meshes have the same cells and the group its gradients.
+/// @param from, to  meshes with the same cells (asserted)
+/// @param group     must have its gradients (asserted)
 FibreGroup moved_fibres(const mesh::VolumeMesh& from, const mesh::VolumeMesh& to, FibreGroup group);
 
 }  // namespace myo::fibre

@@ -16,7 +16,7 @@ namespace {
 using Eigen::Index;
 using Eigen::Vector3d;
 
-/// Of the cells, by their corners: mid-side nodes add nothing.
+/// Centre of a cell from its corners; mid-side nodes are not needed.
 Vector3d centroid(const mesh::VolumeMesh& mesh, Index cell) {
     const int corners = mesh.type == mesh::CellType::hex8 ? 8 : 4;
     Vector3d sum = Vector3d::Zero();
@@ -34,7 +34,7 @@ double mean_edge(const mesh::VolumeMesh& mesh, Index cell) {
     return mesh.type == mesh::CellType::hex8 ? add(mesh::hexahedron_edges) : add(mesh::tetrahedron_edges);
 }
 
-/// The mask as something that can be asked.
+/// Nearest-element queries on a mask.
 class MaskLookup {
 public:
     explicit MaskLookup(const PaintedMask& mask)
@@ -43,7 +43,7 @@ public:
         bounds_.highest.array() += mask.cell_size_m;
     }
 
-    /// The nearest element within `reach`, or -1.
+    /// Index of the nearest element within `reach` [m]; -1 if none.
     int nearest(const Vector3d& x, double reach) const {
         if (!bounds_.contains(x)) return -1;
         const auto squared_distance = [&](int i) { return (mask_.centroids_m.col(i) - x).squaredNorm(); };
@@ -51,6 +51,7 @@ public:
         return squared_distance(i) <= reach * reach ? i : -1;
     }
 
+    /// True if a ball cannot contain points within reach of any element.
     bool misses(const Vector3d& centre, double radius) const {
         return (centre.array() + radius < bounds_.lowest.array()).any() ||
                (centre.array() - radius > bounds_.highest.array()).any();
@@ -68,6 +69,7 @@ private:
     Box bounds_;
 };
 
+/// Samples the parts of a cell after `cuts` subdivisions. `whole` accumulates their volume.
 void collect(const mesh::VolumeMesh& mesh, int cell, const CellPart& part, int cuts, const PaintedMask& mask,
              const MaskLookup& lookup, std::vector<FibreSample>& samples, double& whole) {
     if (cuts > 0) {
@@ -82,7 +84,7 @@ void collect(const mesh::VolumeMesh& mesh, int cell, const CellPart& part, int c
         samples.push_back({part, mask.weights(i) * place.volume_m3, mask.directions.col(i)});
 }
 
-/// A cell in one piece of paint is asked for no more than its share and its line.
+/// True if weight and direction are uniform: such a cell is described by its volume fraction and direction alone.
 bool evenly_painted(const std::vector<FibreSample>& samples, double volume_m3, double whole_m3) {
     if (samples.empty() || std::abs(volume_m3 - whole_m3) > 1e-9 * whole_m3) return false;
     const Vector3d& first = samples.front().direction;
@@ -91,14 +93,15 @@ bool evenly_painted(const std::vector<FibreSample>& samples, double volume_m3, d
     return true;
 }
 
-/// A cell that was not painted itself, asked at places a quarter of the mask's cell size apart.
+/// Samples of a cell that does not coincide with a mask element, at a spacing of a quarter of the mask's cell size.
 struct ResampledCell {
     std::vector<FibreSample> samples;
-    double volume = 0.0, whole = 0.0;  // of muscle, and of the cell, as the samples have it [m3]
+    double volume = 0.0, whole = 0.0;  // volume of muscle and of the cell, summed over samples [m3]
 };
 ResampledCell resample(const mesh::VolumeMesh& mesh, int cell, const PartPlace& place, const PaintedMask& mask,
                        const MaskLookup& lookup) {
-    const double spacing = 0.25 * mask.cell_size_m, edge = 1.15 * place.radius_m;  // 2 / sqrt(3): a cube's edge
+    const double spacing = 0.25 * mask.cell_size_m,
+                 edge = 1.15 * place.radius_m;  // 2 / sqrt(3): edge of a cube with this circumradius
     const int cuts = std::clamp(static_cast<int>(std::ceil(std::log2(edge / spacing) - 1e-6)), 0, 5);
     ResampledCell result;
     collect(mesh, cell, whole_cell(mesh.type), cuts, mask, lookup, result.samples, result.whole);
@@ -106,6 +109,7 @@ ResampledCell resample(const mesh::VolumeMesh& mesh, int cell, const PartPlace& 
     return result;
 }
 
+// Uniform cells use the quadrature points of the element, which integrate bending exactly.
 void add_resampled_cell(const mesh::VolumeMesh& mesh, int cell, const ResampledCell& resampled, FibreGroup& group) {
     const auto& [samples, volume, whole] = resampled;
     if (samples.size() == 1 || evenly_painted(samples, volume, whole)) {
@@ -117,8 +121,8 @@ void add_resampled_cell(const mesh::VolumeMesh& mesh, int cell, const ResampledC
     }
 }
 
-/// Calls itself(cell, i) for cells that are element i of the mask, and resampled(cell, what) for others that may hold
-/// some of it.
+/// Calls itself(cell, i) for cells that coincide with element i, and resampled(cell, samples) for other cells within
+/// reach of the mask.
 template <class Itself, class Resampled>
 void for_painted_cells(const mesh::VolumeMesh& mesh, const PaintedMask& mask, const Itself& itself,
                        const Resampled& resampled) {
@@ -129,7 +133,7 @@ void for_painted_cells(const mesh::VolumeMesh& mesh, const PaintedMask& mask, co
     for (int c = 0; c < static_cast<int>(mesh.cell_count()); ++c) {
         const PartPlace place = place_of(mesh, c, whole);
         if (lookup.misses(place.centre_m, place.radius_m)) continue;
-        // The rounding of a text file, and no more, lies between a painted cell's centroid and its own.
+        // Tolerance: the centroid of a painted cell differs from the stored one by the rounding of the text file only.
         const int i = lookup.nearest(centroid(mesh, c), 1e-6 * mask.cell_size_m);
         if (i < 0)
             resampled(c, resample(mesh, c, place, mask, lookup));
@@ -143,6 +147,7 @@ void for_painted_cells(const mesh::VolumeMesh& mesh, const PaintedMask& mask, co
 PaintedMask mask_of_cells(const mesh::VolumeMesh& mesh, const CellPaint& paint) {
     const auto& [weights, directions] = paint;
     assert(weights.size() == mesh.cell_count() && directions.cols() == mesh.cell_count());
+    // Nodes of painted cells mark the neighbours to be kept with weight 0.
     std::vector<bool> at_paint(static_cast<std::size_t>(mesh.node_count()), false);
     double edges = 0.0;
     Index painted = 0;

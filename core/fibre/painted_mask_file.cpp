@@ -18,6 +18,7 @@ constexpr std::size_t columns = 7;
 
 using Row = std::array<double, columns>;
 
+/// Parses and validates one row; the direction is normalised exactly.
 Result<Row> read_row(std::string_view line, const std::string& where) {
     Row row{};
     std::size_t count = 1;

@@ -22,7 +22,7 @@ Segment segment(const Polyline& line, Index i) {
     return {line.points_m.col(i), along / length, length};
 }
 
-/// Between the tangents of two neighbours; that of the first where the line folds back.
+/// Bisector of two tangents; the first one if the line reverses.
 Vector3d half_way(const Vector3d& a, const Vector3d& b) {
     const Vector3d sum = a + b;
     return sum.norm() > 1e-6 ? Vector3d(sum.normalized()) : a;
@@ -40,6 +40,7 @@ BesideLine beside_line(const Polyline& line, const Vector3d& x) {
     assert(line.segment_count() >= 1);
     const Index last = line.segment_count() - 1;
     Index nearest = 0;
+    // Nearest segment by clamped projection.
     double least = std::numeric_limits<double>::infinity(), at = 0.0;
     for (Index i = 0; i <= last; ++i) {
         const Segment s = segment(line, i);
@@ -48,6 +49,7 @@ BesideLine beside_line(const Polyline& line, const Vector3d& x) {
         if (squared_distance < least) least = squared_distance, nearest = i, at = along;
     }
     const Segment s = segment(line, nearest);
+    // Only the first and last segment are extended beyond their ends, where the flat end planes are.
     BesideLine beside{0.0, std::numeric_limits<double>::infinity(), s.tangent, Vector3d::Zero()};
     double t = at;
     if (nearest == 0)

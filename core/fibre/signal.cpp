@@ -6,7 +6,7 @@
 namespace myo::fibre {
 namespace {
 
-// Linear interpolation between the knots next - 1 and next; `next` counts the knots left of t.
+// Linear interpolation between knots next - 1 and next, where `next` is the number of knots left of t.
 Signal::Weights interpolation(const Signal& signal, double t, std::size_t next) {
     if (next == 0) return {0, 0};
     if (next == signal.times_s.size()) return {next - 1, next - 1};
@@ -24,6 +24,7 @@ double weighted(const Signal& signal, const Signal::Weights& w) {
 
 Signal::Weights Signal::weights(double t, bool before) const {
     assert(!times_s.empty() && times_s.size() == values.size());
+    // Left limit: knots at t are excluded from the left side; right limit: included.
     const auto next = before ? std::lower_bound(times_s.begin(), times_s.end(), t)
                              : std::upper_bound(times_s.begin(), times_s.end(), t);
     return interpolation(*this, t, static_cast<std::size_t>(next - times_s.begin()));
@@ -36,6 +37,7 @@ Signal Signal::held(const std::vector<double>& times_s, const std::vector<double
     assert(!times_s.empty() && times_s.size() == samples.size());
     Signal signal{{times_s.front()}, {samples.front()}};
     for (std::size_t k = 1; k < times_s.size(); ++k) {
+        // Two knots per sample boundary: end of one sample and start of the next.
         signal.times_s.insert(signal.times_s.end(), 2, times_s[k]);
         signal.values.insert(signal.values.end(), {samples[k - 1], samples[k]});
     }

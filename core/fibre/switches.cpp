@@ -9,7 +9,7 @@
 namespace myo::fibre {
 namespace {
 
-/// Intervals first ... last - 1 between knots, all of one sign.
+/// Monotone sequence of intervals first ... last - 1 between knots.
 struct Rise {
     std::size_t first = 0, last = 0;
 };
@@ -20,7 +20,7 @@ double slope(const Signal& s, std::size_t interval) {
     return length(s, interval) > 0.0 ? change(s, interval) / length(s, interval) : 0.0;
 }
 
-/// The rise around its steepest interval, with its flanks.
+/// Rise around its steepest interval, including its flanks.
 Rise rise_around(const Signal& s, std::size_t steepest, const SwitchRule& rule) {
     const double least = rule.flank_slope * std::abs(slope(s, steepest)), sign = change(s, steepest);
     const auto belongs = [&](std::size_t interval) {
@@ -32,7 +32,7 @@ Rise rise_around(const Signal& s, std::size_t steepest, const SwitchRule& rule) 
     return rise;
 }
 
-/// Whether the signal keeps still beside the rise but for other switches.
+/// True if the signal is quiet around the rise, except for similar switches.
 bool stands_out(const Signal& s, const Rise& rise, double h, const SwitchRule& rule) {
     const double size = std::abs(s.values[rise.last] - s.values[rise.first]);
     const double from = s.times_s[rise.first] - h, to = s.times_s[rise.last] + h;
@@ -41,6 +41,7 @@ bool stands_out(const Signal& s, const Rise& rise, double h, const SwitchRule& r
     const auto add = [&](std::size_t interval) {
         const double whole = std::abs(change(s, interval));
         if (!(length(s, interval) > 0.0)) return;  // a jump already
+        // A change of similar size and length is counted as another switch instead of noise.
         if (length(s, interval) < h && whole * rule.alike >= size && whole <= rule.alike * size) {
             ++alike;
             return;
@@ -53,7 +54,7 @@ bool stands_out(const Signal& s, const Rise& rise, double h, const SwitchRule& r
     return others <= rule.quiet_share * size && alike <= rule.most_beside;
 }
 
-/// When the rise, all at once, leaves the signal its integral.
+/// Time at which a jump of the same height preserves the integral of the signal.
 double jump_time(const Signal& s, const Rise& rise, double grid) {
     const double low = s.values[rise.first], high = s.values[rise.last];
     double integral = 0.0;
@@ -61,11 +62,14 @@ double jump_time(const Signal& s, const Rise& rise, double grid) {
         integral += 0.5 * (s.values[i] + s.values[i + 1]) * length(s, i);
     const double exact = (high * s.times_s[rise.last] - low * s.times_s[rise.first] - integral) / (high - low);
     const double per_s = std::round(1.0 / grid), rounded = std::round(exact * per_s) / per_s;
+    // The rounded time must not pass a neighbouring knot.
     const bool free = (rise.first == 0 || rounded > s.times_s[rise.first - 1]) &&
                       (rise.last + 1 == s.times_s.size() || rounded < s.times_s[rise.last + 1]);
     return free ? rounded : exact;
 }
 
+/// Non-overlapping switches in order of time. The steepest intervals are processed first, so that flanks belong to the
+/// dominant rise.
 std::vector<Rise> switches(const Signal& s, double h, const SwitchRule& rule) {
     std::vector<std::size_t> steep;
     for (std::size_t i = 0; i + 1 < s.times_s.size(); ++i)
@@ -82,7 +86,7 @@ std::vector<Rise> switches(const Signal& s, double h, const SwitchRule& rule) {
             overlaps = overlaps || seen[k];
             seen[k] = true;
         }
-        // One that takes the whole step is a ramp, which a run sees.
+        // A rise of a full step is a ramp, which the integrator resolves.
         if (overlaps || !(s.times_s[rise.last] - s.times_s[rise.first] < (1.0 - 1e-6) * h)) continue;
         if (stands_out(s, rise, h, rule)) found.push_back(rise);
     }
@@ -106,13 +110,13 @@ Signal with_switches_as_jumps(const Signal& signal, double h_s, const SwitchRule
         const double low = signal.values[rise.first], high = signal.values[rise.last];
         double at = jump_time(signal, rise, rule.time_grid * h_s);
         if (!result.times_s.empty())
-            at = std::max(at, result.times_s.back());  // of the switch before, rounded otherwise
+            at = std::max(at, result.times_s.back());  // of the previous switch, rounded the other way
         for (; next <= rise.first; ++next)
             if (signal.times_s[next] < at) add(signal.times_s[next], signal.values[next]);
         add(at, low);
         add(at, high);
         next = rise.last;
-        if (signal.times_s[next] <= at) ++next;  // the jump has been rounded past it
+        if (signal.times_s[next] <= at) ++next;  // the jump was rounded past this knot
     }
     for (; next < signal.times_s.size(); ++next) add(signal.times_s[next], signal.values[next]);
     return result;

@@ -5,8 +5,8 @@
 namespace myo::material {
 namespace {
 
-/// Corotational linear elasticity mu |F - R|^2 + lambda/2 tr(R'F - I)^2, written with kappa = lambda + 2/3 mu:
-/// mu |F - R|^2 - mu/3 theta^2 + kappa/2 theta^2, theta = tr(R'F) - 3.
+/// Corotational linear elasticity mu |F - R|^2 + lambda/2 tr(R'F - I)^2. With kappa = lambda + 2/3 mu it reads mu |F -
+/// R|^2 - mu/3 theta^2 + kappa/2 theta^2, theta = tr(R'F) - 3.
 /// Source: Sifakis & Barbič 2012, sec. 3.4.
 class Corotational final : public MaterialOf<Corotational> {
 public:
@@ -24,7 +24,7 @@ public:
         out.volume.gradient = R;
         if (!with_hessian) return;
         out.volume.hessian = polar_rotation_derivative(F, R);
-        // mu |F - R|^2 has the gradient 2 mu (F - R) because R'dR is skew.
+        // R'dR is skew, so mu |F - R|^2 has the gradient 2 mu (F - R), without a term in dR.
         const T spin = T(2.0) + T(2.0 / 3.0) * theta;
         for_each_tangent_entry([&](int row, int column, int i, int j, int k, int l) {
             T entry = T(-2.0 / 3.0) * R(i, j) * R(k, l) - spin * out.volume.hessian(row, column);

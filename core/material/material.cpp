@@ -13,7 +13,7 @@ TensorFunction Material::volume_measure(const Eigen::Matrix3d& F, bool with_hess
     if (has_split())
         respond(F, 1.0, 1.0, with_hessian, response);
     else
-        response.volume.hessian.setZero();  // zero, as the value and the gradient are
+        response.volume.hessian.setZero();  // consistent with the zero value and gradient
     return response.volume;
 }
 

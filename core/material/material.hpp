@@ -9,79 +9,85 @@
 
 namespace myo::material {
 
+/// 3 x 3 tensor over a scalar type: double, or Pack for one cell per lane.
 template <class T>
 using Matrix3 = Eigen::Matrix<T, 3, 3>;
+/// 9 x 9 tangent dP/dF, index i + 3 j for the entry (i, j) of a tensor.
 template <class T>
 using Matrix9 = Eigen::Matrix<T, 9, 9>;
 using Matrix9d = Matrix9<double>;
 
-/// A scalar function of the deformation gradient F with its derivatives.
-///
-/// gradient(i, j) = d value / d F(i, j). hessian(i + 3 j, k + 3 l) = d2 value / dF(i, j) dF(k, l); left unset unless
-/// asked for.
+/// Scalar function of the deformation gradient F with its derivatives.
 template <class T>
 struct TensorFunctionOf {
-    T value = T(0.0);
-    Matrix3<T> gradient = Matrix3<T>::Constant(T(0.0));
-    Matrix9<T> hessian;
+    T value = T(0.0);                                    // W(F)
+    Matrix3<T> gradient = Matrix3<T>::Constant(T(0.0));  // (i, j): dW / dF_ij
+    Matrix9<T> hessian;  // (i + 3 j, k + 3 l): d2W / dF_ij dF_kl; unset unless requested
 };
 using TensorFunction = TensorFunctionOf<double>;
 
-/// U(theta) with its derivatives.
+/// Volumetric energy U(theta) with its derivatives.
 template <class T>
 struct ScalarFunctionOf {
-    T value = T(0.0);
-    T first = T(0.0);
-    T second = T(0.0);
+    T value = T(0.0);   // U
+    T first = T(0.0);   // U'
+    T second = T(0.0);  // U''
 };
 using ScalarFunction = ScalarFunctionOf<double>;
 
-/// Both parts of a law at one F: they share most of their work.
+/// Both parts of a law at one F. They are evaluated together because they share most of their work.
 template <class T>
 struct LawResponse {
-    TensorFunctionOf<T> distortion;  // [J/m3]
-    TensorFunctionOf<T>
-        volume;  // the measure theta; of laws without a split: what kappa multiplies in the distortion (no hessian)
+    TensorFunctionOf<T> distortion;  // energy density [J/m3], derivative by F: first Piola-Kirchhoff stress [Pa]
+    TensorFunctionOf<T> volume;  // theta; for laws without a split the factor of kappa in the distortion (no hessian)
 };
 
-/// A hyperelastic law, energy per rest volume W(F) = distortion(F) + bulk(volume_measure(F)).
+/// Hyperelastic law with energy per rest volume W(F) = distortion(F) + bulk(volume_measure(F)).
 ///
-/// The split lets an element replace the volume measure by its mean over the cell, which removes volumetric locking.
-/// Both parts are linear in the moduli (mu, kappa), so that their derivative with respect to the moduli is the same
-/// function at (d mu, d kappa). The small-strain moduli are mu and kappa, but for the projective law. A degenerate F
-/// gives non-finite values, and the line search rejects the step.
+/// The split lets an element replace the volume measure by its cell average, which removes volumetric locking. Both
+/// parts are linear in the moduli (mu, kappa): the derivative with respect to the moduli is the same function at (d mu,
+/// d kappa). mu and kappa are the small-strain moduli, except for the projective law.
+/// Errors: none. A degenerate F gives non-finite values; the line search rejects the step.
 class Material {
 public:
     virtual ~Material() = default;
 
+    /// Name in project files.
     virtual std::string id() const = 0;
-    /// One line for a person: the energy as a formula.
+    /// Energy as a formula in one line, for display.
     virtual std::string formula() const = 0;
-    /// Whether the volume part is separate. Without a split theta and bulk() are zero.
+    /// True if the volumetric part is separate. Otherwise theta and bulk() are zero.
     virtual bool has_split() const { return true; }
 
-    /// Distortional energy density and volume measure (0 in the rest state, d theta = tr(strain) for small strain) at
-    /// F. mu: shear modulus [Pa]; kappa: bulk modulus [Pa], used by laws without a split.
+    /// Distortional energy density and volume measure theta at F.
+    ///
+    /// theta is 0 at rest, with d theta = tr(strain) for small strain.
+    /// @param mu            shear modulus [Pa]
+    /// @param kappa         bulk modulus [Pa], used by laws without a split
+    /// @param with_hessian  also compute second derivatives
     virtual void respond(const Matrix3<double>& F, const double& mu, const double& kappa, bool with_hessian,
                          LawResponse<double>& out) const = 0;
+    /// The same for one cell per lane.
     virtual void respond(const Matrix3<Pack>& F, const Pack& mu, const Pack& kappa, bool with_hessian,
                          LawResponse<Pack>& out) const = 0;
 
-    /// The whole law at F: energy density and first Piola stress. By respond() and bulk(), unless a law saves work by
-    /// doing both at once.
+    /// Energy density [J/m3] and first Piola-Kirchhoff stress [Pa] of the complete law at F. By default from respond()
+    /// and bulk(); laws override it if a joint evaluation is cheaper.
     virtual void respond_whole(const Matrix3<Pack>& F, const Pack& mu, const Pack& kappa, Pack& energy,
                                Matrix3<Pack>& stress) const;
 
-    /// U(theta) [J/m3], U''(0) = kappa. Zero for laws without a split.
+    /// Volumetric energy U(theta) [J/m3] with U''(0) = kappa. Zero for laws without a split.
     virtual ScalarFunctionOf<double> bulk(const double& theta, const double& kappa) const = 0;
+    /// The same for one cell per lane.
     virtual ScalarFunctionOf<Pack> bulk(const Pack& theta, const Pack& kappa) const = 0;
 
-    /// The parts of respond() at one point.
+    /// Distortional part of respond() at one point.
     TensorFunction distortion(const Eigen::Matrix3d& F, double mu, double kappa, bool with_hessian) const;
+    /// Volume measure of respond() at one point; zero for laws without a split.
     TensorFunction volume_measure(const Eigen::Matrix3d& F, bool with_hessian) const;
 };
 
-/// Writes a law once for numbers and packs: `Law` gives the templates
+/// Implements the virtual functions for double and Pack from one template. `Law` provides
 ///   static void respond_at(const Matrix3<T>& F, const T& mu, const T& kappa, bool with_hessian, LawResponse<T>& out)
 ///   static ScalarFunctionOf<T> bulk_at(const T& theta, const T& kappa).
 template <class Law>

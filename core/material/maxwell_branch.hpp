@@ -2,12 +2,14 @@
 
 namespace myo::material {
 
-/// A spring and a dashpot in series beside the elastic network: viscoelastic creep of the deviatoric stress, S = 2 mu g
-/// dev(E - E_v) with the dashpot's strain dE_v/dt = (E - E_v) / tau. It answers a sudden load (1 + g) times as stiffly
-/// and lets go with time. Source: Simo & Hughes 1998, ch. 10, of the standard linear solid; here in Green strain.
+/// Maxwell branch (spring and dashpot in series) parallel to the elastic network: creep of the deviatoric stress, S = 2
+/// mu g dev(E - E_v) with the dashpot strain dE_v/dt = (E - E_v) / tau.
+///
+/// A sudden load meets (1 + g) times the relaxed stiffness, which then relaxes.
+/// Source: Simo & Hughes 1998, ch. 10, standard linear solid; here in Green strain.
 struct MaxwellBranch {
-    double modulus_ratio = 0.0;      // g: the branch's shear modulus over that of the network
-    double relaxation_time_s = 0.0;  // tau, above 0
+    double modulus_ratio = 0.0;      // g: shear modulus of the branch over that of the network
+    double relaxation_time_s = 0.0;  // tau > 0
 };
 
 }  // namespace myo::material

@@ -5,7 +5,8 @@ namespace myo::material {
 namespace {
 
 /// Nearly incompressible neo-Hookean law: mu/2 (J^(-2/3) tr(F'F) - 3) + kappa/4 (J^2 - 1 - 2 ln J).
-/// The isochoric part is the one of the experiment schema; the volume part is Simo's, which is infinite at J = 0.
+///
+/// The isochoric part is that of the project file. The volumetric part is Simo's, which is infinite at J = 0.
 /// Source: Bonet & Wood 2008, sec. 6.5; Simo & Hughes 1998, eq. 9.2.3.
 class NeoHookean final : public MaterialOf<NeoHookean> {
 public:
@@ -17,7 +18,7 @@ public:
         const Matrix3<T> C = cofactor(F);
         const T J = F(0, 0) * C(0, 0) + F(1, 0) * C(1, 0) + F(2, 0) * C(2, 0);
         const T I1 = double_dot(F, F);
-        const T cube_root = inverse_cube_root(J);  // not a number for J <= 0: the step is rejected
+        const T cube_root = inverse_cube_root(J);  // NaN for J <= 0: the step is rejected
         const T scale = mu * cube_root * cube_root;
         const Matrix3<T> G = C * (T(1.0) / J);
         out.distortion.value = T(0.5) * (scale * I1 - T(3.0) * mu);
@@ -26,6 +27,7 @@ public:
         out.volume.gradient = C;
         if (!with_hessian) return;
         const T third = I1 * T(1.0 / 3.0);
+        // G = F^-T: d(F^-T)_ij / dF_kl = -G_il G_kj gives the crossed terms.
         for_each_tangent_entry([&](int row, int column, int i, int j, int k, int l) {
             const T GG = G(i, j) * G(k, l), crossed = G(i, l) * G(k, j);
             T entry = T(2.0 / 3.0) * (third * GG - F(i, j) * G(k, l) - G(i, j) * F(k, l)) + third * crossed;
@@ -35,6 +37,8 @@ public:
         });
     }
 
+    /// Energy and stress in one pass: isochoric and volumetric parts share J and its inverse, and stress = scale F + c
+    /// cof F.
     void respond_whole(const Matrix3<Pack>& F, const Pack& mu, const Pack& kappa, Pack& energy,
                        Matrix3<Pack>& stress) const override {
         const Matrix3<Pack> C = cofactor(F);

@@ -12,6 +12,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+/// Closed-form derivative of the polar rotation for both scalar types.
 template <class T>
 Matrix9<T> rotation_derivative(const Matrix3<T>& F, const Matrix3<T>& R) {
     Matrix3<T> S;  // symmetric part of R'F
@@ -29,7 +30,7 @@ Matrix9<T> rotation_derivative(const Matrix3<T>& F, const Matrix3<T>& R) {
     Matrix9<T> dR;
     for (int l = 0; l < 3; ++l)
         for (int k = 0; k < 3; ++k) {
-            // R'dF for dF = e_k e_l' has the row k of R in column l; its axial vector is e_l x (that row).
+            // R'dF for dF = e_k e_l' has row k of R in column l. Its axial vector is e_l x (that row).
             const int next = (l + 1) % 3, last = (l + 2) % 3;
             T w[3];
             for (int i = 0; i < 3; ++i)
@@ -48,6 +49,7 @@ Matrix9<T> rotation_derivative(const Matrix3<T>& F, const Matrix3<T>& R) {
 SignedSvd signed_svd(const Matrix3d& F) {
     const Eigen::JacobiSVD<Matrix3d> svd(F, Eigen::ComputeFullU | Eigen::ComputeFullV);
     SignedSvd result{svd.matrixU(), svd.singularValues(), svd.matrixV()};
+    // Reflections are moved from U and V into the sign of the smallest singular value.
     if (result.U.determinant() < 0.0) {
         result.U.col(2) *= -1.0;
         result.sigma(2) *= -1.0;
@@ -71,7 +73,7 @@ Matrix3<Pack> polar_rotation(const Matrix3<Pack>& F) {
     for (int iteration = 0; iteration < 12 && any_of(open); ++iteration) {
         const Matrix3<Pack> C = cofactor(R);
         const Pack J = R(0, 0) * C(0, 0) + R(1, 0) * C(1, 0) + R(2, 0) * C(2, 0);
-        if (iteration == 0 && any_of(!(J > 0.05))) break;  // those lanes need more than this iteration
+        if (iteration == 0 && any_of(!(J > 0.05))) break;  // near-singular lanes need more iterations than allowed here
         const Pack half = Pack(0.5), share = half / J;
         Pack change = 0.0;
         for (int k = 0; k < 9; ++k) {
@@ -80,7 +82,7 @@ Matrix3<Pack> polar_rotation(const Matrix3<Pack>& F) {
             change += (next - entry) * (next - entry);
             entry = next;
         }
-        open = !(change < 1e-15);  // quadratic: what this change of 3e-8 leaves is below rounding
+        open = !(change < 1e-15);  // quadratic convergence: after a change of 3e-8 the error is below rounding
     }
     if (any_of(open))
         for (int lane = 0; lane < pack_width; ++lane)

@@ -15,22 +15,22 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// The point d with d0 d1 d2 = 1 nearest to sigma, by Newton on d = sigma - p cof(d), and the derivative dd/dsigma.
+/// Point d with d0 d1 d2 = 1 nearest to sigma, with the derivative dd/dsigma. Newton's method on d = sigma - p cof(d).
 struct UnitVolumeProjection {
     Vector3d d;
     Matrix3d derivative;
     bool found = false;
 };
 
-/// Where Newton starts. d_i (d_i - sigma_i) = -p at the solution, so a compressed or inverted sigma has one p < 0, and
-/// positive d_i that grow with -p: found by bisection over decades. Far from unit volume Newton from 1 may not come out
-/// of the wrong octant.
+/// Initial value of Newton's method. At the solution d_i (d_i - sigma_i) = -p, so a compressed or inverted sigma has a
+/// single p < 0 with positive d_i that grow with -p: bisection over decades. Far from unit volume, Newton's method from
+/// d = 1 may stay in a wrong octant.
 void start_of_projection(const Vector3d& sigma, Vector3d& d, double& p) {
     d.setOnes();
     p = 0.0;
     if (sigma.minCoeff() > 0.5 || sigma.cwiseMax(0.0).prod() >= 1.0) return;
     const auto at = [&](double q) -> Vector3d {
-        // The positive root, without cancellation where sigma is negative.
+        // Positive root, without cancellation for negative sigma.
         const Eigen::Array3d root = (sigma.array().square() + 4.0 * q).sqrt();
         return (sigma.array() >= 0.0).select(0.5 * (sigma.array() + root), 2.0 * q / (root - sigma.array()));
     };
@@ -43,6 +43,7 @@ void start_of_projection(const Vector3d& sigma, Vector3d& d, double& p) {
     d = at(high);
 }
 
+/// Cofactors of diag(d).
 Vector3d cofactors(const Vector3d& d) { return {d(1) * d(2), d(2) * d(0), d(0) * d(1)}; }
 
 UnitVolumeProjection project_to_unit_volume(const Vector3d& sigma) {
@@ -70,7 +71,7 @@ UnitVolumeProjection project_to_unit_volume(const Vector3d& sigma) {
             return result;
         }
         Eigen::Vector4d step = inverse * residual;
-        // A full step may leave the positive octant, where the wrong branch lies; shorten it.
+        // Damping: a full step may leave the positive octant and converge to another branch.
         double length = 1.0;
         while (length > 1e-6 && ((d - length * step.head<3>()).array() <= 0.1 * d.array()).any()) length *= 0.5;
         d -= length * step.head<3>();
@@ -79,9 +80,10 @@ UnitVolumeProjection project_to_unit_volume(const Vector3d& sigma) {
     return result;
 }
 
-/// The paper's energy mu |F - R|^2 + lambda/2 |F - D|^2, D the nearest matrix with det D = 1.
-/// For small strain its second term is lambda/6 tr(eps)^2: the published lambda acts as a third of Lamé's.
-/// It has no volume measure of its own; elements cannot average it, so it locks, as published.
+/// Energy of the paper, mu |F - R|^2 + lambda/2 |F - D|^2 with D the nearest matrix of det D = 1.
+///
+/// For small strain the second term is lambda/6 tr(eps)^2: the published lambda acts as a third of Lamé's. There is no
+/// separate volume measure that elements could average, so the law locks, as published.
 /// Source: Bouaziz et al. 2014; Dubied et al. 2022, sec. III.
 class ProjectiveCorotational final : public MaterialOf<ProjectiveCorotational> {
 public:
@@ -105,7 +107,7 @@ public:
         }
         const Vector3d shear = svd.sigma - Vector3d::Ones();
         const Vector3d volume = svd.sigma - projection.d;
-        const Vector3d psi = 2.0 * mu * shear + lambda * volume;  // d W / d sigma, by the envelope theorem
+        const Vector3d psi = 2.0 * mu * shear + lambda * volume;  // dW/dsigma, by the envelope theorem
         W.value = mu * shear.squaredNorm() + lambda / 2.0 * volume.squaredNorm();
         W.gradient = svd.U * psi.asDiagonal() * svd.V.transpose();
         out.volume.value = 0.5 * volume.squaredNorm();
@@ -117,8 +119,8 @@ public:
         }
     }
 
-    /// D without singular values: it solves D = F - p cof D, det D = 1, and near unit volume this iteration gains
-    /// digits as fast as p is small. Lanes where it does not settle go through the principal values.
+    /// Computes D without singular values: fixed-point iteration on D = F - p cof D, det D = 1. Near unit volume its
+    /// convergence rate is about p. Lanes that do not converge use the principal values.
     static void respond_at(const Matrix3<Pack>& F, const Pack& mu, const Pack& kappa, bool with_hessian,
                            LawResponse<Pack>& out) {
         const Pack lambda = kappa - Pack(2.0 / 3.0) * mu;
@@ -139,7 +141,7 @@ public:
             }
             open = !(change * p * p < 1e-30 && change < 1e-12);  // the next change is about p times this one
         }
-        open = open || !(std::experimental::abs(p) < 0.3);  // further off another branch may be nearer
+        open = open || !(std::experimental::abs(p) < 0.3);  // farther away another branch may be nearer
         const Matrix3<Pack> shear = F - R, volume = F - D;
         out.distortion.value = mu * double_dot(shear, shear) + Pack(0.5) * lambda * double_dot(volume, volume);
         out.distortion.gradient = shear * (Pack(2.0) * mu) + volume * lambda;
@@ -171,9 +173,9 @@ public:
     }
 
 private:
-    /// dD/dF from (I + p dcof/dD) dD + cof D dp = dF and cof D : dD = 0.
+    /// dD/dF from (I + p dcof/dD) dD + cof D dp = dF and cof D : dD = 0 (implicit differentiation with a constraint).
     static Matrix9<Pack> unit_volume_derivative(const Matrix3<Pack>& D, const Pack& p) {
-        Matrix9<Pack> K;  // (I + p dcof/dD)^-1, by Gauss-Jordan steps without pivoting: the matrix is near the identity
+        Matrix9<Pack> K;  // (I + p dcof/dD)^-1 by Gauss-Jordan elimination without pivoting: close to the identity
         for_each_tangent_entry([&](int row, int column, int i, int j, int k, int l) {
             K(row, column) = row == column ? 1.0 : 0.0;
             if (i == k || j == l) return;
@@ -181,8 +183,8 @@ private:
             K(row, column) += sign * p * D(3 - i - k, 3 - j - l);
         });
         for (int pivot = 0; pivot < 9; ++pivot) {
-            // It is symmetric: only entries below the diagonal are kept. Rows done already have changed sign (the sweep
-            // operator).
+            // The matrix is symmetric, so only the lower triangle is stored. Completed rows have the opposite sign
+            // (sweep operator).
             const auto at = [&](int i, int j) -> Pack& { return i >= j ? K(i, j) : K(j, i); };
             const Pack inverse = 1.0 / K(pivot, pivot);
             for (int column = 0; column < 9; ++column) {
@@ -197,6 +199,7 @@ private:
         }
         for (int column = 0; column < 9; ++column)
             for (int row = column; row < 9; ++row) K(row, column) = K(column, row) = -K(row, column);
+        // Eliminating dp projects K on the tangent space of det D = 1: K - K C C' K / (C' K C).
         const Matrix3<Pack> C = cofactor(D);
         std::array<Pack, 9> KC;
         Pack CKC = 0.0;
@@ -213,8 +216,10 @@ private:
     }
 
     /// Hessian of an isotropic energy from its principal derivatives (Smith, De Goes & Kim 2019, "Analytic
-    /// eigensystems"). (psi_i - psi_j)/(sigma_i - sigma_j) is taken without cancellation: with psi = a sigma - 2 mu -
-    /// lambda d it is a - lambda (d_i - d_j)/(sigma_i - sigma_j), and d_i - d_j = (sigma_i - sigma_j)/(1 - p d_k).
+    /// eigensystems").
+    ///
+    /// (psi_i - psi_j)/(sigma_i - sigma_j) is evaluated without cancellation: psi = a sigma - 2 mu - lambda d gives a -
+    /// lambda (d_i - d_j)/(sigma_i - sigma_j), and d_i - d_j = (sigma_i - sigma_j)/(1 - p d_k).
     static Matrix9d isotropic_hessian(const SignedSvd& svd, const Vector3d& psi, const Matrix3d& psi2, double a,
                                       double lambda, const Vector3d& d) {
         Matrix9d H = Matrix9d::Zero();

@@ -4,9 +4,11 @@
 namespace myo::material {
 namespace {
 
-/// St. Venant-Kirchhoff law mu |E|^2 + lambda/2 tr(E)^2 with Green's strain E, written with kappa = lambda + 2/3 mu:
-/// mu (|E|^2 - theta^2 / 3) + kappa/2 theta^2, theta = tr E. It softens in compression and holds no inverted state
-/// back: for small strain in large motion. Source: Bonet & Wood 2008, sec. 6.4.
+/// St. Venant-Kirchhoff law mu |E|^2 + lambda/2 tr(E)^2 with Green strain E. With kappa = lambda + 2/3 mu it reads mu
+/// (|E|^2 - theta^2 / 3) + kappa/2 theta^2, theta = tr E.
+///
+/// It softens in compression and does not resist inversion: for small strain with large rotations.
+/// Source: Bonet & Wood 2008, sec. 6.4.
 class StVenantKirchhoff final : public MaterialOf<StVenantKirchhoff> {
 public:
     std::string id() const override { return "st_venant_kirchhoff"; }
@@ -14,7 +16,7 @@ public:
 
     template <class T>
     static void respond_at(const Matrix3<T>& F, const T& mu, const T&, bool with_hessian, LawResponse<T>& out) {
-        Matrix3<T> E, B;  // Green's strain and F F'
+        Matrix3<T> E, B;  // Green strain and F F'
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) {
                 T inner = T(i == j ? -1.0 : 0.0), outer = T(0.0);
@@ -26,7 +28,7 @@ public:
                 B(i, j) = outer;
             }
         const T theta = E(0, 0) + E(1, 1) + E(2, 2);
-        Matrix3<T> S = E * T(2.0);  // second Piola stress over mu
+        Matrix3<T> S = E * T(2.0);  // second Piola-Kirchhoff stress over mu
         for (int i = 0; i < 3; ++i) S(i, i) -= T(2.0 / 3.0) * theta;
         out.distortion.value = mu * (double_dot(E, E) - T(1.0 / 3.0) * theta * theta);
         for (int i = 0; i < 3; ++i)

@@ -5,6 +5,7 @@
 namespace myo::material {
 namespace {
 
+/// Decorator that adds the Yeoh term to the distortion of another law.
 class StrainStiffening : public Material {
 public:
     StrainStiffening(MaterialPointer base, double c2) : base_(std::move(base)), c2_(c2) {}
@@ -33,7 +34,7 @@ public:
     }
 
 private:
-    /// With w' the energy at mu = 1, which keeps the law linear in the moduli: mu (w' + 2 c2 w'^2).
+    /// mu (w' + 2 c2 w'^2) with the energy w' at mu = 1, which keeps the law linear in the moduli.
     template <class T>
     void respond_with(const Matrix3<T>& F, const T& mu, const T& kappa, bool with_hessian, LawResponse<T>& out) const {
         base_->respond(F, mu, kappa, with_hessian, out);

@@ -6,7 +6,7 @@
 
 namespace myo::material {
 
-/// cof F = det(F) F^-T.
+/// Cofactor matrix cof F = det(F) F^-T; also defined for singular F.
 template <class T>
 Matrix3<T> cofactor(const Matrix3<T>& F) {
     Matrix3<T> C;
@@ -18,7 +18,7 @@ Matrix3<T> cofactor(const Matrix3<T>& F) {
     return C;
 }
 
-/// A : B.
+/// Double contraction A : B.
 template <class T>
 T double_dot(const Matrix3<T>& A, const Matrix3<T>& B) {
     T sum = A(0, 0) * B(0, 0);
@@ -26,7 +26,7 @@ T double_dot(const Matrix3<T>& A, const Matrix3<T>& B) {
     return sum;
 }
 
-/// Calls f(i + 3 j, k + 3 l, i, j, k, l) for every entry of a tangent dP_ij / dF_kl.
+/// Calls f(i + 3 j, k + 3 l, i, j, k, l) for each entry of a tangent dP_ij / dF_kl.
 template <class Function>
 void for_each_tangent_entry(const Function& f) {
     for (int l = 0; l < 3; ++l)

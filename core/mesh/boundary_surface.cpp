@@ -5,7 +5,8 @@
 namespace myo::mesh {
 namespace {
 
-/// Corners of the triangles of one face, by the face's own nodes.
+/// Triangles of one face by local node numbers. A quadratic face gives three corner triangles and the one between its
+/// mid-side nodes.
 std::vector<int> triangles_of_face(CellType type) {
     if (type == CellType::hex8) return {0, 1, 2, 2, 3, 0};
     if (type == CellType::tet4) return {0, 1, 2};
@@ -16,6 +17,7 @@ std::vector<int> triangles_of_face(CellType type) {
 
 SurfaceMesh boundary_surface(const VolumeMesh& mesh) {
     const BoundaryFaces faces = boundary_faces(mesh);
+    // Boundary nodes are renumbered in ascending order.
     std::vector<int> number(static_cast<std::size_t>(mesh.node_count()), -1);
     for (const int node : faces.nodes.reshaped()) number[static_cast<std::size_t>(node)] = 0;
     std::vector<Eigen::Index> used;

@@ -5,8 +5,9 @@
 
 namespace myo::mesh {
 
-/// The boundary of a volume mesh as triangles, outward: two per quadrilateral, four per face with mid-side nodes. Nodes
-/// inside are left out, the others keep their order.
+/// Boundary of a volume mesh as outward triangles: two per quadrilateral, four per face with mid-side nodes.
+///
+/// @return  vertices are the boundary nodes in their order in the mesh, without interior nodes
 SurfaceMesh boundary_surface(const VolumeMesh& mesh);
 
 }  // namespace myo::mesh

@@ -12,24 +12,29 @@
 namespace myo::mesh {
 namespace {
 
+/// Number of equal cells in an interval. The upper bound prevents an integer overflow for a tiny edge.
 int cell_count(double extent, double edge) { return static_cast<int>(std::clamp(std::round(extent / edge), 1.0, 1e9)); }
 
-// Coordinates of the planes that the grid meets, its ends included.
+// End points and planes of one axis, sorted, without planes closer than 1e-6 of the extent to one another or to the
+// ends.
 std::vector<double> axis_stops(double lowest, double highest, std::vector<double> planes) {
     const double same = 1e-6 * (highest - lowest);
     std::sort(planes.begin(), planes.end());
     std::vector<double> stops{lowest};
     for (const double plane : planes) {
+        // Sorted order guarantees that comparison with the last accepted plane is sufficient.
         if (plane > stops.back() + same && plane < highest - same) stops.push_back(plane);
     }
     stops.push_back(highest);
     return stops;
 }
 
+/// Number of cells of interval i, with the edge length at its midpoint.
 int cells_between(const std::vector<double>& stops, std::size_t i, int axis, const EdgeAt& edge) {
     return cell_count(stops[i + 1] - stops[i], edge(axis, 0.5 * (stops[i] + stops[i + 1])));
 }
 
+/// Coordinates of all grid planes of one axis.
 std::vector<double> axis_lines(const std::vector<double>& stops, int axis, const EdgeAt& edge) {
     std::vector<double> lines{stops.front()};
     for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
@@ -40,6 +45,7 @@ std::vector<double> axis_lines(const std::vector<double>& stops, int axis, const
     return lines;
 }
 
+/// Number of cells of the grid, computed without building it.
 double expected_cells(const Box& box, const EdgeAt& edge, const GridPlanes& planes) {
     double cells = 1.0;
     for (std::size_t a = 0; a < 3; ++a) {
@@ -52,12 +58,14 @@ double expected_cells(const Box& box, const EdgeAt& edge, const GridPlanes& plan
     return cells;
 }
 
+/// Error message of limited_grid_lines().
 Error too_many_cells(double edge, double cells, double max_cells) {
     return {"an edge of " + format_number(edge * 1e3, 4) + " mm needs a grid of " + format_number(cells, 3) +
                 " cells, over the limit of " + format_number(max_cells, 3) + ": choose a longer edge",
             ""};
 }
 
+/// Grid with equal cells per axis.
 GridLines equal_grid(const Box& box, const Eigen::Vector3i& cells) {
     assert((cells.array() > 0).all());
     GridLines grid;
@@ -69,12 +77,12 @@ GridLines equal_grid(const Box& box, const Eigen::Vector3i& cells) {
     return grid;
 }
 
-/// Along which axes a cell of a grid has an odd number.
+/// Axes along which a cell of the grid has an odd index.
 std::array<bool, 3> odd_axes(Eigen::Index cell, const Eigen::Vector3i& cells) {
     return {cell % cells[0] % 2 == 1, cell / cells[0] % cells[1] % 2 == 1, cell / cells[0] / cells[1] % 2 == 1};
 }
 
-/// The corner of a hexahedron on the other side along these axes.
+/// Corner of a hexahedron mirrored along the given axes.
 int mirrored_corner(int corner, const std::array<bool, 3>& axes) {
     std::array<int, 3> at = hexahedron_corners[static_cast<std::size_t>(corner)];
     for (std::size_t a = 0; a < 3; ++a)
@@ -112,6 +120,7 @@ Result<GridLines> limited_grid_lines(const Box& box, double edge, const GridPlan
 }
 
 Result<GridLines> limited_grid_lines(const Box& box, const EdgeAt& edge, const GridPlanes& planes, double max_cells) {
+    // A product of doubles: it cannot overflow where the number of cells as an integer would.
     const double cells = expected_cells(box, edge, planes);
     if (cells > max_cells) return too_many_cells(edge(0, 0.5 * (box.lowest[0] + box.highest[0])), cells, max_cells);
     return grid_lines(box, edge, planes);
@@ -120,7 +129,7 @@ Result<GridLines> limited_grid_lines(const Box& box, const EdgeAt& edge, const G
 Result<GridLines> whole_cube_lines(const Box& box, double edge, const std::array<bool, 3>& from_highest,
                                    double max_cells) {
     assert(edge > 0.0);
-    // The allowance keeps the last cube of an edge that divides the box exactly but for rounding.
+    // The allowance keeps the last cube if the edge divides the box exactly up to rounding.
     const Eigen::Array3d counts = (box.size().array() / edge * (1.0 + 1e-9)).floor();
     if (counts.minCoeff() < 1.0)
         return Error{
@@ -132,6 +141,7 @@ Result<GridLines> whole_cube_lines(const Box& box, double edge, const std::array
         const int n = static_cast<int>(counts(i));
         const double first = from_highest[a] ? box.highest(i) - n * edge : box.lowest(i);
         for (int k = 0; k <= n; ++k) grid.axis[a].push_back(first + k * edge);
+        // The last plane is set exactly, since first + n * edge carries rounding.
         if (from_highest[a]) grid.axis[a].back() = box.highest(i);
     }
     return grid;
@@ -140,6 +150,7 @@ Result<GridLines> whole_cube_lines(const Box& box, double edge, const std::array
 VolumeMesh hex_mesh(const GridLines& grid) {
     const Eigen::Vector3i n = grid.cells();
     assert((n.array() > 0).all());
+    // Node numbers with x fastest, as the loops below create them.
     const auto node = [&](int i, int j, int k) { return (k * (n[1] + 1) + j) * (n[0] + 1) + i; };
 
     VolumeMesh mesh;
@@ -170,8 +181,10 @@ VolumeMesh box_hex_mesh(const Box& box, const Eigen::Vector3i& cells) { return h
 
 VolumeMesh tet_box_mesh(const Box& box, const Eigen::Vector3i& cells, CellType type, Diagonals diagonals) {
     assert(type != CellType::hex8);
+    // The tetrahedra share the nodes of the hexahedral grid.
     const VolumeMesh hexes = box_hex_mesh(box, cells);
-    // Paths from corner 0 to corner 6 along three axes, one per order of the axes; even orders are positive.
+    // Each tetrahedron follows a path from corner 0 to corner 6 along the three axes, one per order of the axes (Kuhn).
+    // Even permutations have positive volume.
     constexpr std::array<std::array<int, 4>, 6> paths{
         {{0, 1, 2, 6}, {0, 3, 7, 6}, {0, 4, 5, 6}, {0, 5, 1, 6}, {0, 2, 3, 6}, {0, 7, 4, 6}}};
     VolumeMesh mesh;
@@ -179,6 +192,7 @@ VolumeMesh tet_box_mesh(const Box& box, const Eigen::Vector3i& cells, CellType t
     mesh.nodes = hexes.nodes;
     mesh.cells.resize(4, 6 * hexes.cell_count());
     for (Eigen::Index c = 0; c < hexes.cell_count(); ++c) {
+        // Mirroring along an odd number of axes reverses the orientation; swapping two corners restores it.
         const std::array<bool, 3> turned = diagonals == Diagonals::mirrored ? odd_axes(c, cells)
                                                                             : std::array<bool, 3>{};
         const bool inside_out = (turned[0] + turned[1] + turned[2]) % 2 == 1;
@@ -197,6 +211,7 @@ VolumeMesh to_tet10(const VolumeMesh& mesh) {
     assert(mesh.type != CellType::hex8);
     if (mesh.type == CellType::tet10) return mesh;
 
+    // Mid-side nodes are numbered by the sorted list of edges, found again by binary search.
     using Edge = std::pair<int, int>;
     const auto edge_of = [&](Eigen::Index cell, std::size_t e) {
         const int a = mesh.cells(tetrahedron_edges[e][0], cell);
@@ -233,12 +248,13 @@ VolumeMesh to_tet10(const VolumeMesh& mesh) {
 std::optional<Box> is_box(const SurfaceMesh& surface, double tolerance) {
     if (surface.vertices.cols() < 8 || surface.triangles.cols() < 12) return std::nullopt;
     const Box box = bounding_box(surface.vertices);
+    // Every vertex must lie on at least one face of the bounding box.
     const double slack = tolerance * box.size().maxCoeff();
     for (Eigen::Index v = 0; v < surface.vertices.cols(); ++v) {
         const Eigen::Array3d x = surface.vertices.col(v).array();
         if (((x - box.lowest.array()).min(box.highest.array() - x)).minCoeff() > slack) return std::nullopt;
     }
-    // A surface may have all its vertices on the box and still cut a corner off: the volume tells.
+    // All vertices may lie on the box while a corner is cut off. Comparing the volumes excludes this.
     const double full = box.size().prod();
     if (!(full > 0.0) || std::abs(enclosed_volume(surface) - full) > 6.0 * tolerance * full) return std::nullopt;
     return box;

@@ -7,13 +7,15 @@
 namespace myo::mesh {
 namespace {
 
-constexpr int leaf_size = 4;
+constexpr int leaf_size = 4;  // items per leaf
 
+/// True if the boxes overlap or touch after growing by `margin`.
 bool overlap(const Box& a, const Box& b, double margin) {
     return (a.lowest.array() <= b.highest.array() + margin).all() &&
            (b.lowest.array() <= a.highest.array() + margin).all();
 }
 
+/// Squared distance from a point to a box; 0 inside.
 double squared_distance(const Box& box, const Eigen::Vector3d& p) {
     return (box.lowest - p).cwiseMax(p - box.highest).cwiseMax(0.0).squaredNorm();
 }
@@ -41,6 +43,7 @@ int BoxTree::build(int first, int count) {
         nodes_[static_cast<std::size_t>(self)].count = count;
         return self;
     }
+    // Median split along the longest side. Ties are broken by item number, so that the tree is deterministic.
     Eigen::Index axis = 0;
     box.size().maxCoeff(&axis);
     const int half = count / 2;
@@ -51,6 +54,7 @@ int BoxTree::build(int first, int count) {
         return middle_a != middle_b ? middle_a < middle_b : a < b;
     });
     build(first, half);
+    // nodes_ may have been reallocated by the recursion, hence the access by index.
     const int right = build(first + half, count - half);
     nodes_[static_cast<std::size_t>(self)].right = right;
     return self;
@@ -64,6 +68,7 @@ void BoxTree::overlapping_pairs(double margin, const std::function<bool(int, int
 void BoxTree::pairs(int a, int b, double margin, const std::function<bool(int, int)>& visit, bool& go_on) const {
     const Node& A = nodes_[static_cast<std::size_t>(a)];
     const Node& B = nodes_[static_cast<std::size_t>(b)];
+    // Two different subtrees without overlap contain no pairs. A subtree is compared with itself to find inner pairs.
     if (!go_on || (a != b && !overlap(A.box, B.box, margin))) return;
     if (A.count > 0 && B.count > 0) {
         for (int i = 0; i < A.count; ++i) {
@@ -77,6 +82,7 @@ void BoxTree::pairs(int a, int b, double margin, const std::function<bool(int, i
         }
         return;
     }
+    // Otherwise the larger node is divided, which keeps the boxes of a pair at similar size.
     if (a == b) {
         pairs(a + 1, a + 1, margin, visit, go_on);
         pairs(A.right, A.right, margin, visit, go_on);
@@ -104,6 +110,7 @@ void BoxTree::search(int node, const Eigen::Vector3d& point, const std::function
         for (int i = 0; i < N.count; ++i) {
             const int item = order_[static_cast<std::size_t>(N.first + i)];
             if (squared_distance(items_[static_cast<std::size_t>(item)], point) > best_distance) continue;
+            // The exact measure is evaluated only if the box could contain a better point.
             const double distance = measure(item);
             if (distance < best_distance || (distance == best_distance && item < best)) {
                 best_distance = distance;
@@ -112,6 +119,7 @@ void BoxTree::search(int node, const Eigen::Vector3d& point, const std::function
         }
         return;
     }
+    // The nearer child is searched first, so that the farther one can often be skipped.
     int near = node + 1, far = N.right;
     double near_distance = squared_distance(nodes_[static_cast<std::size_t>(near)].box, point);
     double far_distance = squared_distance(nodes_[static_cast<std::size_t>(far)].box, point);

@@ -15,6 +15,7 @@
 namespace myo::mesh {
 namespace {
 
+/// Starts a child with standard streams on /dev/null; returns 0 or errno.
 int spawn(const std::filesystem::path& program, const std::vector<std::string>& arguments, pid_t& child) {
     std::vector<std::string> words{program.string()};
     words.insert(words.end(), arguments.begin(), arguments.end());
@@ -27,13 +28,14 @@ int spawn(const std::filesystem::path& program, const std::vector<std::string>& 
     posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
     posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
-    // A child that holds our sockets or pipes open would keep their other ends waiting.
+    // An inherited socket or pipe would keep its other end open as long as the child runs.
     posix_spawn_file_actions_addclosefrom_np(&actions, 3);
     const int failure = posix_spawn(&child, program.c_str(), &actions, nullptr, argv.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     return failure;
 }
 
+/// waitpid() repeated after signals.
 pid_t collect(pid_t child, int& status, int options) {
     pid_t done = 0;
     do done = waitpid(child, &status, options);
@@ -50,7 +52,7 @@ ChildEnd run_child(const std::filesystem::path& program, const std::vector<std::
         return {ChildEnd::How::not_started, failure};
 
     const Stopwatch watch;
-    // Small meshes take milliseconds: the pauses grow from 1 to 10 ms.
+    // Small meshes take milliseconds: the polling interval grows from 1 to 10 ms.
     auto pause = std::chrono::milliseconds(1);
     for (;;) {
         int status = 0;
@@ -62,6 +64,7 @@ ChildEnd run_child(const std::filesystem::path& program, const std::vector<std::
         const double seconds = watch.seconds();
         const bool stop = cancelled();
         if (stop || seconds > time_limit_s) {
+            // SIGKILL cannot be ignored, so the following wait ends.
             kill(child, SIGKILL);
             collect(child, status, 0);
             return {stop ? ChildEnd::How::cancelled : ChildEnd::How::timed_out, 0};

@@ -7,16 +7,18 @@
 
 namespace myo::mesh {
 
-/// How a child process ended.
+/// Outcome of a child process.
 struct ChildEnd {
     enum class How { exited, signalled, timed_out, cancelled, not_started };
-    How how = How::not_started;
-    int code = 0;  // exit status, signal number, or errno
+    How how = How::not_started;  // exited: by itself; signalled: by a signal; timed_out, cancelled: killed
+    int code = 0;                // exit status, signal number or errno, depending on `how`
 };
 
-/// Runs a program without input and output and waits for it, asking `cancelled` a hundred times a second. On time-out
-/// and cancel the child is killed and collected before this returns: never a zombie. `waiting` is told the seconds so
-/// far.
+/// Runs a program without input and output and waits for its end. After a timeout or cancellation the child is killed
+/// and reaped before the function returns, so no zombie process remains.
+///
+/// @param cancelled  polled about a hundred times a second
+/// @param waiting    called with the elapsed time [s] while waiting
 ChildEnd run_child(const std::filesystem::path& program, const std::vector<std::string>& arguments, double time_limit_s,
                    const std::function<bool()>& cancelled, const std::function<void(double)>& waiting);
 

@@ -10,20 +10,22 @@ namespace {
 
 using Corners = Eigen::Matrix<double, 3, 4>;
 
-// Signed distance to a side of the box, positive inside; snapped to zero within the tolerance.
+// Signed distance to a side of the box, positive inside, set to zero within the tolerance.
 double depth(const Eigen::Vector3d& x, const Box& box, int side, double tolerance) {
     const int axis = side / 2;
     const double d = side % 2 == 0 ? x[axis] - box.lowest[axis] : box.highest[axis] - x[axis];
     return std::abs(d) <= tolerance ? 0.0 : d;
 }
 
+/// Intersection of the segment a-b with a side, from the signed distances of its ends.
 Eigen::Vector3d crossing(const Eigen::Vector3d& a, double depth_a, const Eigen::Vector3d& b, double depth_b) {
     return a + (b - a) * (depth_a / (depth_a - depth_b));
 }
 
-// Cuts one tetrahedron by one half-space and hands the pieces inside to the next side. Integral of p p' with p = (1,
-// x).
+// Clips a tetrahedron by the remaining half-spaces recursively. Returns the integral of p p' with p = (1, x), which
+// contains volume, first and second moments.
 Eigen::Matrix4d moments_inside(const Corners& tet, const Box& box, int side, double tolerance) {
+    // All sides done: exact moments of a tetrahedron, V/20 (sum p_i p_i' + (sum p_i)(sum p_i)').
     if (side == 6) {
         Eigen::Matrix3d J;
         for (int i = 0; i < 3; ++i) J.col(i) = tet.col(i + 1) - tet.col(0);
@@ -56,11 +58,12 @@ Eigen::Matrix4d moments_inside(const Corners& tet, const Box& box, int side, dou
         part << a, b, c, e;
         return moments_inside(part, box, side + 1, tolerance);
     };
-    // A prism with triangles (a0 a1 a2) and (b0 b1 b2) is three tetrahedra.
+    // A prism with triangles (a0 a1 a2) and (b0 b1 b2) is divided into three tetrahedra.
     const auto prism = [&](const std::array<Eigen::Vector3d, 3>& a,
                            const std::array<Eigen::Vector3d, 3>& b) -> Eigen::Matrix4d {
         return piece(a[0], a[1], a[2], b[2]) + piece(a[0], a[1], b[1], b[2]) + piece(a[0], b[0], b[1], b[2]);
     };
+    // Cases by the number of corners inside: a tetrahedron, a prism below a triangle, a wedge between two edges.
     if (n_inside == 1) {
         const int p = inside[0];
         return piece(tet.col(p), cut(p, outside[0]), cut(p, outside[1]), cut(p, outside[2]));
@@ -84,6 +87,7 @@ Polygon clip_to_box(Polygon polygon, const Box& box, double tolerance) {
             const Eigen::Vector3d& a = polygon[i];
             const Eigen::Vector3d& b = polygon[(i + 1) % polygon.size()];
             const double depth_a = depth(a, box, side, tolerance), depth_b = depth(b, box, side, tolerance);
+            // Sutherland-Hodgman: keep vertices inside, add the intersection of every crossing side.
             if (depth_a >= 0.0) kept.push_back(a);
             if ((depth_a > 0.0 && depth_b < 0.0) || (depth_a < 0.0 && depth_b > 0.0)) {
                 kept.push_back(crossing(a, depth_a, b, depth_b));
@@ -96,6 +100,7 @@ Polygon clip_to_box(Polygon polygon, const Box& box, double tolerance) {
 }
 
 ClippedVolume tetrahedron_in_box(const Eigen::Matrix<double, 3, 4>& corners, const Box& box, double tolerance) {
+    // Quick test by bounding boxes: most cells do not meet the box.
     if ((corners.rowwise().maxCoeff().array() <= box.lowest.array()).any() ||
         (corners.rowwise().minCoeff().array() >= box.highest.array()).any()) {
         return {};

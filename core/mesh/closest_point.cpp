@@ -10,16 +10,19 @@
 namespace myo::mesh {
 namespace {
 
-// The face lies in the convex hull of its nodes, except a curved quadratic one: there, of its Bezier points.
+// A face lies in the convex hull of its nodes. A curved quadratic face may leave it, but stays in the hull of its
+// Bezier control points.
 Box hull_box(const Eigen::Matrix3Xd& X) {
     if (X.cols() != 6) return bounding_box(X);
     Eigen::Matrix3Xd control = X;
+    // Bezier control point of a side from its midpoint: 2 m - (a + b) / 2.
     for (int i = 0; i < 3; ++i) control.col(3 + i) = 2.0 * X.col(3 + i) - 0.5 * (X.col(i) + X.col((i + 1) % 3));
     return bounding_box(control);
 }
 
 }  // namespace
 
+/// Shared immutable data of a locator.
 struct BoundaryLocator::Content {
     Eigen::Matrix3Xd nodes;
     BoundaryFaces faces;
@@ -45,11 +48,12 @@ BoundaryPoint closest_boundary_point(const BoundaryLocator& locator, const Eigen
     assert(content.faces.count() > 0);
     const int nodes = static_cast<int>(content.faces.nodes.rows());
     BoundaryPoint best;
+    // The tree bounds the distance by boxes; the exact distance is computed for few faces.
     best.face = content.tree.nearest(point, [&](int f) {
         const Eigen::Matrix3Xd X = content.face(f);
         return (X * face_shape(nodes, closest_face_parameters(X, point)) - point).squaredNorm();
     });
-    if (best.face < 0) return best;  // only for a point that is not finite
+    if (best.face < 0) return best;  // only for a non-finite point
     const Eigen::Matrix3Xd X = content.face(best.face);
     best.cell = content.faces.cell[best.face];
     best.parameters = closest_face_parameters(X, point);

@@ -6,13 +6,16 @@
 
 namespace myo::mesh {
 
-/// Search structure over a mesh's boundary faces; keeps its own copy of the rest geometry. Cheap to copy, safe to share
-/// between threads.
+/// Search structure over the boundary faces of a mesh, with a copy of the rest geometry. Copies share the data; safe to
+/// share between threads.
 class BoundaryLocator {
 public:
+    /// Locator over the complete boundary of a mesh.
     explicit BoundaryLocator(const VolumeMesh& mesh);
+    /// Locator over some boundary faces of a mesh.
     BoundaryLocator(const VolumeMesh& mesh, const BoundaryFaces& faces);
 
+    /// Faces that are searched.
     const BoundaryFaces& faces() const;
 
     struct Content;
@@ -22,18 +25,23 @@ private:
     std::shared_ptr<const Content> content_;
 };
 
-/// A point of the boundary, bound to a face by interpolation.
+/// Point on the boundary, given by interpolation in a face.
 struct BoundaryPoint {
     int face = -1;                                         // column of BoundaryFaces
-    int cell = -1;                                         // the cell behind it
-    Eigen::Vector2d parameters = Eigen::Vector2d::Zero();  // (u, v) in the face, see face_shape
-    Eigen::VectorXi nodes;                                 // the face's nodes: 4, 3 or 6
-    Eigen::VectorXd weights;  // shape functions there; sum 1. Position = sum of weights times node positions
-    Eigen::Vector3d point = Eigen::Vector3d::Zero();  // the nearest point [m]
-    double distance = 0.0;                            // from the given point [m], never negative
+    int cell = -1;                                         // cell behind the face
+    Eigen::Vector2d parameters = Eigen::Vector2d::Zero();  // (u, v) in the face, see face_shape()
+    Eigen::VectorXi nodes;                                 // nodes of the face: 4, 3 or 6
+    Eigen::VectorXd weights;  // shape functions at the point, sum 1; position = sum of weights times node positions
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();  // nearest point [m]
+    double distance = 0.0;                            // from the query point [m], >= 0
 };
 
-/// The boundary point nearest to `point` [m]. Asserts that the mesh has a boundary. On ties the lowest face number.
+/// Boundary point nearest to a given point.
+///
+/// Asserts that the locator has faces.
+///
+/// @param point  [m], mesh frame
+/// @return       the lowest face number on ties
 BoundaryPoint closest_boundary_point(const BoundaryLocator& locator, const Eigen::Vector3d& point);
 
 }  // namespace myo::mesh

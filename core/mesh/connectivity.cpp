@@ -10,22 +10,25 @@
 #include "mesh/disjoint_sets.hpp"
 #include "mesh/voxel_mesh.hpp"
 
-// How cells hang together around each node, one node after the other: what meets there are a few dozen cells at most,
-// so the work grows with the size of the mesh.
+// Connectivity is examined node by node. A few dozen cells at most meet at a node, so the cost is linear in the size of
+// the mesh.
 
 namespace myo::mesh {
 namespace {
 
 constexpr int no_node = std::numeric_limits<int>::max();
 
-/// Three edges and three faces meet in a corner of a cell; the corners at the other ends, as local numbers, -1 pads.
+/// Three edges and three faces meet at a corner of a cell. Local numbers of the corners at their other ends, padded by
+/// -1.
 struct CellCorner {
     std::array<int, 3> edges;
     std::array<std::array<int, 3>, 3> faces;
 };
 
+/// Table of all corners of a cell type, built at compile time from its edges and faces.
 template <std::size_t Corners, class Edges, class Faces>
 constexpr std::array<CellCorner, 8> corners_from(const Edges& edges, const Faces& faces) {
+    // Mid-side nodes are ignored: connectivity is decided by corners.
     constexpr std::size_t face_corners = Corners == 8 ? 4 : 3;
     std::array<CellCorner, 8> table{};
     for (std::size_t i = 0; i < Corners; ++i) {
@@ -48,16 +51,17 @@ constexpr std::array<CellCorner, 8> corners_from(const Edges& edges, const Faces
 constexpr auto hexahedron_corner_table = corners_from<8>(hexahedron_edges, hexahedron_faces);
 constexpr auto tetrahedron_corner_table = corners_from<4>(tetrahedron_edges, tetrahedron_faces);
 
-/// Slots (cell * corners + corner) sorted by their node: those of node n are slot[first[n]] ... slot[first[n + 1] - 1].
+/// Cell corners sorted by node, in compressed row format: those of node n are slot[first[n]] ... slot[first[n + 1] -
+/// 1].
 struct NodeCells {
-    std::vector<int> first, slot;
+    std::vector<int> first, slot;  // slot: cell * corners + corner
 };
 
 NodeCells cells_around_nodes(const VolumeMesh& mesh, int corners) {
     NodeCells around;
     around.first.assign(static_cast<std::size_t>(mesh.node_count()) + 2, 0);
     const auto count = static_cast<int>(mesh.cell_count());
-    // Counted two places ahead, so that filling moves each start to where it belongs.
+    // Counts are stored two places ahead; filling then advances each start to its final value.
     for (int c = 0; c < count; ++c)
         for (int i = 0; i < corners; ++i) ++around.first[static_cast<std::size_t>(mesh.cells(i, c)) + 2];
     for (std::size_t n = 1; n < around.first.size(); ++n) around.first[n] += around.first[n - 1];
@@ -69,8 +73,8 @@ NodeCells cells_around_nodes(const VolumeMesh& mesh, int corners) {
     return around;
 }
 
-/// A face at a node: its other corners ascending, and which of the cells around the node it belongs to. In two words,
-/// for these are sorted more often than anything else.
+/// Face at a node: its other corners in ascending order, and the index of the cell around the node. Packed into two
+/// words, because sorting these dominates the cost.
 struct FaceAtNode {
     std::uint64_t two_corners, third_and_cell;
 
@@ -97,13 +101,16 @@ struct FaceAtNode {
     }
 };
 
-/// The cells around one node after the other; keeps its memory from node to node.
+/// Cells around one node. The buffers are reused from node to node.
 class Star {
 public:
     Star(const VolumeMesh& mesh, int corners)
         : mesh_(mesh), corners_(corners), table_(corners == 8 ? hexahedron_corner_table : tetrahedron_corner_table) {}
 
-    /// @param slots  the `count` corners of cells that lie at the node
+    /// Examines one node.
+    /// @param slots   cell corners at the node, `count` of them
+    /// @param parts   union-find over all cells of the mesh
+    /// @param result  weak edges and nodes are added
     void look_at(int node, const int* slots, std::size_t count, DisjointSets& parts, Connectivity& result) {
         cells_.reset(count);
         edge_sets_.reset(3 * count);
@@ -117,17 +124,19 @@ public:
             for (const auto& [a, b, c] : corner.faces)
                 faces_.emplace_back(std::array<int, 3>{node_at(a), node_at(b), node_at(c)}, k);
         }
+        // Equal faces become adjacent; each pair joins two cells and three edges.
         std::sort(faces_.begin(), faces_.end());
         for (std::size_t f = 0; f + 1 < faces_.size(); ++f) {
             if (!faces_[f].same_as(faces_[f + 1])) continue;
             const std::size_t a = faces_[f].cell(), b = faces_[f + 1].cell();
             cells_.join(a, b);
             for (int i = 0; i < 3; ++i) join_edges(faces_[f].corner(i), a, b);
-            // Each face is met from all its corners; its lowest one speaks for the mesh.
+            // A face is seen from each of its corners; only the lowest one joins the cells in the mesh.
             if (node < faces_[f].corner(0))
                 parts.join(static_cast<std::size_t>(slots[a] / corners_),
                            static_cast<std::size_t>(slots[b] / corners_));
         }
+        // More than one set of cells that are connected by faces at this node: a weak node.
         std::size_t sets = 0;
         for (std::size_t k = 0; k < count; ++k) sets += cells_.find(k) == k ? 1 : 0;
         if (sets > 1) ++result.weak_nodes;
@@ -135,6 +144,7 @@ public:
     }
 
 private:
+    /// Joins the edges of cells a and b that end at the same node.
     void join_edges(int end, std::size_t a, std::size_t b) {
         const auto ends = edge_ends_.begin();
         const auto in_a = std::find(ends + 3 * static_cast<std::ptrdiff_t>(a),
@@ -147,6 +157,7 @@ private:
         edge_sets_.join(static_cast<std::size_t>(in_a - ends), static_cast<std::size_t>(in_b - ends));
     }
 
+    /// Edges to higher nodes whose cells form several face-connected sets; each edge is counted once.
     int weak_edges_to_higher_nodes(int node) {
         roots_.clear();
         for (std::size_t e = 0; e < edge_ends_.size(); ++e)

@@ -13,14 +13,13 @@ using Loop = std::vector<int>;
 using Point2 = Eigen::Vector2d;
 using ContourEdge = std::pair<int, int>;
 
-// Contours in the coordinates of their plane. Areas below `flat` count as none: points on one line are so only up to
-// rounding.
+// Contours in plane coordinates. Areas below `flat` count as zero: collinear points are collinear only up to rounding.
 struct PlaneView {
     std::vector<Point2> points;
     double flat = 0.0;
 
     const Point2& operator[](int v) const { return points[static_cast<std::size_t>(v)]; }
-    // Twice the area of the triangle, positive when it turns left.
+    // Twice the signed area of a triangle, positive for a left turn.
     double turn(int a, int b, int c) const {
         const Point2 u = (*this)[b] - (*this)[a], v = (*this)[c] - (*this)[a];
         return u[0] * v[1] - u[1] * v[0];
@@ -32,6 +31,7 @@ struct PlaneView {
     }
 };
 
+/// Projection along the dominant axis of the normal, with the orientation preserved.
 PlaneView view_along(const Eigen::Matrix3Xd& vertices, const Eigen::Vector3d& normal) {
     Eigen::Index drop = 0;
     normal.cwiseAbs().maxCoeff(&drop);
@@ -39,14 +39,16 @@ PlaneView view_along(const Eigen::Matrix3Xd& vertices, const Eigen::Vector3d& no
     Eigen::Array2d low = Eigen::Array2d::Constant(std::numeric_limits<double>::infinity()), high = -low;
     for (Eigen::Index v = 0; v < vertices.cols(); ++v) {
         view.points.emplace_back(vertices((drop + 1) % 3, v), vertices((drop + 2) % 3, v));
+        // Swapping the axes keeps left turns left for a negative normal.
         if (normal[drop] < 0.0) std::swap(view.points.back()[0], view.points.back()[1]);
         low = low.min(view.points.back().array()), high = high.max(view.points.back().array());
     }
+    // Relative to the extent of the contours: rounding of products of coordinates.
     view.flat = 1e-12 * (high - low).square().sum();
     return view;
 }
 
-// Where several edges leave a vertex, the leftmost one continues the loop around the same region.
+// If several edges leave a vertex, the leftmost one continues the loop around the same region.
 std::size_t next_edge(const PlaneView& view, const std::vector<ContourEdge>& edges, const ContourEdge& last,
                       const std::vector<bool>& used) {
     std::size_t best = edges.size();
@@ -55,12 +57,14 @@ std::size_t next_edge(const PlaneView& view, const std::vector<ContourEdge>& edg
     for (std::size_t e = 0; e < edges.size(); ++e) {
         if (used[e] || edges[e].first != last.second) continue;
         const Point2 d = view[edges[e].second] - view[edges[e].first];
+        // Turning angle from the last edge, positive to the left.
         const double angle = std::atan2(along[0] * d[1] - along[1] * d[0], along.dot(d));
         if (angle > most) most = angle, best = e;
     }
     return best;
 }
 
+/// Splits directed edges into closed loops; empty if a loop does not close.
 std::optional<std::vector<Loop>> loops_of(const PlaneView& view, const std::vector<ContourEdge>& edges) {
     std::vector<Loop> loops;
     std::vector<bool> used(edges.size(), false);
@@ -79,10 +83,11 @@ std::optional<std::vector<Loop>> loops_of(const PlaneView& view, const std::vect
     return loops;
 }
 
-// Segment p q meets a side of the loop anywhere but in its own ends.
+// True if the segment p-q meets a side of the loop other than at its own end points.
 bool meets(const PlaneView& view, const Loop& loop, int p, int q) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
         const int a = loop[i], b = loop[(i + 1) % loop.size()];
+        // A vertex in the interior of the segment counts as an intersection.
         if (a != p && a != q && std::abs(view.turn(p, q, a)) <= view.flat &&
             (view[a] - view[p]).dot(view[a] - view[q]) < 0.0)
             return true;
@@ -94,6 +99,7 @@ bool meets(const PlaneView& view, const Loop& loop, int p, int q) {
     return false;
 }
 
+/// Even-odd rule for a point and a loop.
 bool contains_point(const PlaneView& view, const Loop& loop, const Point2& x) {
     bool inside = false;
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -104,7 +110,8 @@ bool contains_point(const PlaneView& view, const Loop& loop, const Point2& x) {
     return inside;
 }
 
-// Joins the nearest hole with the loop by a bridge that is walked in both directions.
+// Joins the nearest hole with the outer loop by a bridge that is traversed in both directions. The bridge must not
+// cross any loop.
 bool join_a_hole(const PlaneView& view, Loop& outer, std::vector<Loop>& holes) {
     struct Bridge {
         double squared_length;
@@ -115,6 +122,7 @@ bool join_a_hole(const PlaneView& view, Loop& outer, std::vector<Loop>& holes) {
         for (std::size_t i = 0; i < outer.size(); ++i)
             for (std::size_t j = 0; j < holes[h].size(); ++j)
                 bridges.push_back({(view[outer[i]] - view[holes[h][j]]).squaredNorm(), h, i, j});
+    // Shortest bridges first: they cross the fewest loops and give well-shaped triangles.
     std::sort(bridges.begin(), bridges.end(),
               [](const Bridge& a, const Bridge& b) { return a.squared_length < b.squared_length; });
     for (const Bridge& bridge : bridges) {
@@ -122,6 +130,7 @@ bool join_a_hole(const PlaneView& view, Loop& outer, std::vector<Loop>& holes) {
         if (meets(view, outer, p, q)) continue;
         if (std::any_of(holes.begin(), holes.end(), [&](const Loop& hole) { return meets(view, hole, p, q); }))
             continue;
+        // The hole is inserted into the outer loop: across the bridge, around the hole and back.
         Loop detour = holes[bridge.hole];
         std::rotate(detour.begin(), detour.begin() + static_cast<std::ptrdiff_t>(bridge.to), detour.end());
         detour.push_back(q);
@@ -133,14 +142,14 @@ bool join_a_hole(const PlaneView& view, Loop& outer, std::vector<Loop>& holes) {
     return false;
 }
 
-// 1 for an equilateral triangle, 0 for a line.
+// Shape of a triangle: 1 if equilateral, 0 if degenerate.
 double triangle_shape(const PlaneView& view, int a, int b, int c) {
     const double squares = (view[a] - view[b]).squaredNorm() + (view[b] - view[c]).squaredNorm() +
                            (view[c] - view[a]).squaredNorm();
     return 2.0 * std::sqrt(3.0) * view.turn(a, b, c) / squares;
 }
 
-// Cuts off the best shaped ear again and again. False when there is none: the loop crosses itself.
+// Ear clipping, best-shaped ear first. False if there is no ear: the loop crosses itself.
 bool cut_ears(const PlaneView& view, Loop rest, std::vector<std::array<int, 3>>& triangles) {
     while (rest.size() > 2) {
         std::size_t best = rest.size();
@@ -150,6 +159,7 @@ bool cut_ears(const PlaneView& view, Loop rest, std::vector<std::array<int, 3>>&
             if (view.turn(a, b, c) <= view.flat) continue;
             const double shape = triangle_shape(view, a, b, c);
             if (shape <= best_shape) continue;
+            // An ear must not contain other vertices of the loop, boundary included.
             const bool empty = std::none_of(rest.begin(), rest.end(), [&](int p) {
                 return p != a && p != b && p != c && view.turn(a, b, p) >= -view.flat &&
                        view.turn(b, c, p) >= -view.flat && view.turn(c, a, p) >= -view.flat;
@@ -163,8 +173,9 @@ bool cut_ears(const PlaneView& view, Loop rest, std::vector<std::array<int, 3>>&
     return true;
 }
 
-// Every edge of the contours belongs to one triangle, and every other edge to two.
+// Each contour edge belongs to one triangle and each other edge to two.
 bool fits(const std::vector<std::array<int, 3>>& triangles, const std::vector<ContourEdge>& edges) {
+    // Each directed edge may occur only once; inner edges occur in both directions.
     std::set<ContourEdge> open;
     for (const auto& t : triangles)
         for (std::size_t i = 0; i < 3; ++i)
@@ -187,10 +198,11 @@ Result<std::vector<std::array<int, 3>>> fill_contours(const Eigen::Matrix3Xd& ve
     const PlaneView view = view_along(vertices, normal);
     std::optional<std::vector<Loop>> loops = loops_of(view, edges);
     if (!loops) return broken;
+    // Outer loops have positive area, holes negative area.
     const auto first_hole = std::stable_partition(loops->begin(), loops->end(),
                                                   [&](const Loop& loop) { return view.area(loop) > 0.0; });
     std::vector<Loop> outers(loops->begin(), first_hole), all_holes(first_hole, loops->end());
-    // The smallest loop around a hole is the one it is in.
+    // Loops are processed by ascending area: a hole belongs to the smallest loop that contains it.
     std::sort(outers.begin(), outers.end(), [&](const Loop& a, const Loop& b) { return view.area(a) < view.area(b); });
     for (Loop& outer : outers) {
         std::vector<Loop> holes;
@@ -203,6 +215,7 @@ Result<std::vector<std::array<int, 3>>> fill_contours(const Eigen::Matrix3Xd& ve
             if (!join_a_hole(view, outer, holes)) return broken;
         if (!cut_ears(view, outer, triangles)) return broken;
     }
+    // Final check of the topology for arbitrary contours.
     if (!all_holes.empty() || !fits(triangles, edges)) return broken;
     return triangles;
 }

@@ -9,12 +9,12 @@
 
 namespace myo::mesh {
 
-/// Fills closed contours in a plane with triangles between their vertices; none is added.
+/// Triangulates the region between closed planar contours, without additional vertices.
 ///
 /// @param vertices  3 x n [m]
-/// @param edges     directed, vertex numbers; the inside lies to their left seen against `normal`, so holes turn the
-/// other way
-/// @param normal    unit normal of the plane; the triangles turn about it
+/// @param edges     directed pairs of vertex numbers; the region is on their left seen against `normal`, so holes have
+///                  the opposite orientation
+/// @param normal    unit normal of the plane; the triangles are oriented by it
 /// Errors: contours that are open or cross.
 Result<std::vector<std::array<int, 3>>> fill_contours(const Eigen::Matrix3Xd& vertices,
                                                       const std::vector<std::pair<int, int>>& edges,

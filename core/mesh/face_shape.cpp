@@ -12,17 +12,19 @@ namespace {
 using Vector2 = Eigen::Vector2d;
 using Vector3 = Eigen::Vector3d;
 
-// Parameter along the segment a-b nearest to p, in [0, 1].
+// Parameter of the point of segment a-b nearest to p, in [0, 1].
 double segment_parameter(const Vector3& a, const Vector3& b, const Vector3& p) {
     const Vector3 d = b - a;
     const double squared_length = d.squaredNorm();
     return squared_length > 0.0 ? std::clamp(d.dot(p - a) / squared_length, 0.0, 1.0) : 0.0;
 }
 
-// Nearest point of a flat triangle, as (u, v): the foot of the perpendicular when inside, else the best of the sides.
+// Nearest point of a flat triangle as (u, v): the foot of the perpendicular if it is inside, otherwise the best point
+// of the sides.
 Vector2 triangle_parameters(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& p) {
     const Vector3 e1 = b - a, e2 = c - a, r = p - a;
     const double g11 = e1.squaredNorm(), g12 = e1.dot(e2), g22 = e2.squaredNorm();
+    // Normal equations of the projection on the plane of the triangle. Degenerate triangles use their sides only.
     const double determinant = g11 * g22 - g12 * g12;
     if (determinant > 1e-14 * g11 * g22) {
         const double u = (g22 * e1.dot(r) - g12 * e2.dot(r)) / determinant;
@@ -41,21 +43,24 @@ Vector2 triangle_parameters(const Vector3& a, const Vector3& b, const Vector3& c
     return best;
 }
 
+/// Projection of parameters into the domain of the face.
 Vector2 into_domain(int nodes, const Vector2& uv) {
     if (nodes == 4) return uv.cwiseMax(0.0).cwiseMin(1.0);
     Vector2 q = uv.cwiseMax(0.0);
     if (q.sum() > 1.0) {
+        // Orthogonal projection on the side u + v = 1 in the parameter plane.
         const double along = std::clamp(0.5 + 0.5 * (uv[0] - uv[1]), 0.0, 1.0);
         q = {along, 1.0 - along};
     }
     return q;
 }
 
+/// Squared distance of p to the point of the face at uv.
 double squared_distance(const Eigen::Matrix3Xd& X, const Vector2& uv, const Vector3& p) {
     return (X * face_shape(static_cast<int>(X.cols()), uv) - p).squaredNorm();
 }
 
-// Gauss-Newton steps, projected onto the face's domain, halved until the distance falls.
+// Projected Gauss-Newton iteration with step halving until the distance decreases.
 Vector2 refine(const Eigen::Matrix3Xd& X, Vector2 uv, const Vector3& p) {
     const int nodes = static_cast<int>(X.cols());
     double distance = squared_distance(X, uv, p);
@@ -64,11 +69,13 @@ Vector2 refine(const Eigen::Matrix3Xd& X, Vector2 uv, const Vector3& p) {
         const Vector3 residual = X * face_shape(nodes, uv) - p;
         Eigen::Matrix2d H = tangents.transpose() * tangents;
         const Vector2 g = tangents.transpose() * residual;
-        // A parameter that sits on its bound and wants to leave is held, or the projected step would not descend.
+        // Active set: a parameter on its bound with a gradient pointing outward is fixed, otherwise the projected step
+        // might not descend.
         for (int a = 0; a < 2; ++a) {
             const bool held = (uv[a] <= 0.0 && g[a] > 0.0) || (nodes == 4 && uv[a] >= 1.0 && g[a] < 0.0);
             if (held) H(a, 1 - a) = H(1 - a, a) = 0.0;
         }
+        // Regularisation for collapsed tangents.
         H.diagonal().array() += 1e-14 * H.trace() + 1e-300;
         const Vector2 step = -H.inverse() * g;
         double length = 1.0;
@@ -87,12 +94,14 @@ Vector2 refine(const Eigen::Matrix3Xd& X, Vector2 uv, const Vector3& p) {
     return uv;
 }
 
+/// Nearest point of a bilinear face: refined from both flat triangles, compared with the nearest points of the sides.
 Vector2 quadrilateral_parameters(const Eigen::Matrix3Xd& X, const Vector3& p) {
     const Vector3 x0 = X.col(0), x1 = X.col(1), x2 = X.col(2), x3 = X.col(3);
     const Vector2 lower = triangle_parameters(x0, x1, x2, p);  // corners (0,0) (1,0) (1,1)
     const Vector2 upper = triangle_parameters(x0, x2, x3, p);  // corners (0,0) (1,1) (0,1)
     const double s01 = segment_parameter(x0, x1, p), s12 = segment_parameter(x1, x2, p);
     const double s32 = segment_parameter(x3, x2, p), s03 = segment_parameter(x0, x3, p);
+    // Barycentric coordinates of the flat triangles converted to (u, v).
     const Vector2 starts[2] = {{lower[0] + lower[1], lower[1]}, {upper[0], upper[0] + upper[1]}};
     Vector2 candidates[6] = {
         refine(X, starts[0], p), refine(X, starts[1], p), {s01, 0.0}, {1.0, s12}, {s32, 1.0}, {0.0, s03}};
@@ -101,6 +110,7 @@ Vector2 quadrilateral_parameters(const Eigen::Matrix3Xd& X, const Vector3& p) {
     });
 }
 
+/// True if all mid-side nodes of a quadratic face are at the midpoints of straight sides.
 bool straight_sides(const Eigen::Matrix3Xd& X) {
     const double scale = (X.col(1) - X.col(0)).norm() + (X.col(2) - X.col(0)).norm();
     for (int i = 0; i < 3; ++i) {

@@ -6,21 +6,21 @@
 
 namespace myo::mesh {
 
-/// Every face of every cell, by the cell's number, then the face's number in the cell: made once for a mesh, so that
-/// the boundary of any part of it takes one pass.
-///
-/// nodes, cell: as in BoundaryFaces, outward of the cell. beyond: the cell at the other side, -1 on the boundary.
+/// All faces of all cells, ordered by cell number, then by face number in the cell. Built once for a mesh, so that the
+/// boundary of any subset of cells takes one pass.
 struct FaceTable {
-    Eigen::MatrixXi nodes;
-    Eigen::VectorXi cell;
-    Eigen::VectorXi beyond;
+    Eigen::MatrixXi nodes;   // as in BoundaryFaces, outward from the cell
+    Eigen::VectorXi cell;    // cell of each face
+    Eigen::VectorXi beyond;  // cell on the other side; -1 on the boundary
 };
+/// Face table of a mesh; one sort of all faces.
+/// @return  faces per cell times m columns
 FaceTable face_table(const VolumeMesh& mesh);
 
-/// Boundary of the cells that are kept; nodes and cells keep the numbers of the whole mesh, the order is that of
-/// boundary_faces().
+/// Boundary of a subset of cells.
 ///
 /// @param kept  per cell, 0 or 1
+/// @return      node and cell numbers of the complete mesh, order as in boundary_faces()
 BoundaryFaces boundary_of_part(const FaceTable& table, const std::vector<char>& kept);
 
 }  // namespace myo::mesh

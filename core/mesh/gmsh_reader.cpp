@@ -8,11 +8,11 @@
 namespace myo::mesh {
 namespace {
 
-// Gmsh's element types. Source: Gmsh reference manual, "MSH file format" and "Node ordering".
+// Gmsh element types. Source: Gmsh reference manual, "MSH file format" and "Node ordering".
 struct GmshCell {
-    int nodes = 0;  // 0: unknown
+    int nodes = 0;  // 0: unknown type
     int dimension = 0;
-    std::optional<CellType> cell;  // the ones we keep
+    std::optional<CellType> cell;  // supported volume cell
 };
 
 GmshCell gmsh_cell(long long type) {
@@ -45,6 +45,7 @@ GmshCell gmsh_cell(long long type) {
     }
 }
 
+/// Parser of the versions 2.x and 4.1, ASCII. Unknown sections are skipped.
 class GmshParser {
 public:
     GmshParser(const std::string& content, const std::string& path) : text_(content, path) {}
@@ -66,6 +67,7 @@ public:
                 section = version_ < 3.0 ? read_elements_2() : read_elements_4();
                 elements = true;
             } else if (word.front() == '$') {
+                // Other sections (physical names, periodicity, data) are skipped up to their end mark.
                 const std::string end = "$End" + std::string(word.substr(1));
                 std::string_view inside = text_.word();
                 while (!inside.empty() && inside != end) inside = text_.word();
@@ -81,11 +83,13 @@ public:
     }
 
 private:
+    // Consumes the end mark of a section.
     Result<void> end_of(std::string_view section) {
         if (text_.word() == section) return {};
         return text_.error("expected '" + std::string(section) + "'");
     }
 
+    /// Reads a count. A count larger than the file size is rejected before memory is allocated.
     bool count(long long& value) {
         return text_.integer(value) && value >= 0 && static_cast<std::size_t>(value) <= text_.size();
     }
@@ -95,6 +99,7 @@ private:
         if (!text_.number(version_) || !text_.integer(binary) || !text_.integer(size))
             return text_.error("the mesh format cannot be read");
         if (binary != 0) return text_.error("binary Gmsh meshes are not read: save it as ASCII");
+        // Version 4.0 has a different block header and is not supported.
         if (version_ != 2.0 && version_ != 2.1 && version_ != 2.2 && version_ != 4.1) {
             return text_.error("this version of the Gmsh format is not read: save it as 2.2 or 4.1");
         }
@@ -106,12 +111,14 @@ private:
         for (Eigen::Index a = 0; a < 3; ++a) {
             if (!text_.number(x[a])) return text_.error("a node needs three finite coordinates");
         }
+        // Node tags are arbitrary and may have gaps, so they are mapped to indices.
         if (!number_.emplace(tag, static_cast<int>(soup_.nodes.size())).second)
             return text_.error("two nodes have the same number");
         soup_.nodes.push_back(x);
         return {};
     }
 
+    // Version 2: number of nodes, then tag and position of each.
     Result<void> read_nodes_2() {
         long long total = 0, tag = 0;
         if (!count(total)) return text_.error("the number of nodes cannot be read");
@@ -122,6 +129,7 @@ private:
         return end_of("$EndNodes");
     }
 
+    // Version 4.1: blocks of nodes per geometric entity.
     Result<void> read_nodes_4() {
         long long blocks = 0, total = 0, skip = 0;
         if (!count(blocks) || !count(total) || !text_.integer(skip) || !text_.integer(skip))
@@ -132,6 +140,7 @@ private:
                 dimension < 0 || dimension > 3) {
                 return text_.error("a block of nodes cannot be read: the file is truncated or garbled");
             }
+            // Version 4 lists all tags of a block first, then all coordinates.
             std::vector<long long> tags(static_cast<std::size_t>(in_block));
             for (long long& tag : tags) {
                 if (!text_.integer(tag)) return text_.error("expected a node number: the file is truncated or garbled");
@@ -139,6 +148,7 @@ private:
             for (const long long tag : tags) {
                 if (const auto added = add_node(tag); !added) return added;
                 double parameter = 0.0;
+                // Parametric coordinates follow the position and are not used.
                 for (long long p = 0; parametric != 0 && p < dimension; ++p) {
                     if (!text_.number(parameter)) return text_.error("a node's parameter is not a number");
                 }
@@ -147,8 +157,10 @@ private:
         return end_of("$EndNodes");
     }
 
+    /// Reads the nodes of one element. Elements of lower dimension are read and ignored.
     Result<void> add_element(long long type) {
         const GmshCell kind = gmsh_cell(type);
+        // The number of nodes of an unknown type is unknown, so the rest of the file could not be read.
         if (kind.nodes == 0 || (kind.dimension == 3 && !kind.cell)) {
             return text_.error("cells of Gmsh type " +
                                std::to_string(type).append(" are not read: only hex8, tet4 and tet10"));
@@ -162,6 +174,7 @@ private:
             const auto found = number_.find(tag);
             if (found == number_.end())
                 return text_.error("an element names node " + std::to_string(tag).append(", which does not exist"));
+            // Tags become indices into the list of nodes read so far.
             own[static_cast<std::size_t>(i)] = found->second;
         }
         if (!kind.cell) return {};
@@ -175,6 +188,7 @@ private:
         return {};
     }
 
+    // Version 2: number, type, tags and nodes of each element.
     Result<void> read_elements_2() {
         long long total = 0, skip = 0, type = 0, tags = 0;
         if (!count(total)) return text_.error("the number of elements cannot be read");
@@ -190,6 +204,7 @@ private:
         return end_of("$EndElements");
     }
 
+    // Version 4.1: blocks of elements of one type.
     Result<void> read_elements_4() {
         long long blocks = 0, skip = 0;
         if (!count(blocks) || !text_.integer(skip) || !text_.integer(skip) || !text_.integer(skip)) {
@@ -212,7 +227,7 @@ private:
     TextScanner text_;
     double version_ = 0.0;
     CellSoup soup_;
-    std::unordered_map<long long, int> number_;
+    std::unordered_map<long long, int> number_;  // node tag to index
 };
 
 }  // namespace

@@ -9,8 +9,7 @@
 namespace myo::mesh {
 namespace {
 
-// The cell's mirror image in its own node order: swaps two opposite faces, or two corners with the mid-nodes that
-// follow.
+// Mirror image of a cell in its own node order: swaps two opposite faces, or two corners with their mid-side nodes.
 void turn_round(CellType type, Eigen::Ref<Eigen::VectorXi> cell) {
     const auto swap = [&](Eigen::Index a, Eigen::Index b) { std::swap(cell[a], cell[b]); };
     if (type == CellType::hex8) {
@@ -51,13 +50,14 @@ Result<VolumeMesh> with_positive_cells(VolumeMesh mesh, const std::string& where
     if (mesh.cells.minCoeff() < 0 || mesh.cells.maxCoeff() >= mesh.node_count()) {
         return Error{"a cell names a node that does not exist", where};
     }
+    // Unused nodes may have arbitrary coordinates and must not fail the next check.
     mesh = without_unused_nodes(mesh);
     if (!mesh.nodes.allFinite()) return Error{"a node's coordinates are not finite numbers", where};
     const Eigen::VectorXd volumes = cell_volumes(mesh);
     for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
         const Eigen::Matrix3Xd X = mesh.nodes(Eigen::all, mesh.cells.col(c));
         const double extent = (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).maxCoeff();
-        // 1e-14: what rounding leaves of a flat cell of that extent.
+        // 1e-14: rounding level of the volume of a flat cell of this extent.
         if (!(std::abs(volumes[c]) > 1e-14 * extent * extent * extent)) {
             return Error{"cell " + std::to_string(c).append(" (counted from 0) has no volume"), where};
         }

@@ -7,12 +7,15 @@
 
 namespace myo::mesh {
 
-/// Drops nodes that no cell uses; the order of the rest is kept.
+/// Mesh without the nodes that no cell uses.
+///
+/// @return  remaining nodes in their order, cells renumbered
 VolumeMesh without_unused_nodes(const VolumeMesh& mesh);
 
-/// Turns cells of negative volume round, in place of their node order.
-/// Errors: a node that is not finite or out of range; a cell without volume (names its number, from 0).
-/// @param where  file or step named in the error
+/// Reorders the nodes of cells with negative volume, so that all volumes are positive, and removes unused nodes.
+///
+/// @param where  file or processing step named in the error
+/// Errors: non-finite nodes, node numbers out of range, a cell without volume (reported by its number, from 0).
 Result<VolumeMesh> with_positive_cells(VolumeMesh mesh, const std::string& where);
 
 }  // namespace myo::mesh

@@ -5,7 +5,7 @@
 
 namespace myo::mesh {
 
-// Positions (v) and faces (f); texture, normals, groups and materials carry nothing for a mesh.
+// Positions (v) and faces (f). Texture, normals, groups and materials are not needed for a mesh.
 Result<PolygonSoup> read_obj(const std::filesystem::path& path) {
     const auto content = read_file(path);
     if (!content) return content.error();
@@ -29,7 +29,7 @@ Result<PolygonSoup> read_obj(const std::filesystem::path& path) {
                 if (!TextScanner::parse(corner.substr(0, corner.find('/')), index))
                     return text.error("a face needs vertex numbers");
                 const auto count = static_cast<long long>(soup.vertices.size());
-                // Counted from 1, or backwards from the last vertex so far.
+                // Indices count from 1, or backwards from the last vertex so far.
                 if (index < 0) index += count + 1;
                 if (index < 1 || index > count) return text.error("a face names a vertex that does not exist");
                 polygon.push_back(static_cast<int>(index - 1));

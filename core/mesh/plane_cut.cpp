@@ -12,22 +12,24 @@ namespace {
 
 using EdgeKey = std::pair<int, int>;
 
+/// Undirected edge, lower vertex first.
 EdgeKey edge_key(int a, int b) { return std::minmax(a, b); }
 
 Eigen::Vector3d point_on_plane(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const AxisPlane& plane) {
     const double t = (plane.at - a[plane.axis]) / (b[plane.axis] - a[plane.axis]);
-    // Coordinates that agree stay as they are: a vertex on another plane remains on it.
+    // Equal coordinates stay equal, so a vertex on another plane remains on it.
     Eigen::Vector3d x = a + t * (b - a);
     x[plane.axis] = plane.at;
     return x;
 }
 
-// Cuts triangles one after another; neighbours share the vertices on their common edge.
+// Cuts all triangles by a plane. The new vertex of an edge is shared by both of its triangles.
 class PlaneCutter {
 public:
     PlaneCutter(const SurfaceMesh& surface, const AxisPlane& plane, const Box& where)
         : surface_(surface), plane_(plane) {
         for (Eigen::Index v = 0; v < surface.vertices.cols(); ++v) points_.push_back(surface.vertices.col(v));
+        // Two passes: vertices on shared edges must exist before any triangle is split.
         for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) mark_crossings(surface.triangles.col(t), where);
         for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) split(surface.triangles.col(t));
     }
@@ -43,9 +45,11 @@ public:
     }
 
 private:
+    /// Signed distance of a vertex to the plane.
     double side(int v) const { return points_[static_cast<std::size_t>(v)][plane_.axis] - plane_.at; }
     bool crosses(int a, int b) const { return (side(a) < 0.0 && side(b) > 0.0) || (side(a) > 0.0 && side(b) < 0.0); }
 
+    /// Adds vertices on the crossed edges of a triangle, if the intersection reaches into `where`.
     void mark_crossings(const Eigen::Vector3i& t, const Box& where) {
         Eigen::Array3d low = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
         bool crossed = false;
@@ -62,6 +66,7 @@ private:
         if (!crossed || (high < where.lowest.array()).any() || (low > where.highest.array()).any()) return;
         for (int i = 0; i < 3; ++i) {
             const EdgeKey edge = edge_key(t[i], t[(i + 1) % 3]);
+            // The vertex is computed from the ordered edge, so both triangles get identical coordinates.
             if (!crosses(edge.first, edge.second) || added_.contains(edge)) continue;
             added_[edge] = static_cast<int>(points_.size());
             points_.push_back(point_on_plane(points_[static_cast<std::size_t>(edge.first)],
@@ -69,6 +74,7 @@ private:
         }
     }
 
+    /// Vertex added on an edge; -1 if there is none.
     int added_on(int a, int b) const {
         const auto found = added_.find(edge_key(a, b));
         return found == added_.end() ? -1 : found->second;
@@ -78,12 +84,14 @@ private:
         return (points_[static_cast<std::size_t>(a)] - points_[static_cast<std::size_t>(b)]).norm();
     }
 
+    /// Splits a triangle at the vertices added on its edges: at two edges into three triangles, at one edge into two.
     void split(const Eigen::Vector3i& t) {
         for (int i = 0; i < 3; ++i) {
             const int a = t[i], b = t[(i + 1) % 3], c = t[(i + 2) % 3];
             const int m = added_on(a, b), n = added_on(a, c);
-            if (m >= 0 && n >= 0) {  // `a` is cut off, the rest is a quadrilateral
+            if (m >= 0 && n >= 0) {  // the corner `a` is cut off; the rest is a quadrilateral
                 triangles_.push_back({a, m, n});
+                // The shorter diagonal gives better triangles.
                 if (length(m, c) < length(b, n))
                     triangles_.insert(triangles_.end(), {{m, b, c}, {m, c, n}});
                 else
@@ -115,6 +123,7 @@ SurfaceMesh cut_by_plane(const SurfaceMesh& surface, const AxisPlane& plane, con
 }
 
 SurfaceMesh snapped_to_plane(SurfaceMesh surface, const AxisPlane& plane, double distance) {
+    // The limit by the shortest edge prevents flipped triangles.
     Eigen::VectorXd shortest = Eigen::VectorXd::Constant(surface.vertices.cols(),
                                                          std::numeric_limits<double>::infinity());
     for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t)

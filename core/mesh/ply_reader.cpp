@@ -7,7 +7,7 @@
 #include "mesh/polygon.hpp"
 #include "mesh/text_scanner.hpp"
 
-// Own reader: VTK's frees memory twice on truncated files.
+// Own reader, because VTK's frees memory twice on truncated files.
 
 namespace myo::mesh {
 namespace {
@@ -26,9 +26,10 @@ Number number_named(std::string_view word) {
     return Number::none;
 }
 
+/// Property of a PLY element: a number or a list of numbers.
 struct Property {
     std::string name;
-    Number count = Number::none;  // of a list's length; none: a single number
+    Number count = Number::none;  // type of a list's length; none: a single number
     Number value = Number::none;
 };
 
@@ -45,6 +46,7 @@ struct Header {
     std::vector<Element> elements;
 };
 
+/// Parses the header up to "end_header".
 Result<Header> read_header(TextScanner& text) {
     Header header;
     bool format = false;
@@ -57,6 +59,7 @@ Result<Header> read_header(TextScanner& text) {
         }
         if (word == "format") {
             const std::string_view name = text.word_on_line();
+            // The version after the format name is always 1.0 and is not checked.
             format = name == "ascii" || name == "binary_little_endian" || name == "binary_big_endian";
             if (!format) return text.error("unknown PLY format");
             header.encoding = name == "ascii"               ? Encoding::ascii
@@ -66,6 +69,7 @@ Result<Header> read_header(TextScanner& text) {
             Element element;
             element.name = text.word_on_line();
             if (!text.integer_on_line(element.count) || element.count < 0 ||
+                // An element takes at least one byte, so a larger count means corruption.
                 static_cast<std::size_t>(element.count) > text.size()) {
                 return text.error("the number of '" + element.name + "' is wrong or more than the file can hold");
             }
@@ -90,12 +94,13 @@ Result<Header> read_header(TextScanner& text) {
     return text.error("the PLY ends within its header: it is truncated");
 }
 
-// The numbers after the header, whatever their encoding.
+// Numbers after the header in any encoding.
 class Body {
 public:
     Body(TextScanner text, std::string_view bytes, Encoding encoding)
         : text_(std::move(text)), bytes_(bytes), encoding_(encoding) {}
 
+    /// Next number of a type; false at the end of the file.
     bool next(Number type, double& value) {
         if (encoding_ == Encoding::ascii) return TextScanner::parse(text_.word(), value);
         switch (type) {
@@ -117,6 +122,7 @@ private:
     bool take(double& value) {
         if (bytes_.size() < sizeof(T)) return false;
         std::array<char, sizeof(T)> raw{};
+        // Bytes are copied individually: the data are not aligned and may need a byte swap.
         const bool swap = (encoding_ == Encoding::big) != (std::endian::native == std::endian::big);
         for (std::size_t i = 0; i < sizeof(T); ++i) raw[swap ? sizeof(T) - 1 - i : i] = bytes_[i];
         bytes_.remove_prefix(sizeof(T));
@@ -140,6 +146,7 @@ Result<PolygonSoup> read_ply(const std::filesystem::path& path) {
     TextScanner text(*content, path.string());
     const auto header = read_header(text);
     if (!header) return header.error();
+    // The binary body starts directly after the line of "end_header".
     text.next_line();
     const std::size_t begin = content->find('\n', content->find("end_header"));
     const std::string_view bytes = begin == std::string::npos ? std::string_view()
@@ -159,7 +166,9 @@ Result<PolygonSoup> read_ply(const std::filesystem::path& path) {
                         std::to_string(e).append(" (counted from 0) cannot be read: the PLY is truncated or garbled"),
                     path.string()};
                 if (property.count != Number::none && !body.next(property.count, count)) return short_file;
+                // A length larger than the file can hold means corruption; checked before the loop.
                 if (!(count >= 0.0) || count > static_cast<double>(content->size())) return short_file;
+                // Both spellings of the property are in use.
                 const bool face = element.name == "face" &&
                                   (property.name == "vertex_indices" || property.name == "vertex_index");
                 for (double i = 0.0; i < count; ++i) {
@@ -167,6 +176,7 @@ Result<PolygonSoup> read_ply(const std::filesystem::path& path) {
                     if (face && !(value >= 0.0 && value < 2e9)) return short_file;
                     if (face) corners.push_back(static_cast<int>(value));
                 }
+                // Positions are recognised by name; other properties such as colours are skipped.
                 if (property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z')
                     x[property.name[0] - 'x'] = value;
             }
@@ -174,6 +184,7 @@ Result<PolygonSoup> read_ply(const std::filesystem::path& path) {
             if (element.name == "face") faces.push_back(std::move(corners));
         }
     }
+    // Faces may precede vertices in the file, so they are triangulated at the end.
     for (const auto& corners : faces) {
         for (const int corner : corners) {
             if (static_cast<std::size_t>(corner) >= soup.vertices.size())

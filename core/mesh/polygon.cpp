@@ -10,11 +10,12 @@ std::vector<std::array<int, 3>> triangles_of(const std::vector<int>& polygon,
     std::vector<int> rest = polygon;
     const auto x = [&](int v) -> const Eigen::Vector3d& { return vertices[static_cast<std::size_t>(v)]; };
 
-    // Newell's normal: twice the area vector of the whole polygon.
+    // Newell's method: twice the area vector of the polygon.
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < rest.size(); ++i) {
         normal += (x(rest[i]) - x(rest[0])).cross(x(rest[(i + 1) % rest.size()]) - x(rest[0]));
     }
+    // Sign of the turn at b, seen along the normal.
     const auto turn = [&](int a, int b, int c) { return (x(b) - x(a)).cross(x(c) - x(a)).dot(normal); };
     const auto is_ear = [&](std::size_t i) {
         const std::size_t n = rest.size();
@@ -28,8 +29,10 @@ std::vector<std::array<int, 3>> triangles_of(const std::vector<int>& polygon,
     };
     while (rest.size() > 3) {
         std::size_t ear = 0;
+        // First ear in order of the vertices, so that the result is deterministic.
         while (ear < rest.size() && !is_ear(ear)) ++ear;
-        // A polygon that crosses itself may have no ear: cut any corner, check_surface will tell.
+        // A self-intersecting polygon may have no ear. Any corner is cut then; check_surface() reports the
+        // intersection.
         if (ear == rest.size()) ear = 1;
         const std::size_t n = rest.size();
         triangles.push_back({rest[(ear + n - 1) % n], rest[ear], rest[(ear + 1) % n]});

@@ -7,8 +7,11 @@
 
 namespace myo::mesh {
 
-/// Cuts a polygon, convex or not, into triangles that turn as it does (ear clipping in the plane of its mean normal).
-/// @param polygon  vertex numbers in `vertices`, all in range; fewer than three give nothing
+/// Triangulates a simple polygon, convex or not (ear clipping in the plane of the mean normal).
+///
+/// @param polygon   vertex numbers in order, all in range
+/// @param vertices  positions, any unit
+/// @return          triangles of the same orientation; empty for fewer than three vertices
 std::vector<std::array<int, 3>> triangles_of(const std::vector<int>& polygon,
                                              const std::vector<Eigen::Vector3d>& vertices);
 

@@ -17,10 +17,11 @@ namespace {
 
 using Vector3 = Eigen::Vector3d;
 
-// The three edges that leave each corner of a hexahedron, right-handed.
+// Neighbours of each corner of a hexahedron along its three edges, right-handed.
 constexpr std::array<std::array<int, 3>, 8> hexahedron_neighbours{
     {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
 
+/// det(a, b, c) divided by the edge lengths; 0 for a degenerate corner.
 double scaled_jacobian(const Vector3& a, const Vector3& b, const Vector3& c) {
     const double lengths = a.norm() * b.norm() * c.norm();
     return lengths > 0.0 ? a.dot(b.cross(c)) / lengths : 0.0;
@@ -30,6 +31,7 @@ double hexahedron_shape(const Eigen::Matrix<double, 3, 8>& X) {
     const auto mean = [&](int a, int b, int c, int d) -> Vector3 {
         return 0.25 * (X.col(a) + X.col(b) + X.col(c) + X.col(d));
     };
+    // The centre uses the vectors between midpoints of opposite faces.
     double least = scaled_jacobian(mean(1, 2, 6, 5) - mean(0, 4, 7, 3), mean(3, 7, 6, 2) - mean(0, 1, 5, 4),
                                    mean(4, 5, 6, 7) - mean(0, 3, 2, 1));
     for (int i = 0; i < 8; ++i) {
@@ -39,6 +41,7 @@ double hexahedron_shape(const Eigen::Matrix<double, 3, 8>& X) {
     return least;
 }
 
+/// Mean ratio of a tetrahedron, with the sign of its volume.
 double tetrahedron_shape(const Eigen::Matrix<double, 3, 4>& X) {
     Eigen::Matrix3d J;
     for (int i = 0; i < 3; ++i) J.col(i) = X.col(i + 1) - X.col(0);
@@ -50,10 +53,11 @@ double tetrahedron_shape(const Eigen::Matrix<double, 3, 4>& X) {
     return volume < 0.0 ? -shape : shape;
 }
 
-// Angles between the faces of a cell that share an edge, seen from inside [degrees].
+// Interior dihedral angles of a cell [degrees]; extends the range.
 void widen_dihedral_range(const VolumeMesh& mesh, Eigen::Index cell, double& least, double& largest) {
     const auto point = [&](int local) -> Vector3 { return mesh.nodes.col(mesh.cells(local, cell)); };
     const auto angle = [&](const Vector3& from, const Vector3& to, const Vector3& p, const Vector3& q) {
+        // Angle between the directions to p and q perpendicular to the common edge.
         const Vector3 axis = (to - from).normalized();
         const Vector3 a = (p - from) - axis * axis.dot(p - from), b = (q - from) - axis * axis.dot(q - from);
         const double degrees = std::atan2(a.cross(b).norm(), a.dot(b)) * 180.0 / std::numbers::pi;
@@ -69,6 +73,7 @@ void widen_dihedral_range(const VolumeMesh& mesh, Eigen::Index cell, double& lea
         return;
     }
     for (const auto& [a, b] : tetrahedron_edges) {
+        // The two corners that are not on the edge: their numbers add up to 6 - a - b.
         const int c = (a != 0 && b != 0) ? 0 : (a != 1 && b != 1) ? 1 : 2;
         angle(point(a), point(b), point(c), point(6 - a - b - c));
     }
@@ -119,7 +124,7 @@ QualityReport mesh_quality(const VolumeMesh& mesh, const SurfaceMesh* surface) {
     report.mean = shapes.mean();
     report.least_dihedral_deg = 180.0;
     for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
-        // 1e-9: a perfect cell belongs in the last bin whichever way it was rounded
+        // 1e-9 keeps a perfect cell in the last bin under rounding.
         const int bin = std::clamp(static_cast<int>(std::floor(10.0 * shapes[c] + 1e-9)), 0, 9);
         ++report.histogram[static_cast<std::size_t>(bin)];
         widen_dihedral_range(mesh, c, report.least_dihedral_deg, report.largest_dihedral_deg);
@@ -127,6 +132,7 @@ QualityReport mesh_quality(const VolumeMesh& mesh, const SurfaceMesh* surface) {
     report.mean_edge = mean_edge_length(mesh);
     report.volume = cell_volumes(mesh).sum();
     if (surface != nullptr) {
+        // The reference is the surface before meshing, so the error includes staircases and straight edges.
         const double true_volume = std::abs(enclosed_volume(*surface));
         if (true_volume > 0.0) report.volume_error = (report.volume - true_volume) / true_volume;
     }
@@ -145,7 +151,7 @@ QualityReport mesh_quality(const VolumeMesh& mesh, const SurfaceMesh* surface) {
     if (report.least <= 0.0) {
         report.messages.push_back("cell " + std::to_string(report.worst_cell).append(" is turned inside out"));
     }
-    // The share by which mass and, in a thin part, stiffness are off.
+    // Relative error of mass and, in thin parts, of stiffness.
     constexpr double most_volume_error = 0.01;
     if (report.volume_error && std::abs(*report.volume_error) > most_volume_error) {
         report.messages.push_back("the mesh's volume differs from the surface's by " +
@@ -166,6 +172,7 @@ CountEstimate estimate_counts(const SurfaceMesh& surface, CellType type, double 
                           .cross(Vector3(surface.vertices.col(surface.triangles(2, t))) - a)
                           .norm();
     }
+    // Independent of the orientation of the surface.
     const double volume = std::abs(enclosed_volume(surface));
     if (type == CellType::hex8) {
         const Eigen::Array3d n = box_cells(box, edge).cast<double>().array();
@@ -173,15 +180,15 @@ CountEstimate estimate_counts(const SurfaceMesh& surface, CellType type, double 
         const double cell = d.prod();
         estimate.exact = is_box(surface).has_value();
         estimate.cells = estimate.exact ? n.prod() : volume / cell;
-        // Half a layer of nodes more than cells along the surface. A staircase shows more faces than the smooth
-        // surface, 1.5 times on average over all directions; a box aligned with the grid shows its own.
+        // Nodes exceed cells by half a layer along the surface. A staircase exposes more faces than the smooth surface:
+        // 1.5 times on average over all directions, 1 for a box aligned with the grid.
         const double side = std::cbrt(cell * cell);
         estimate.nodes = estimate.exact ? (n + 1.0).prod() : estimate.cells + 0.5 * 1.2 * area / side + 1.0;
     } else {
-        // Measured on meshes by TetGen: cells times edge^3 is 10 times the volume (8.8 to 10.7).
+        // Measured with TetGen: cells times edge^3 is 10 times the volume (8.8 to 10.7).
         estimate.cells = std::max(10.0 * volume / (edge * edge * edge), 1.0);
-        // Euler's formula for a ball: with F boundary triangles, nodes = edges - cells - F/2 + 1; TetGen's interior
-        // nodes have about 6 cells each. Boundary triangles are near equilateral.
+        // Euler's formula for a ball: with F boundary triangles, nodes = edges - cells - F/2 + 1. TetGen's interior
+        // nodes have about 6 cells each; boundary triangles are nearly equilateral.
         const double faces = std::max(area / (0.433 * edge * edge), static_cast<double>(surface.triangles.cols()));
         const double corners = estimate.cells / 6.0 + faces / 3.0 + 2.0;
         const double edges = estimate.cells + corners + 0.5 * faces - 1.0;

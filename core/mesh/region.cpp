@@ -19,25 +19,28 @@ using Vector2 = Eigen::Vector2d;
 using Vector3 = Eigen::Vector3d;
 using Corners = Eigen::Matrix<double, 3, 4>;
 
-// A flat triangle of a face with the face's parameters at its corners.
+// Flat triangle of a face with the face parameters at its corners.
 struct Patch {
     std::array<Vector3, 3> x;
     std::array<Vector2, 3> uv;
 };
 
+/// Flat triangles that approximate a face: four around the centre of a quadrilateral, four by the mid-side nodes of a
+/// quadratic triangle.
 std::vector<Patch> flat_patches(const Eigen::Matrix3Xd& X) {
     const int nodes = static_cast<int>(X.cols());
     const auto at = [&](const Vector2& a, const Vector2& b, const Vector2& c) {
         return Patch{{X * face_shape(nodes, a), X * face_shape(nodes, b), X * face_shape(nodes, c)}, {a, b, c}};
     };
     const Vector2 o(0, 0), e1(1, 0), e2(0, 1), one(1, 1), centre(0.5, 0.5), m1(0.5, 0), m2(0, 0.5);
+    // A quadrilateral around its centre, a quadratic triangle through its mid-side nodes.
     if (nodes == 3) return {at(o, e1, e2)};
     if (nodes == 4) return {at(o, e1, centre), at(e1, one, centre), at(one, e2, centre), at(e2, o, centre)};
     return {at(o, m1, m2), at(m1, e1, centre), at(m2, centre, e2), at(m1, centre, m2)};
 }
 
-// Parameters of a point of the patch. Linear in the patch, then, for quadrilaterals, corrected by the inverse of the
-// bilinear map.
+// Face parameters of a point on the patch: linear on the patch, then corrected by Newton's method for the bilinear map
+// of a quadrilateral.
 Vector2 parameters_of(const Patch& patch, const Eigen::Matrix3Xd& X, const Vector3& x) {
     const Vector3 e1 = patch.x[1] - patch.x[0], e2 = patch.x[2] - patch.x[0], r = x - patch.x[0];
     Eigen::Matrix2d G;
@@ -55,9 +58,11 @@ Vector2 parameters_of(const Patch& patch, const Eigen::Matrix3Xd& X, const Vecto
     return uv.cwiseMax(0.0).cwiseMin(1.0);
 }
 
+/// Integrates the shape functions over the part of a patch inside the box.
 void add_patch(const Patch& patch, const Eigen::Matrix3Xd& X, const Eigen::VectorXi& nodes, const Box& box,
                double tolerance, SurfaceIntegral& integral) {
     if ((patch.x[1] - patch.x[0]).cross(patch.x[2] - patch.x[0]).norm() == 0.0) return;
+    // The clipped polygon is convex: a fan of triangles from its first vertex.
     const Polygon part = clip_to_box({patch.x[0], patch.x[1], patch.x[2]}, box, tolerance);
     for (std::size_t i = 2; i < part.size(); ++i) {
         const double area = 0.5 * (part[i - 1] - part[0]).cross(part[i] - part[0]).norm();
@@ -72,12 +77,13 @@ void add_patch(const Patch& patch, const Eigen::Matrix3Xd& X, const Eigen::Vecto
     }
 }
 
+/// True if the points are outside of the box on one side.
 bool misses(const Eigen::Matrix3Xd& X, const Box& box, double tolerance) {
     return (X.rowwise().maxCoeff().array() < box.lowest.array() - tolerance).any() ||
            (X.rowwise().minCoeff().array() > box.highest.array() + tolerance).any();
 }
 
-// Straight tetrahedra that make up a cell; their volumes add up to the cell's.
+// Straight tetrahedra that make up a cell. Their volumes add up to that of the cell.
 std::vector<Corners> tetrahedra_of(CellType type, const Eigen::Matrix3Xd& X) {
     std::vector<Corners> parts;
     const auto add = [&](const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d) {
@@ -94,6 +100,7 @@ std::vector<Corners> tetrahedra_of(CellType type, const Eigen::Matrix3Xd& X) {
     } else if (type == CellType::tet4) {
         add(X.col(0), X.col(1), X.col(2), X.col(3));
     } else {
+        // Four corner tetrahedra, and the inner octahedron divided along the diagonal 6-8.
         constexpr std::array<std::array<int, 4>, 8> eight{{{0, 4, 6, 7},
                                                            {4, 1, 5, 8},
                                                            {6, 5, 2, 9},
@@ -107,7 +114,7 @@ std::vector<Corners> tetrahedra_of(CellType type, const Eigen::Matrix3Xd& X) {
     return parts;
 }
 
-// Fraction of an axis-aligned cell inside the box, or a negative number when the cell is not axis-aligned.
+// Volume fraction of an axis-aligned cell inside the box; negative if the cell is not axis-aligned.
 double aligned_fraction(const Eigen::Matrix3Xd& X, const Box& box, double tolerance) {
     const Box cell = bounding_box(X);
     for (Eigen::Index i = 0; i < 8; ++i) {
@@ -128,6 +135,7 @@ double region_tolerance(const VolumeMesh& mesh) {
 }
 
 std::vector<int> nodes_in_box(const VolumeMesh& mesh, const Box& box, double tolerance) {
+    // Nodes on a side of the box must count as inside despite rounding.
     const Box grown{box.lowest.array() - tolerance, box.highest.array() + tolerance};
     std::vector<int> inside;
     for (Eigen::Index i = 0; i < mesh.node_count(); ++i) {
@@ -147,7 +155,7 @@ SurfaceIntegral surface_weights(const VolumeMesh& mesh, const BoundaryFaces& fac
     for (Eigen::Index f = 0; f < faces.count(); ++f) {
         const Eigen::VectorXi nodes = faces.nodes.col(f);
         const Eigen::Matrix3Xd X = mesh.nodes(Eigen::all, nodes);
-        // A curved face may reach beyond its nodes; its patches do not.
+        // A curved face may extend beyond its nodes; its flat patches do not.
         if (misses(X, box, tolerance)) continue;
         for (const Patch& patch : flat_patches(X)) add_patch(patch, X, nodes, box, tolerance, integral);
     }
@@ -171,6 +179,7 @@ Eigen::VectorXd volume_fractions(const VolumeMesh& mesh, const Box& box) {
     for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
         const Eigen::Matrix3Xd X = mesh.nodes(Eigen::all, mesh.cells.col(c));
         if (misses(X, box, tolerance)) continue;
+        // Cells of a grid need no clipping: their fraction is a product of lengths.
         double fraction = mesh.type == CellType::hex8 ? aligned_fraction(X, box, tolerance) : -1.0;
         if (fraction < 0.0) {
             double whole = 0.0;

@@ -19,11 +19,11 @@ namespace {
 
 using DirectedEdges = std::vector<std::pair<int, int>>;
 
-// How near, in edges of the cells, things count as the same.
+// Tolerances in units of the cells' edge length.
 struct FacetTolerances {
-    double bounds = 0.1;   // a plane and the body's bounds, as for the planes of a hexahedral grid
-    double vertex = 0.01;  // a plane and a vertex; also how far the surface may move
-    double volume = 3e-3;  // relative change of the body's volume that is refused
+    double bounds = 0.1;   // plane and the body's bounds; as for the planes of a hexahedral grid
+    double vertex = 0.01;  // plane and vertex; also the largest displacement of the surface
+    double volume = 3e-3;  // relative change of the body's volume that is rejected
 };
 constexpr FacetTolerances tolerances;
 
@@ -31,8 +31,10 @@ bool overlaps(const Box& a, const Box& b) {
     return (a.lowest.array() < b.highest.array()).all() && (b.lowest.array() < a.highest.array()).all();
 }
 
+/// Face planes of the regions that cut the body, without those near its bounds and without duplicates.
 GridPlanes cutting_planes(const std::vector<Box>& regions, const Box& bounds, double edge) {
     GridPlanes planes;
+    // Planes closer than this are one plane, as in grid_lines().
     const double same = 1e-6 * bounds.size().maxCoeff();
     for (const Box& region : regions) {
         if (!overlaps(region, bounds)) continue;
@@ -51,7 +53,7 @@ GridPlanes cutting_planes(const std::vector<Box>& regions, const Box& bounds, do
     return planes;
 }
 
-// Where the surface must be cut: all regions, without end where they end at the body's bounds and no plane is cut.
+// Range in which the surface is cut: the hull of all regions, unbounded where they end at the body's bounds.
 Box cut_range(const std::vector<Box>& regions, const Box& bounds, double edge) {
     const double near = tolerances.bounds * edge, far = std::numeric_limits<double>::infinity();
     Box all = regions.front();
@@ -66,13 +68,13 @@ Box cut_range(const std::vector<Box>& regions, const Box& bounds, double edge) {
     return all;
 }
 
-/// A rectangle of one plane between neighbouring planes of the two other axes; beyond the last plane it has no end.
+/// Rectangle of a plane between neighbouring planes of the two other axes, unbounded beyond the last plane.
 struct PlaneCell {
-    std::array<double, 2> lowest, highest;  // along the axes after the plane's
+    std::array<double, 2> lowest, highest;  // along the two axes after the plane's axis
 };
 
-// Fills the sections of a cut body. The parts of a plane between the planes of the other axes are filled one by one, so
-// that sections in different planes meet along whole edges.
+// Triangulates the sections of a cut body. Each plane is divided by the planes of the other axes and filled rectangle
+// by rectangle, so that sections in different planes share complete edges.
 class SectionFiller {
 public:
     SectionFiller(SurfaceMesh surface, const GridPlanes& planes, const std::vector<Box>& regions)
@@ -86,11 +88,13 @@ public:
                 sides_.insert(std::minmax(body_.triangles(i, t), body_.triangles((i + 1) % 3, t)));
     }
 
+    /// Triangles of all sections.
     Result<RegionFacets> filled() {
         std::vector<std::array<int, 3>> all;
         for (int axis = 0; axis < 3; ++axis)
             for (const double at : planes_[static_cast<std::size_t>(axis)]) {
                 const DirectedEdges contours = section_contours({axis, at});
+                // Each rectangle is filled on its own, so that all rectangles agree on their common sides.
                 for (const PlaneCell& cell : wanted_cells({axis, at})) {
                     const DirectedEdges edges = cell_contours({axis, at}, cell, contours);
                     const auto triangles = fill_contours(surface_.vertices, edges, Eigen::Vector3d::Unit(axis));
@@ -106,20 +110,22 @@ public:
     }
 
 private:
-    // Boundary of the part of the plane with material on both sides, inside to the left. Below the plane the body is
-    // bounded by its triangles and by the section; where it ends at the plane, triangles facing upwards stand in the
-    // section's place. So the section's boundary is the reverse of the edges of all these.
+    // Boundary of the section with material on both sides, interior on the left. Below the plane the body is bounded by
+    // its triangles and by the section; where the body ends at the plane, upward-facing triangles replace the section.
+    // The boundary of the section is therefore the reverse of the edges of all these.
     DirectedEdges section_contours(const AxisPlane& plane) const {
         std::map<std::pair<int, int>, int> count;
         for (Eigen::Index t = 0; t < body_.triangles.cols(); ++t) {
             const Eigen::Vector3i v = body_.triangles.col(t);
             const auto height = [&](int i) { return body_.vertices(plane.axis, v[i]) - plane.at; };
+            // Exact zeros: cutting has set the coordinate of the plane on all vertices of it.
             const bool flat = height(0) == 0.0 && height(1) == 0.0 && height(2) == 0.0;
             if (std::max({height(0), height(1), height(2)}) > 0.0 || (flat && !faces_up(v, plane.axis))) continue;
             for (int i = 0; i < 3; ++i) {
                 const int j = (i + 1) % 3;
                 if (height(i) != 0.0 || height(j) != 0.0) continue;
                 int& opposite = count[{v[i], v[j]}];
+                // Edges used in both directions cancel; what remains is the boundary.
                 if (opposite > 0)
                     --opposite;
                 else
@@ -132,13 +138,14 @@ private:
         return contours;
     }
 
+    /// True if a triangle in a plane faces the positive axis.
     bool faces_up(const Eigen::Vector3i& v, int axis) const {
         const int b = (axis + 1) % 3, c = (axis + 2) % 3;
         const auto x = [&](int i, int a) { return body_.vertices(a, v[i]) - body_.vertices(a, v[0]); };
         return x(1, b) * x(2, c) - x(1, c) * x(2, b) > 0.0;
     }
 
-    // Cells of the plane that are part of a face of a region.
+    // Rectangles of the plane that belong to a face of a region.
     std::vector<PlaneCell> wanted_cells(const AxisPlane& plane) const {
         const std::vector<double> first = stops((plane.axis + 1) % 3), second = stops((plane.axis + 2) % 3);
         std::vector<PlaneCell> cells;
@@ -152,6 +159,7 @@ private:
         return cells;
     }
 
+    /// Planes of an axis with infinite ends.
     std::vector<double> stops(int axis) const {
         std::vector<double> list = planes_[static_cast<std::size_t>(axis)];
         list.insert(list.begin(), -std::numeric_limits<double>::infinity());
@@ -159,6 +167,7 @@ private:
         return list;
     }
 
+    /// True if a rectangle lies in a face of the region.
     bool is_face_part(const Box& region, const AxisPlane& plane, const PlaneCell& cell) const {
         const double same = 1e-6 * bounds_.size().maxCoeff();
         if (std::abs(region.lowest(plane.axis) - plane.at) > same &&
@@ -166,6 +175,7 @@ private:
             return false;
         for (std::size_t k = 0; k < 2; ++k) {
             const int a = (plane.axis + 1 + static_cast<int>(k)) % 3;
+            // Unbounded rectangles are limited to the body before their centre is tested.
             const double middle = 0.5 * (std::max(cell.lowest[k], bounds_.lowest(a)) +
                                          std::min(cell.highest[k], bounds_.highest(a)));
             if (middle < region.lowest(a) || middle > region.highest(a)) return false;
@@ -173,12 +183,13 @@ private:
         return true;
     }
 
-    // The section's boundary within a cell and the cell's own within the body.
+    // Boundary of the section inside a rectangle, plus the rectangle's own sides inside the body.
     DirectedEdges cell_contours(const AxisPlane& plane, const PlaneCell& cell, const DirectedEdges& contours) {
         DirectedEdges edges;
         for (const auto& edge : contours)
             if (lies_in(plane.axis, cell, edge)) edges.push_back(edge);
         const int b = (plane.axis + 1) % 3, c = (plane.axis + 2) % 3;
+        // The four sides in the direction that keeps the rectangle on the left.
         add_side(plane, {b, cell.lowest[0]}, c, cell.lowest[1], cell.highest[1], false, edges);
         add_side(plane, {b, cell.highest[0]}, c, cell.lowest[1], cell.highest[1], true, edges);
         add_side(plane, {c, cell.lowest[1]}, b, cell.lowest[0], cell.highest[0], true, edges);
@@ -186,13 +197,13 @@ private:
         return edges;
     }
 
-    // An edge on a side of the cell belongs to the cell on its left.
+    // An edge on a side of the rectangle belongs to the rectangle on its left.
     bool lies_in(int axis, const PlaneCell& cell, const std::pair<int, int>& edge) const {
         for (std::size_t k = 0; k < 2; ++k) {
             const int own = (axis + 1 + static_cast<int>(k)) % 3, other = (axis + 2 - static_cast<int>(k)) % 3;
             const double from = surface_.vertices(own, edge.first), to = surface_.vertices(own, edge.second);
             if (from == to && (from == cell.lowest[k] || from == cell.highest[k])) {
-                // Left of a motion along the second axis are lower values of the first, and the other way round.
+                // Left of a motion along the second axis are lower values of the first, and vice versa.
                 const bool forward = surface_.vertices(other, edge.second) > surface_.vertices(other, edge.first);
                 const bool left_is_lower = (k == 0) == forward;
                 if (left_is_lower != (from == cell.highest[k])) return false;
@@ -204,7 +215,7 @@ private:
         return true;
     }
 
-    // The parts inside the body of the line where two planes meet, from `low` to `high` along the third axis.
+    // Parts inside the body of the intersection line of two planes, from `low` to `high` along the third axis.
     void add_side(const AxisPlane& plane, const AxisPlane& side, int along, double low, double high, bool ascending,
                   DirectedEdges& edges) {
         if (!std::isfinite(side.at)) return;
@@ -215,6 +226,7 @@ private:
                 x <= high)
                 points.emplace_back(x, static_cast<int>(v));
         }
+        // Corners of the rectangle inside the body are not vertices of the surface and must be added.
         for (const double end : {low, high})
             if (std::isfinite(end) &&
                 std::none_of(points.begin(), points.end(), [&](const auto& p) { return p.first == end; }))
@@ -223,7 +235,7 @@ private:
         std::sort(points.begin(), points.end());
         for (std::size_t i = 0; i + 1 < points.size(); ++i) {
             const int from = points[i].second, to = points[i + 1].second;
-            // On the surface it would be one of its edges, which are there already.
+            // An edge on the surface is already among the section's contours.
             if (sides_.contains(std::minmax(from, to)) ||
                 !is_inside(0.5 * (surface_.vertices.col(from) + surface_.vertices.col(to))))
                 continue;
@@ -234,7 +246,7 @@ private:
         }
     }
 
-    // The vertex where three planes meet inside the body.
+    // Vertex at the intersection of three planes inside the body; created on first use.
     std::optional<int> inner_corner(const AxisPlane& a, const AxisPlane& b, const AxisPlane& c) {
         Eigen::Vector3d x;
         for (const AxisPlane& plane : {a, b, c}) x[plane.axis] = plane.at;
@@ -246,12 +258,13 @@ private:
         return static_cast<int>(surface_.vertices.cols() - 1);
     }
 
+    /// Inside test by the winding number.
     bool is_inside(const Eigen::Vector3d& x) const { return winding_number(body_, x) > 0.5; }
 
-    SurfaceMesh surface_;  // the body's and the corners inside it
+    SurfaceMesh surface_;  // vertices of the body plus corners inside of it
     SurfaceMesh body_;
     Box bounds_;
-    std::set<std::pair<int, int>> sides_;  // edges of the body's triangles, the lower vertex first
+    std::set<std::pair<int, int>> sides_;  // edges of the body's triangles, lower vertex first
     const GridPlanes& planes_;
     const std::vector<Box>& regions_;
 };
@@ -270,10 +283,12 @@ Result<RegionFacets> region_facets(const SurfaceMesh& surface, const std::vector
     SurfaceMesh cut = surface;
     for (int axis = 0; axis < 3; ++axis)
         for (const double at : planes[static_cast<std::size_t>(axis)]) {
+            // Snapping before cutting avoids slivers at vertices that almost lie on the plane.
             cut = snapped_to_plane(std::move(cut), {axis, at}, tolerances.vertex * edge);
             cut = cut_by_plane(cut, {axis, at}, cut_range(regions, bounds, edge));
         }
     cut = without_short_edges(cut, planes, edge, tolerances.vertex * edge);
+    // The volume is the check that snapping and collapsing did not change the shape.
     const double volume = enclosed_volume(surface);
     if (!(std::abs(enclosed_volume(cut) - volume) <= tolerances.volume * volume))
         return Error{"cutting the surface would change its shape", ""};

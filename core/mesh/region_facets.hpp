@@ -7,23 +7,26 @@
 
 namespace myo::mesh {
 
-/// A body's surface cut along the faces of boxes, and those faces' parts inside the body.
+/// Surface of a body cut along the faces of boxes, and the parts of these faces inside the body.
 struct RegionFacets {
     SurfaceMesh surface;     // closed; some vertices may belong to inner triangles only
-    Eigen::Matrix3Xi inner;  // triangles through the inside, numbers of `surface.vertices`
+    Eigen::Matrix3Xi inner;  // triangles through the interior, vertex numbers of `surface`
 };
 
-/// Whether a face of a region passes through a body with these bounds, so that region_facets() cuts it.
+/// Decides whether region_facets() cuts a body.
+///
+/// @param bounds  bounding box of the body [m]
+/// @param edge    edge length of the future cells [m]
+/// @return        true if a face of a region passes through the bounds
 bool cut_by_regions(const Box& bounds, const std::vector<Box>& regions, double edge);
 
-/// Cuts a body so that a mesh of its parts meets the boundary of (box intersected with body) for every box.
+/// Cuts a body such that a mesh of its parts matches the boundary of (box intersected with body) for each box.
 ///
-/// A face nearer than a tenth of `edge` to the body's bounds is not cut: it selects that side. The surface keeps its
-/// shape except near the planes, where vertices move by up to a hundredth of `edge` so that no needlessly short edges
-/// arise.
+/// A face closer than a tenth of `edge` to the bounds of the body is not cut but selects that side. The shape is
+/// preserved except near the planes, where vertices move by up to a hundredth of `edge` to avoid very short edges.
 /// @param surface  welded, closed, manifold, outward
-/// @param edge     of the cells to come [m]
-/// Errors: a section that cannot be filled, a shape that would change; the surface itself is then still good.
+/// @param edge     edge length of the future cells [m]
+/// Errors: a section that cannot be triangulated, or a change of shape; the input surface is then still valid.
 Result<RegionFacets> region_facets(const SurfaceMesh& surface, const std::vector<Box>& regions, double edge);
 
 }  // namespace myo::mesh

@@ -14,9 +14,11 @@ using Vector2 = Eigen::Vector2d;
 using Vector3 = Eigen::Vector3d;
 using Triangle = std::array<Vector3, 3>;
 
+/// Plane of a triangle.
 struct Plane {
-    Vector3 normal;  // unit, or zero for a triangle without area
+    Vector3 normal;  // unit; zero for a triangle without area
     double offset;
+    /// Signed distance of a point.
     double depth(const Vector3& x) const { return normal.dot(x) - offset; }
 };
 
@@ -27,6 +29,7 @@ Plane plane_of(const Triangle& t) {
     return {unit, unit.dot(t[0])};
 }
 
+/// True if the projection of x along the normal lies in the triangle.
 bool inside(const Triangle& t, const Vector3& normal, const Vector3& x) {
     for (std::size_t i = 0; i < 3; ++i) {
         if ((t[(i + 1) % 3] - t[i]).cross(x - t[i]).dot(normal) < 0.0) return false;
@@ -34,11 +37,12 @@ bool inside(const Triangle& t, const Vector3& normal, const Vector3& x) {
     return true;
 }
 
-// An edge of `a` passes through `b`: its ends lie clearly on opposite sides, the crossing point inside.
+// True if an edge of `a` passes through `b`: end points clearly on opposite sides, intersection point inside.
 bool pierces(const Triangle& a, const Triangle& b, const Plane& plane, double tolerance) {
     for (std::size_t i = 0; i < 3; ++i) {
         const Vector3 &p = a[i], &q = a[(i + 1) % 3];
         const double dp = plane.depth(p), dq = plane.depth(q);
+        // Contact within the tolerance is not an intersection: neighbours share vertices and edges.
         if (std::min(dp, dq) >= -tolerance || std::max(dp, dq) <= tolerance) continue;
         if (inside(b, plane.normal, p + (q - p) * (dp / (dp - dq)))) return true;
     }
@@ -54,8 +58,9 @@ double area(const std::vector<Vector2>& polygon) {
     return 0.5 * std::abs(sum);
 }
 
-// Area that two triangles of one plane share, by cutting one with the sides of the other.
+// Common area of two coplanar triangles, by clipping one with the sides of the other.
 double shared_area(const Triangle& a, const Triangle& b, const Vector3& normal) {
+    // Projection along the dominant axis; the area is corrected by the normal at the end.
     Eigen::Index drop = 0;
     normal.cwiseAbs().maxCoeff(&drop);
     const auto flat = [&](const Vector3& x) { return Vector2(x[(drop + 1) % 3], x[(drop + 2) % 3]); };
@@ -79,14 +84,16 @@ double shared_area(const Triangle& a, const Triangle& b, const Vector3& normal) 
 double area(const Triangle& t) { return 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).norm(); }
 
 bool intersect(const Triangle& a, const Plane& A, const Triangle& b, const Plane& B, double tolerance) {
+    // A triangle without area has no plane.
     if (A.normal.isZero(0.0) || B.normal.isZero(0.0)) return false;
     const auto away = [&](const Plane& plane, const Triangle& t) {
         return std::max({std::abs(plane.depth(t[0])), std::abs(plane.depth(t[1])), std::abs(plane.depth(t[2]))});
     };
     if (away(A, b) <= tolerance && away(B, a) <= tolerance) {
-        // Neighbours in one plane share no area; a thousandth forgives rounded corners.
+        // Neighbours in one plane share no area; a thousandth allows for rounding.
         return shared_area(a, b, A.normal) > 1e-3 * std::min(area(a), area(b));
     }
+    // Two triangles in general position intersect if and only if an edge of one passes through the other.
     return pierces(a, b, B, tolerance) || pierces(b, a, A, tolerance);
 }
 
@@ -112,6 +119,7 @@ std::vector<std::pair<int, int>> self_intersections(const SurfaceMesh& surface, 
         if (intersect(triangles[a], planes[a], triangles[b], planes[b], tolerance)) found.emplace_back(p, q);
         return true;
     });
+    // The tree visits pairs in its own order.
     std::sort(found.begin(), found.end());
     return found;
 }

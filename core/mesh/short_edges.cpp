@@ -14,6 +14,7 @@ namespace {
 
 using TriangleCorners = std::array<int, 3>;
 
+/// Edge collapse restricted to vertices that stay on their planes.
 class EdgeCollapse {
 public:
     EdgeCollapse(const SurfaceMesh& surface, const GridPlanes& planes, double edge)
@@ -26,16 +27,19 @@ public:
             std::array<int, 3> on{-1, -1, -1};
             for (std::size_t a = 0; a < 3; ++a)
                 for (std::size_t p = 0; p < planes[a].size(); ++p)
+                    // Exact comparison: cutting and snapping set the coordinate of the plane exactly.
                     if (x_(static_cast<Eigen::Index>(a), v) == planes[a][p]) on[a] = static_cast<int>(p);
             on_.push_back(on);
         }
     }
 
-    /// One round over the short edges, the shortest first, with triangles that move by up to `deviation`; whether
-    /// anything changed.
+    /// One pass over the short edges, shortest first.
+    /// @param deviation  largest displacement of a triangle along its normal [m]
+    /// @return           true if anything changed
     bool round(double deviation) {
         std::vector<std::tuple<double, int, int>> candidates;
         for (std::size_t u = 0; u < star_.size(); ++u) {
+            // Targets are vertices on planes: only there has cutting created short edges.
             if (on_[u] == std::array{-1, -1, -1}) continue;
             for (const int v : neighbours(static_cast<int>(u)))
                 if (may_join(v, static_cast<int>(u)))
@@ -44,6 +48,7 @@ public:
         std::sort(candidates.begin(), candidates.end());
         bool changed = false;
         for (const auto& [l, v, u] : candidates) {
+            // Earlier collapses of this pass may have changed the neighbourhood.
             const std::vector<int> near = neighbours(u);
             if (std::find(near.begin(), near.end(), v) == near.end() || !may_join(v, u) ||
                 !keeps_shape(v, u, deviation))
@@ -54,6 +59,7 @@ public:
         return changed;
     }
 
+    // Surface after the collapses; removed triangles are marked by -1.
     SurfaceMesh result() const {
         SurfaceMesh surface{x_, {}};
         surface.triangles.resize(
@@ -72,6 +78,7 @@ private:
     const TriangleCorners& triangle(int t) const { return triangles_[static_cast<std::size_t>(t)]; }
     bool has(int t, int v) const { return std::find(triangle(t).begin(), triangle(t).end(), v) != triangle(t).end(); }
 
+    // Vertices connected to v by an edge, ascending.
     std::vector<int> neighbours(int v) const {
         std::vector<int> found;
         for (const int t : star(v))
@@ -82,18 +89,21 @@ private:
         return found;
     }
 
-    // Vertex v may go to u as far as planes and length are concerned.
+    // True if v may move to u: u lies on all planes of v, and the edge is short.
     bool may_join(int v, int u) const {
         const auto &on_v = on_[static_cast<std::size_t>(v)], &on_u = on_[static_cast<std::size_t>(u)];
         for (std::size_t a = 0; a < 3; ++a)
+            // A vertex may not leave any of its planes.
             if (on_v[a] >= 0 && on_v[a] != on_u[a]) return false;
         double longest = 0.0;
         for (const int w : neighbours(v)) longest = std::max(longest, length(v, w));
         return length(v, u) < 0.5 * std::min(edge_, longest);
     }
 
+    /// True if the collapse changes neither topology nor, beyond the deviation, geometry.
     bool keeps_shape(int v, int u, double deviation) const {
-        // Both ends see exactly the two corners opposite to the edge, or the surface would be pinched.
+        // Link condition: both ends share exactly the two vertices opposite to the edge, otherwise the surface would
+        // become non-manifold.
         const std::vector<int> near_v = neighbours(v), near_u = neighbours(u);
         std::vector<int> common;
         std::set_intersection(near_v.begin(), near_v.end(), near_u.begin(), near_u.end(), std::back_inserter(common));
@@ -108,13 +118,14 @@ private:
             };
             const Eigen::Vector3d before = normal(false), after = normal(true);
             if (!(before.norm() > 0.0) || std::abs(before.dot(step)) > deviation * before.norm()) return false;
-            // 1e-6: what is left must not be a line either.
+            // 0.87: normals turn by less than 30 degrees; 1e-6: no triangle degenerates to a line.
             if (!(before.dot(after) > 0.87 * before.norm() * after.norm()) || after.norm() < 1e-6 * before.norm())
                 return false;
         }
         return true;
     }
 
+    /// Moves v to u and removes the triangles of their edge.
     void join(int v, int u) {
         for (const int t : std::vector<int>(star(v))) {
             if (has(t, u)) {
@@ -132,13 +143,14 @@ private:
     double edge_;
     std::vector<TriangleCorners> triangles_;
     std::vector<std::vector<int>> star_;  // triangles around each vertex
-    std::vector<std::array<int, 3>> on_;  // which plane of each axis a vertex lies on, -1: none
+    std::vector<std::array<int, 3>> on_;  // plane of each axis on which a vertex lies; -1: none
 };
 
-// Vertices without a triangle left out.
+// Removes vertices without triangles.
 SurfaceMesh without_unused_vertices(const SurfaceMesh& surface) {
     std::vector<int> number(static_cast<std::size_t>(surface.vertices.cols()), -1);
     for (const int v : surface.triangles.reshaped()) number[static_cast<std::size_t>(v)] = 0;
+    // Vertices keep their order.
     std::vector<Eigen::Index> used;
     for (std::size_t v = 0; v < number.size(); ++v)
         if (number[v] == 0) number[v] = static_cast<int>(used.size()), used.push_back(static_cast<Eigen::Index>(v));
@@ -150,8 +162,8 @@ SurfaceMesh without_unused_vertices(const SurfaceMesh& surface) {
 
 SurfaceMesh without_short_edges(const SurfaceMesh& surface, const GridPlanes& planes, double edge, double deviation) {
     EdgeCollapse collapse(surface, planes, edge);
-    // First what changes no shape: the vertices that remain are then corners and creases. Each round leaves fewer; a
-    // handful is enough, the limit only bounds the time.
+    // First only collapses that do not change the shape, which leave corners and creases in place. The number of passes
+    // is limited to bound the time; a few are sufficient.
     for (const double allowed : {1e-6 * deviation, deviation})
         for (int round = 0; round < 8 && collapse.round(allowed);) ++round;
     return without_unused_vertices(collapse.result());

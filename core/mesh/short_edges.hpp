@@ -5,15 +5,13 @@
 
 namespace myo::mesh {
 
-/// Removes the short edges that cutting a surface by planes leaves, which a mesher would fill with needlessly small
-/// cells.
+/// Collapses the short edges that cutting by planes leaves. A mesher would fill them with very small cells.
 ///
-/// A vertex is moved into a neighbour that lies on the same planes and more, where the edge between them is shorter
-/// than half of `edge` and of its longest neighbour, no triangle around it turns over, and none of them moves by more
-/// than `deviation`.
-/// @param planes     coordinates per axis [m] that vertices on them have exactly
-/// @param edge       of the cells to come [m]
-/// @param deviation  [m]
+/// A vertex moves to a neighbour that lies on all its planes if the edge is shorter than half of `edge` and of its
+/// longest adjacent edge, no triangle flips, and none moves by more than `deviation`.
+/// @param planes     coordinates per axis [m] of the cutting planes
+/// @param edge       edge length of the future cells [m]
+/// @param deviation  largest displacement normal to a triangle [m]
 SurfaceMesh without_short_edges(const SurfaceMesh& surface, const GridPlanes& planes, double edge, double deviation);
 
 }  // namespace myo::mesh

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t stl_header_bytes = 84, triangle_bytes = 50;
 
-// Little-endian as the format says; every platform the project supports is.
+// Little-endian as specified; all supported platforms are little-endian.
 PolygonSoup read_binary(const std::string& content, std::uint32_t count) {
     PolygonSoup soup;
     soup.vertices.reserve(std::size_t{count} * 3);
@@ -26,6 +26,7 @@ PolygonSoup read_binary(const std::string& content, std::uint32_t count) {
     return soup;
 }
 
+/// Case-insensitive comparison; `expected` is in lower case.
 bool is(std::string_view word, std::string_view expected) {
     if (word.size() != expected.size()) return false;
     for (std::size_t i = 0; i < word.size(); ++i) {
@@ -42,7 +43,7 @@ Result<PolygonSoup> read_ascii(const std::string& content, const std::string& pa
         const std::string_view word = text.word();
         if (word.empty()) return text.error("the STL ends before 'endsolid': it is truncated");
         if (is(word, "endsolid")) {
-            // Several solids may follow one another.
+            // A file may contain several solids.
             text.next_line();
             if (text.at_end()) return soup;
             if (!is(text.word(), "solid")) return text.error("expected 'solid' or the end of the STL");
@@ -51,7 +52,7 @@ Result<PolygonSoup> read_ascii(const std::string& content, const std::string& pa
         }
         double skip = 0.0;
         if (!is(word, "facet")) return text.error("expected 'facet' in the STL");
-        // Normals are often nan or zero in practice and are not used.
+        // Normals are often NaN or zero in practice and are ignored.
         if (!is(text.word(), "normal")) return text.error("expected 'normal' in the STL");
         for (int i = 0; i < 3; ++i) {
             if (!TextScanner::parse(text.word(), skip)) return text.error("expected a number in the STL");
@@ -80,9 +81,10 @@ Result<PolygonSoup> read_stl(const std::filesystem::path& path) {
     const auto content = read_file(path);
     if (!content) return content.error();
     if (content->empty()) return Error{"the file is empty", path.string()};
-    // Binary headers may begin with "solid" too: the size decides first.
+    // The header of a binary file may also begin with "solid", so the file size is checked first.
     std::uint32_t count = 0;
     if (content->size() >= stl_header_bytes) std::memcpy(&count, content->data() + 80, sizeof count);
+    // 80 bytes of header, a 32-bit count, then 50 bytes per triangle.
     const std::size_t expected = stl_header_bytes + std::size_t{count} * triangle_bytes;
     if (content->size() >= stl_header_bytes && content->size() == expected) return read_binary(*content, count);
 
@@ -90,6 +92,7 @@ Result<PolygonSoup> read_stl(const std::filesystem::path& path) {
     const bool has_zero = content->substr(0, 512).find('\0') != std::string::npos;
     if (is(text.word(), "solid") && !has_zero) return read_ascii(*content, path.string());
     if (content->size() < stl_header_bytes) return Error{"the file is too short for an STL", path.string()};
+    // Neither text nor a binary file of the right size: the message says which defect is likely.
     if (content->size() < expected) {
         return Error{"the STL is truncated: " + std::to_string(count).append(" triangles need ") +
                          std::to_string(expected).append(" bytes, it has ") + std::to_string(content->size()),

@@ -12,6 +12,7 @@ std::string count_text(int n, const std::string& one, const std::string& many) {
     return std::to_string(n).append(" ").append(n == 1 ? one : many);
 }
 
+/// One message per defect of the surface.
 void add_messages(SurfaceReport& report, int pinched, int turned) {
     auto& messages = report.messages;
     if (report.open_edges > 0) {
@@ -78,7 +79,7 @@ SurfaceReport check_surface(const SurfaceMesh& surface) {
     report.volume = enclosed_volume(surface);
     report.outward = report.closed && report.oriented && report.volume > 0.0;
 
-    // 1e-8 of the diagonal: above rounding of double arithmetic, and the tolerance TetGen calls coplanar.
+    // 1e-8 of the diagonal: above rounding in double precision, and TetGen's tolerance for coplanar.
     auto pairs = self_intersections(surface, 1e-8 * report.size.norm());
     report.self_intersections = static_cast<int>(pairs.size());
     pairs.resize(std::min<std::size_t>(pairs.size(), 20));

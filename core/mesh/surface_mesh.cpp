@@ -16,7 +16,7 @@ Box bounding_box(const Eigen::Matrix3Xd& points) {
 
 double enclosed_volume(const SurfaceMesh& surface) {
     if (surface.vertices.cols() == 0) return 0.0;
-    // Relative to the centre: far from the origin the terms would cancel and lose digits.
+    // Relative to the centroid: far from the origin the terms would cancel and lose digits.
     const Eigen::Vector3d centre = surface.vertices.rowwise().mean();
     double volume = 0.0;
     for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) {

@@ -6,19 +6,25 @@
 
 namespace myo::mesh {
 
-/// A triangulated surface: vertices 3 x n [m], mesh frame; triangles 3 x m, 0-based, outward by the right hand rule.
+/// Triangulated surface in the mesh frame.
 struct SurfaceMesh {
-    Eigen::Matrix3Xd vertices;
-    Eigen::Matrix3Xi triangles;
+    Eigen::Matrix3Xd vertices;   // 3 x n [m]
+    Eigen::Matrix3Xi triangles;  // 3 x m, vertex numbers from 0, outward by the right-hand rule
 };
 
-/// Bounding box. Asserts that the surface has vertices.
+/// Bounding box of points.
+///
+/// @param points  3 x n [m]; asserts n > 0
 Box bounding_box(const Eigen::Matrix3Xd& points);
 
-/// Volume enclosed by a closed outward surface [m3] (divergence theorem); negative when oriented inward.
+/// Volume enclosed by a closed surface (divergence theorem).
+///
+/// @return  [m3], positive if outward, negative if inward; meaningless if the surface is open
 double enclosed_volume(const SurfaceMesh& surface);
 
-/// The 12 triangles of a box.
+/// Surface of a box.
+///
+/// @return  8 vertices in VTK's corner order and 12 outward triangles
 SurfaceMesh box_surface(const Box& box);
 
 }  // namespace myo::mesh

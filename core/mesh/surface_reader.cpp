@@ -46,6 +46,7 @@ Result<SurfaceMesh> read_surface(const std::filesystem::path& path, double metre
         surface.vertices.col(static_cast<Eigen::Index>(v)) = rotation * (soup->vertices[v] * metres_per_unit);
     }
     surface.triangles.resize(3, static_cast<Eigen::Index>(soup->triangles.size()));
+    // Indices are checked here for all formats.
     for (std::size_t t = 0; t < soup->triangles.size(); ++t) {
         for (std::size_t i = 0; i < 3; ++i) {
             const int v = soup->triangles[t][i];
@@ -62,7 +63,7 @@ Result<SurfaceMesh> read_surface(const std::filesystem::path& path, double metre
             }
         }
     }
-    // Vertices that no triangle uses may be anything; they must not reach the bounding box.
+    // Unused vertices may have any coordinates and must not affect the bounding box.
     std::vector<int> number(soup->vertices.size(), -1);
     for (const int v : surface.triangles.reshaped()) number[static_cast<std::size_t>(v)] = 0;
     std::vector<Eigen::Index> used;

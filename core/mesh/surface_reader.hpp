@@ -7,13 +7,12 @@
 
 namespace myo::mesh {
 
-/// Reads a surface: STL (ASCII, binary), OBJ, PLY, VTP, told apart by the extension.
+/// Reads a surface file; the extension selects STL (ASCII, binary), OBJ, PLY or VTP.
 ///
-/// @param metres_per_unit  length of the file's unit [m]; always asked for, none of these formats states it
+/// @param metres_per_unit  length of the file's unit [m]; required, because none of these formats states it
 /// @param rotation         mesh = rotation * (file * unit); orthonormal with determinant 1
-/// @return  triangles as in the file, polygons cut into triangles; vertices that coincide are not joined: see weld
-/// Errors: missing, empty, truncated or garbled file; no triangles; coordinates that are not finite; indices out of
-/// range.
+/// @return  triangles as in the file, polygons triangulated; coincident vertices are not merged, see weld()
+/// Errors: missing, empty, truncated or corrupt file; no triangles; non-finite coordinates; indices out of range.
 Result<SurfaceMesh> read_surface(const std::filesystem::path& path, double metres_per_unit,
                                  const Eigen::Matrix3d& rotation = Eigen::Matrix3d::Identity());
 

@@ -8,7 +8,7 @@
 namespace myo::mesh {
 namespace {
 
-// One use of an undirected edge by a triangle.
+// Use of an undirected edge by a triangle.
 struct EdgeUse {
     int low = 0, high = 0;
     int triangle = 0;
@@ -31,6 +31,7 @@ std::vector<EdgeUse> sorted_edges(const SurfaceMesh& surface) {
     return uses;
 }
 
+/// Calls visit(begin, end) for each run of uses of the same edge.
 template <class Visit>
 void for_each_edge(const std::vector<EdgeUse>& uses, const Visit& visit) {
     for (std::size_t i = 0; i < uses.size();) {
@@ -43,6 +44,8 @@ void for_each_edge(const std::vector<EdgeUse>& uses, const Visit& visit) {
 
 std::size_t corner(int triangle, int side) { return static_cast<std::size_t>(3 * triangle + side % 3); }
 
+/// Number of vertices where several fans of triangles meet. Corners of triangles that share an edge at a vertex are
+/// joined; each remaining set at a vertex is one fan.
 int pinched_vertices(const SurfaceMesh& surface, const std::vector<EdgeUse>& uses) {
     DisjointSets fans(static_cast<std::size_t>(surface.triangles.cols()) * 3);
     for_each_edge(uses, [&](std::size_t begin, std::size_t end) {
@@ -73,11 +76,13 @@ SurfaceTopology surface_topology(const SurfaceMesh& surface) {
         if (end - begin == 1) ++topology.open_edges;
         if (end - begin > 2) ++topology.crowded_edges;
         if (end - begin != 2) return;
+        // Consistent neighbours traverse their common edge in opposite directions.
         if (uses[begin].forward == uses[begin + 1].forward) ++topology.turned_edges;
         sets.join(static_cast<std::size_t>(uses[begin].triangle), static_cast<std::size_t>(uses[begin + 1].triangle));
     });
     topology.part.resize(static_cast<std::size_t>(surface.triangles.cols()));
     for (std::size_t t = 0; t < topology.part.size(); ++t) {
+        // The root is the smallest member and has thus been numbered before.
         const std::size_t root = sets.find(t);
         topology.part[t] = root == t ? topology.parts++ : topology.part[root];
     }

@@ -26,7 +26,7 @@ namespace myo::mesh {
 namespace {
 namespace fs = std::filesystem;
 
-// A folder of its own, removed with its content whatever happens.
+// Temporary folder, removed with its content on scope exit.
 class TemporaryFolder {
 public:
     TemporaryFolder() {
@@ -46,8 +46,10 @@ private:
     fs::path path_;
 };
 
+/// Path of the worker: environment variable MYOLOOP_TETGEN, otherwise the folder of the program.
 Result<fs::path> find_worker() {
     std::error_code code;
+    // An explicitly named worker takes precedence over the one next to the program.
     if (const char* named = std::getenv("MYOLOOP_TETGEN"); named != nullptr && *named != '\0') {
         if (fs::is_regular_file(named, code)) return fs::path(named);
         return Error{"the tetrahedral mesher named by MYOLOOP_TETGEN does not exist", named};
@@ -57,10 +59,11 @@ Result<fs::path> find_worker() {
     return Error{"the tetrahedral mesher myoloop-tetgen is not beside the program; set MYOLOOP_TETGEN to its path", ""};
 }
 
-// A point inside each cavity: from the middle of one of its triangles half way to whatever lies opposite.
+// A point inside each cavity: from the centre of one of its triangles half way to the opposite surface.
 std::vector<double> cavity_points(const SurfaceMesh& surface, const SurfaceTopology& topology) {
     std::vector<double> holes;
     for (int part = 0; part < topology.parts; ++part) {
+        // A part with negative volume is oriented inward, that is, a cavity.
         SurfaceMesh alone{surface.vertices, {}};
         std::vector<Eigen::Index> own;
         for (std::size_t t = 0; t < topology.part.size(); ++t) {
@@ -69,7 +72,7 @@ std::vector<double> cavity_points(const SurfaceMesh& surface, const SurfaceTopol
         alone.triangles = surface.triangles(Eigen::all, own);
         if (enclosed_volume(alone) >= 0.0) continue;
 
-        // The largest triangle: its normal is the most certain.
+        // The largest triangle has the most accurate normal.
         double largest = -1.0;
         Eigen::Vector3d start, direction;
         for (Eigen::Index t = 0; t < alone.triangles.cols(); ++t) {
@@ -85,6 +88,7 @@ std::vector<double> cavity_points(const SurfaceMesh& surface, const SurfaceTopol
         for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) {
             Eigen::Matrix3d M;
             const Eigen::Vector3d a = surface.vertices.col(surface.triangles(0, t));
+            // Ray-triangle intersection: start + t direction = a + u e1 + v e2, solved for (u, v, t).
             M << surface.vertices.col(surface.triangles(1, t)) - a, surface.vertices.col(surface.triangles(2, t)) - a,
                 -direction;
             const Eigen::Vector3d uvs = M.fullPivLu().solve(start - a);
@@ -99,10 +103,11 @@ std::vector<double> cavity_points(const SurfaceMesh& surface, const SurfaceTopol
     return holes;
 }
 
-// Whether TetGen may join flat facets and put its own triangles in their place: better cells, but now and then it
-// fails.
+// TetGen may merge flat facets and re-triangulate them: better cells, but it occasionally fails.
 enum class FlatFacets { joined, kept };
 
+/// Command line of TetGen: p piecewise linear complex, q quality, S Steiner points, Q quiet, M no merging of facets, a
+/// volume.
 std::string switches_for(const TetOptions& options, double max_volume, FlatFacets flat) {
     char text[128];
     std::snprintf(text, sizeof text, "pq%.4g/%.4gS%dQ", std::max(1.2, options.radius_edge_ratio),
@@ -110,13 +115,14 @@ std::string switches_for(const TetOptions& options, double max_volume, FlatFacet
     std::string switches = text;
     if (flat == FlatFacets::kept) switches += "M";
     if (max_volume > 0.0) {
-        // TetGen reads plain decimals only: no exponent.
+        // TetGen parses plain decimals only, without exponent.
         std::snprintf(text, sizeof text, "a%.18f", max_volume);
         switches += text;
     }
     return switches;
 }
 
+/// Translates the outcome of the worker into an error message.
 Result<void> judge(const ChildEnd& end, const TetOptions& options) {
     switch (end.how) {
         case ChildEnd::How::cancelled: return Error{"meshing was stopped", ""};
@@ -145,19 +151,22 @@ Result<void> judge(const ChildEnd& end, const TetOptions& options) {
     }
 }
 
+/// Welded, checked and outward surface.
 Result<SurfaceMesh> prepared(const SurfaceMesh& surface) {
     if (!surface.vertices.allFinite()) return Error{"a vertex's coordinates are not finite numbers", ""};
     SurfaceMesh welded = weld(surface);
     if (welded.triangles.cols() == 0) return Error{"the surface has no triangles", ""};
+    // Defects are reported here, with their place, before TetGen is started.
     const SurfaceReport report = check_surface(welded);
     if (!report.meshable()) return Error{report.messages.front(), ""};
     if (!report.oriented) return Error{"neighbouring triangles of the surface turn opposite ways", ""};
     if (report.volume < 0.0) welded = flipped(std::move(welded));
+    // Relative to the bounding box: below rounding of the volume sum.
     if (std::abs(report.volume) < 1e-12 * report.size.prod()) return Error{"the surface encloses no volume", ""};
     return welded;
 }
 
-// Edge of the cells to come, as far as it is known before [m].
+// Expected edge length of the future cells [m].
 double expected_edge(const SurfaceMesh& welded, const TetOptions& options) {
     if (options.max_volume) return tet_edge_for_volume(*options.max_volume);
     if (options.edge) return *options.edge;
@@ -167,14 +176,14 @@ double expected_edge(const SurfaceMesh& welded, const TetOptions& options) {
     return sum / static_cast<double>(welded.triangles.cols());
 }
 
-// One run of TetGen on a prepared surface. max_volume 0: none.
+// One run of TetGen on a prepared surface; max_volume 0: no limit.
 Result<VolumeMesh> run_tetgen(const RegionFacets& facets, FlatFacets flat, double max_volume, const TetOptions& options,
                               double time_limit_s, const Progress& progress) {
     const auto worker = find_worker();
     if (!worker) return worker.error();
     const SurfaceMesh& welded = facets.surface;
 
-    // TetGen's switches and tolerances suit bodies of about unit size: mesh in a frame of that size.
+    // TetGen's tolerances suit bodies of about unit size: the mesh is made in scaled coordinates.
     const Box box = bounding_box(welded.vertices);
     const double scale = box.size().maxCoeff();
     TetgenExchange request, answer;
@@ -182,6 +191,7 @@ Result<VolumeMesh> run_tetgen(const RegionFacets& facets, FlatFacets flat, doubl
     request.points.assign(unit.data(), unit.data() + unit.size());
     request.cells.assign(welded.triangles.data(), welded.triangles.data() + welded.triangles.size());
     request.cells.insert(request.cells.end(), facets.inner.data(), facets.inner.data() + facets.inner.size());
+    // TetGen fills every closed region unless it contains a hole point.
     request.holes = cavity_points({unit, welded.triangles}, surface_topology(welded));
 
     const TemporaryFolder folder;
@@ -192,10 +202,11 @@ Result<VolumeMesh> run_tetgen(const RegionFacets& facets, FlatFacets flat, doubl
     const ChildEnd end = run_child(
         *worker,
         {request_path.string(), answer_path.string(), switches_for(options, max_volume / (scale * scale * scale), flat),
+         // The worker limits its own memory and processor time; the time limit is a second line of defence.
          std::to_string(static_cast<unsigned long long>(options.memory_limit_bytes)),
          std::to_string(static_cast<unsigned long long>(std::ceil(time_limit_s)) + 1)},
         time_limit_s, [&] { return progress.cancelled(); },
-        // How much of it is left nobody knows: only that it goes on is told.
+        // The remaining time is unknown, so only the elapsed time is reported.
         [&](double seconds) {
             progress.report({"tetrahedral mesh", seconds, 0.0, "s", ""});
         });
@@ -215,6 +226,7 @@ Result<VolumeMesh> run_tetgen(const RegionFacets& facets, FlatFacets flat, doubl
             "the mesh has " + std::to_string(mesh.cell_count()).append(" cells, over the limit: choose longer edges"),
             ""};
     }
+    // The limit was reached, so the requested size and quality may not be met.
     if (mesh.node_count() >= welded.vertices.cols() + options.steiner_cap) {
         return Error{"the mesh needs more than " +
                          std::to_string(options.steiner_cap).append(" added points: choose longer edges"),
@@ -226,8 +238,8 @@ Result<VolumeMesh> run_tetgen(const RegionFacets& facets, FlatFacets flat, doubl
 }  // namespace
 
 // Measured on a cube, a cylinder and a 10:3:3 beam with q = 1.414/15 and edges of an eighth to a third of the width:
-// the mean edge is 1.42 to 1.6 times the cube root of the largest volume. tetrahedralize corrects the rest by a second
-// run.
+// the mean edge is 1.42 to 1.6 times the cube root of the largest volume. tetrahedralize() corrects the remaining error
+// by further runs.
 double tet_volume_for_edge(double edge) { return std::pow(edge / 1.5, 3); }
 double tet_edge_for_volume(double max_volume) { return 1.5 * std::cbrt(max_volume); }
 
@@ -249,10 +261,10 @@ Result<VolumeMesh> tetrahedralize(const SurfaceMesh& surface, const TetOptions& 
     FlatFacets flat = FlatFacets::joined;
     std::optional<VolumeMesh> best;
     double best_miss = std::numeric_limits<double>::infinity();
-    // The mean edge depends on the shape and on the surface's own edges: correct the volume by what came out, at most
-    // twice.
+    // The mean edge depends on the shape and on the edges of the surface itself: the volume limit is corrected by the
+    // result at most twice.
     for (int run = 0; run < 3; ++run) {
-        // Cells are at most max_volume large, so there are at least this many.
+        // Cells are at most max_volume large, which gives a lower bound of their number.
         if (max_volume > 0.0 && volume / max_volume > options.max_cells) {
             if (best) break;
             return Error{
@@ -260,6 +272,7 @@ Result<VolumeMesh> tetrahedralize(const SurfaceMesh& surface, const TetOptions& 
         }
         const double used = watch.seconds();
         auto mesh = run_tetgen(*facets, flat, max_volume, options, options.time_limit_s - used, progress);
+        // First failure with inner facets: second attempt without merging of flat facets.
         if (!mesh && !best && facets->inner.cols() > 0 && flat == FlatFacets::joined && !progress.cancelled()) {
             flat = FlatFacets::kept;
             mesh = run_tetgen(*facets, flat, max_volume, options, options.time_limit_s - watch.seconds(), progress);
@@ -270,14 +283,16 @@ Result<VolumeMesh> tetrahedralize(const SurfaceMesh& surface, const TetOptions& 
             best = std::move(*mesh);
             break;
         }
+        // The mean edge scales with the cube root of the volume limit. The best of the runs is kept.
         const double ratio = mean_edge_length(*mesh) / *options.edge;
         if (std::abs(std::log(ratio)) < best_miss) {
             best_miss = std::abs(std::log(ratio));
             best = std::move(*mesh);
         }
-        if (best_miss < 0.05 || (ratio < 1.0 && run > 0)) break;  // shorter still: the surface's own edges rule
+        if (best_miss < 0.05 || (ratio < 1.0 && run > 0)) break;  // still shorter: limited by the edges of the surface
         max_volume /= std::pow(ratio, 3);
     }
+    // Final check of the volume: TetGen can miss regions of a defective surface.
     const double filled = cell_volumes(*best).sum();
     if (std::abs(filled - volume) > 1e-3 * volume) {
         return Error{"TetGen filled " + format_number(filled * 1e6, 4) + " ml of " + format_number(volume * 1e6, 4) +

@@ -7,7 +7,7 @@
 namespace myo::mesh {
 namespace {
 
-// TetGen's files without comments; line ends stay, so that line numbers are right.
+// Replaces comments by blanks. Line ends are kept, so that line numbers in messages stay correct.
 std::string without_comments(std::string content) {
     bool comment = false;
     for (char& c : content) {
@@ -18,14 +18,15 @@ std::string without_comments(std::string content) {
     return content;
 }
 
-// Where VTK's mid-node of edge 01, 12, 20, 03, 13, 23 stands among TetGen's, whose order is 23, 03, 01, 12, 13, 02
-// (measured: tetrahedralize("o2") on one tetrahedron).
+// VTK's mid-side nodes 01, 12, 20, 03, 13, 23 as positions in TetGen's order 23, 03, 01, 12, 13, 02 (measured:
+// tetrahedralize("o2") on one tetrahedron).
 constexpr std::array<std::size_t, 10> from_tetgen{0, 1, 2, 3, 6, 7, 9, 5, 8, 4};
 
 }  // namespace
 
 Result<CellSoup> read_tetgen(const std::filesystem::path& path) {
     std::filesystem::path node_path = path, cell_path = path;
+    // Points and cells are in two files of the same name.
     node_path.replace_extension(".node");
     cell_path.replace_extension(".ele");
     const auto node_file = read_file(node_path);
@@ -50,6 +51,7 @@ Result<CellSoup> read_tetgen(const std::filesystem::path& path) {
             return nodes.error("the file ends after " + std::to_string(i).append(" points: it is truncated"));
         if (!nodes.integer(number)) return nodes.error("expected a point number");
         if (i == 0) first = number;
+        // TetGen numbers from 0 or 1; gaps would need a map and do not occur in its output.
         if ((first != 0 && first != 1) || number != first + i)
             return nodes.error("points must be numbered from 0 or 1 without gaps");
         for (Eigen::Index a = 0; a < 3; ++a) {

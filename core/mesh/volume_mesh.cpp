@@ -15,8 +15,9 @@ namespace {
 
 using Vector3 = Eigen::Vector3d;
 
-// Trilinear hexahedron. det J is quadratic in each parameter, so two Gauss points per axis are exact.
+// Trilinear hexahedron: det J is quadratic in each parameter, so two Gauss points per axis are exact.
 double hexahedron_volume(const Eigen::Matrix3Xd& nodes, const Eigen::VectorXi& cell) {
+    // Gauss points on [0, 1].
     static const double g = 0.5 / std::sqrt(3.0);
     double volume = 0.0;
     for (int point = 0; point < 8; ++point) {
@@ -45,7 +46,7 @@ double tetrahedron_volume(const Eigen::Matrix3Xd& nodes, const Eigen::VectorXi& 
     return J.determinant() / 6.0;
 }
 
-// Quadratic tetrahedron: det J is cubic, which Keast's five points integrate exactly.
+// Quadratic tetrahedron: det J is cubic, integrated exactly by Keast's five points.
 double quadratic_tetrahedron_volume(const Eigen::Matrix3Xd& nodes, const Eigen::VectorXi& cell) {
     double volume = 0.0;
     for (int point = 0; point < 5; ++point) {
@@ -61,16 +62,18 @@ double quadratic_tetrahedron_volume(const Eigen::Matrix3Xd& nodes, const Eigen::
         }
         Eigen::Matrix3d J;
         for (int i = 0; i < 3; ++i) J.col(i) = by_L.col(i + 1) - by_L.col(0);
+        // Weights of the five-point rule: -4/5 at the centroid, 9/20 at the others.
         volume += (point == 0 ? -0.8 : 0.45) * J.determinant() / 6.0;
     }
     return volume;
 }
 
+/// Faces of a cell type.
 struct CellFaces {
-    int count;    // faces per cell
-    int nodes;    // nodes per face
-    int corners;  // of which corners; they come first
-    int (*node)(int face, int i);
+    int count;                     // faces per cell
+    int nodes;                     // nodes per face
+    int corners;                   // number of corners; they come first
+    int (*node)(int face, int i);  // local node number i of a face
 };
 
 CellFaces faces_of(CellType type) {
@@ -87,12 +90,13 @@ CellFaces faces_of(CellType type) {
             }};
 }
 
+/// Face of a cell with its sorted corners as key.
 struct FaceKey {
     std::array<int, 4> corners;  // ascending; -1 pads a triangle
     int number;                  // cell * faces per cell + face
 };
 
-/// All faces of all cells, those of the same corners side by side.
+/// All faces of all cells, sorted such that faces with equal corners are adjacent.
 std::vector<FaceKey> sorted_faces(const VolumeMesh& mesh, const CellFaces& faces) {
     assert(mesh.cells.rows() == nodes_per_cell(mesh.type) || mesh.cell_count() == 0);
     std::vector<FaceKey> keys;
@@ -107,6 +111,7 @@ std::vector<FaceKey> sorted_faces(const VolumeMesh& mesh, const CellFaces& faces
             keys.push_back(key);
         }
     }
+    // The face number breaks ties, so that the order is deterministic.
     std::sort(keys.begin(), keys.end(), [](const FaceKey& a, const FaceKey& b) {
         return a.corners != b.corners ? a.corners < b.corners : a.number < b.number;
     });
@@ -159,7 +164,7 @@ FaceTable face_table(const VolumeMesh& mesh) {
             table.nodes(i, k) = mesh.cells(faces.node(static_cast<int>(k) % faces.count, i), table.cell[k]);
     }
     for_equal_faces(keys, [&](std::size_t first, std::size_t end) {
-        // Of a face that more than two cells share none is free; any neighbour tells so.
+        // A face shared by more than two cells is not free either; any neighbour is recorded.
         for (std::size_t k = first; k < end; ++k)
             if (end > first + 1) table.beyond[keys[k].number] = table.cell[keys[k == first ? first + 1 : first].number];
     });
@@ -170,6 +175,7 @@ BoundaryFaces boundary_of_part(const FaceTable& table, const std::vector<char>& 
     const auto is_kept = [&](int cell) { return cell >= 0 && kept[static_cast<std::size_t>(cell)] != 0; };
     std::vector<Eigen::Index> exposed;
     for (Eigen::Index k = 0; k < table.cell.size(); ++k)
+        // A face is on the boundary of the part if the other side is empty or not part of it.
         if (is_kept(table.cell[k]) && !is_kept(table.beyond[k])) exposed.push_back(k);
     return {table.nodes(Eigen::all, exposed), table.cell(exposed)};
 }
@@ -183,6 +189,7 @@ Eigen::Matrix2Xi neighbouring_cells(const VolumeMesh& mesh) {
     const std::vector<FaceKey> keys = sorted_faces(mesh, faces);
     std::vector<std::array<int, 2>> pairs;
     for_equal_faces(keys, [&](std::size_t first, std::size_t end) {
+        // Faces of more than two cells are not counted: the mesh is not conforming there.
         if (end == first + 2) pairs.push_back({keys[first].number / faces.count, keys[first + 1].number / faces.count});
     });
     std::sort(pairs.begin(), pairs.end());

@@ -9,6 +9,7 @@
 namespace myo::mesh {
 namespace {
 
+/// Selects the reader by the extension.
 Result<CellSoup> read_cells(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -38,6 +39,7 @@ Result<VolumeMesh> read_volume(const std::filesystem::path& path, double metres_
     const int per_cell = nodes_per_cell(mesh.type);
     mesh.cells = Eigen::Map<const Eigen::MatrixXi>(soup->cells.data(), per_cell,
                                                    static_cast<Eigen::Index>(soup->cells.size()) / per_cell);
+    // Checks node numbers and volumes, and repairs the orientation of mirrored cells.
     return with_positive_cells(std::move(mesh), path.string());
 }
 

@@ -7,13 +7,14 @@
 
 namespace myo::mesh {
 
-/// Reads a volume mesh: VTU, legacy VTK unstructured grid, Gmsh MSH 2.2 and 4.1 (ASCII), TetGen .node/.ele (either of
-/// the two names), told apart by the extension.
+/// Reads a volume mesh file; the extension selects VTU, legacy VTK unstructured grid, Gmsh MSH 2.2 and 4.1 (ASCII) or
+/// TetGen .node/.ele (either of the two names).
 ///
-/// hex8, tet4 or tet10; points, lines and surface cells are ignored, two volume types in one file are an error. Cells
-/// of negative volume are turned round, unused nodes dropped. VTK_VOXEL becomes hex8.
+/// Cells may be hex8, tet4 or tet10; VTK_VOXEL becomes hex8. Points, lines and surface cells are ignored. Cells of
+/// negative volume are reordered, unused nodes removed.
 /// @param metres_per_unit  length of the file's unit [m]
-/// Errors: missing, empty, truncated, garbled or binary (Gmsh) file; unsupported cells; a cell without volume.
+/// Errors: missing, empty, truncated, corrupt or binary (Gmsh) file; unsupported cells, two volume types in one file; a
+/// cell without volume.
 Result<VolumeMesh> read_volume(const std::filesystem::path& path, double metres_per_unit);
 
 }  // namespace myo::mesh

@@ -12,15 +12,16 @@
 namespace myo::mesh {
 namespace {
 
-constexpr int rays_per_axis = 4;
+constexpr int rays_per_axis = 4;  // 16 rays per column of cells
 
+/// Intersection of a ray with the surface.
 struct Crossing {
     double z = 0.0;
     int turn = 0;  // +1 where the ray enters an outward surface, -1 where it leaves
 };
 
-// Positions of the rays along one axis. The shift of a few millionths of a cell keeps rays off edges and diagonals of
-// surfaces drawn on the same grid; the number is fixed, so the result is repeatable.
+// Positions of the rays along one axis. A shift of a few millionths of a cell keeps rays off the edges and diagonals of
+// surfaces drawn on the same grid. The shift is constant, so the result is reproducible.
 std::vector<double> ray_positions(const std::vector<double>& lines, double shift) {
     std::vector<double> positions;
     for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
@@ -31,8 +32,8 @@ std::vector<double> ray_positions(const std::vector<double>& lines, double shift
     return positions;
 }
 
-// On which side of a -> b the point is. Evaluated from the lower to the higher vertex number, so that both triangles of
-// an edge come to the same answer and a ray never slips through between them.
+// Side of the edge a-b on which the point lies. Evaluated from the lower to the higher vertex number, so that both
+// triangles of an edge agree and no ray passes between them.
 bool left_of(const Eigen::Matrix3Xd& x, int a, int b, double px, double py) {
     const bool swapped = a > b;
     if (swapped) std::swap(a, b);
@@ -40,6 +41,7 @@ bool left_of(const Eigen::Matrix3Xd& x, int a, int b, double px, double py) {
     return (side >= 0.0) != swapped;
 }
 
+/// Intersections of a grid of rays along z with the surface.
 class RayField {
 public:
     RayField(const SurfaceMesh& surface, const GridLines& grid)
@@ -52,7 +54,7 @@ public:
         }
     }
 
-    // Intervals inside, as alternating begin and end.
+    // Inside intervals of a ray, as alternating begin and end.
     std::vector<double> intervals(std::size_t i, std::size_t j, bool by_winding) const {
         std::vector<double> ends;
         int winding = 0;
@@ -61,11 +63,13 @@ public:
             winding = by_winding ? winding + c.turn : 1 - winding;
             if ((winding != 0) != was_inside) ends.push_back(c.z);
         }
+        // An interval without end comes from a defect of the surface and is discarded.
         if (ends.size() % 2 == 1) ends.pop_back();
         return ends;
     }
 
 private:
+    /// Adds the intersections of one triangle with all rays that pass through it.
     void add(const SurfaceMesh& surface, const Eigen::Vector3i& t) {
         const Eigen::Matrix3Xd& v = surface.vertices;
         const Eigen::Vector3d a = v.col(t[0]), b = v.col(t[1]), c = v.col(t[2]);
@@ -79,7 +83,9 @@ private:
             for (std::size_t i = from(x_, std::min({a[0], b[0], c[0]})); i < x_.size() && x_[i] <= x_high; ++i) {
                 const bool s0 = left_of(v, t[0], t[1], x_[i], y_[j]), s1 = left_of(v, t[1], t[2], x_[i], y_[j]);
                 const bool s2 = left_of(v, t[2], t[0], x_[i], y_[j]);
+                // Inside if the ray is on the same side of all edges, for either orientation.
                 if (s0 != s1 || s1 != s2) continue;
+                // Barycentric weights of the intersection.
                 const double wb = ((x_[i] - a[0]) * (c[1] - a[1]) - (y_[j] - a[1]) * (c[0] - a[0])) / twice_area;
                 const double wc = ((b[0] - a[0]) * (y_[j] - a[1]) - (b[1] - a[1]) * (x_[i] - a[0])) / twice_area;
                 const double z = a[2] + wb * (b[2] - a[2]) + wc * (c[2] - a[2]);
@@ -92,7 +98,7 @@ private:
     std::vector<std::vector<Crossing>> crossings_;
 };
 
-// Adds, for each cell of a column, the part of its height that lies inside.
+// Adds to each cell of a column the fraction of its height that lies inside.
 void add_lengths(const std::vector<double>& intervals, const std::vector<double>& z, std::vector<double>& inside) {
     for (std::size_t e = 0; e + 1 < intervals.size(); e += 2) {
         const double low = intervals[e], high = intervals[e + 1];
@@ -122,6 +128,7 @@ Result<VolumeMesh> voxelize(const SurfaceMesh& surface, const VoxelOptions& opti
     if (!limited) return limited.error();
     const GridLines& grid = *limited;
     const Eigen::Vector3i n = grid.cells();
+    // All rays are intersected first, with one pass over the triangles.
     const RayField rays(surface, grid);
     VolumeMesh mesh = hex_mesh(grid);
     std::vector<Eigen::Index> solid;
@@ -137,7 +144,7 @@ Result<VolumeMesh> voxelize(const SurfaceMesh& surface, const VoxelOptions& opti
                 add_lengths(rays.intervals(ri, rj, topology.oriented), grid.axis[2], inside);
             }
             for (int k = 0; k < n[2]; ++k) {
-                // 1e-5: the rays' shift must not decide about a cell that is cut exactly in half.
+                // 1e-5: the shift of the rays must not decide about a cell that is cut exactly in half.
                 const double fraction = inside[static_cast<std::size_t>(k)] / (rays_per_axis * rays_per_axis);
                 if (fraction >= options.solid_fraction - 1e-5) solid.push_back((Eigen::Index{k} * n[1] + j) * n[0] + i);
             }
@@ -148,6 +155,7 @@ Result<VolumeMesh> voxelize(const SurfaceMesh& surface, const VoxelOptions& opti
                          format_number(options.edge * 1e3, 4) + " mm",
                      ""};
     }
+    // Cells in the order of the grid, independent of the order of the columns.
     std::sort(solid.begin(), solid.end());
     mesh.cells = mesh.cells(Eigen::all, solid).eval();
     return without_unused_nodes(mesh);

@@ -10,30 +10,30 @@
 
 namespace myo::mesh {
 
+/// Settings of voxelize().
 struct VoxelOptions {
-    double edge = 0.005;                 // [m], aimed at; edges per axis adapt so that the bounding box is met exactly
-    GridPlanes planes{};                 // [m] coordinates that must be grid planes, as the faces of a clamp
-    std::optional<GridLines> grid{};     // [m] instead of edge and planes
-    double solid_fraction = 0.5;         // a cell is kept when at least this part of it lies inside
-    double max_cells = most_grid_cells;  // of the whole grid
+    double edge = 0.005;  // [m] target edge length; adapted per axis so that the bounding box is matched exactly
+    GridPlanes planes{};  // [m] coordinates that must be grid planes, for example faces of a clamp
+    std::optional<GridLines> grid{};     // [m] grid instead of edge and planes
+    double solid_fraction = 0.5;         // a cell is kept if at least this fraction of it lies inside
+    double max_cells = most_grid_cells;  // limit for the complete grid
 };
 
-/// Axis-aligned hex8 mesh of the inside of a closed surface.
+/// Axis-aligned hex8 mesh of the interior of a closed surface.
 ///
-/// How much of a cell is inside is measured along z: through each cell run 16 rays, and each gives the exact length
-/// inside.
-/// @param surface  welded and closed. Consistently oriented surfaces are filled where the winding number is not zero
-/// (an
-///                 inward part is a cavity, overlapping parts are one body); others by parity.
-/// Errors: not closed; edge not positive; grid too large; no cell is inside; cancelled.
+/// The fraction of a cell inside is measured by 16 rays along z, each with its exact length inside.
+/// @param surface  welded and closed. A consistently oriented surface is filled where the winding number is not zero:
+///                 inward parts are cavities, overlapping parts one body. Other surfaces are filled by parity.
+/// Errors: not closed; edge not positive; grid too large; no cell inside; cancelled.
 Result<VolumeMesh> voxelize(const SurfaceMesh& surface, const VoxelOptions& options, const Progress& progress = {});
 
-/// How a mesh holds together.
+/// Connectivity of the cells of a mesh.
 struct Connectivity {
-    int components = 0;  // parts joined through whole faces
-    int weak_edges = 0;  // edges where parts of the mesh meet that share no face around it
-    int weak_nodes = 0;  // nodes likewise, those of weak edges included
+    int components = 0;  // parts connected through complete faces
+    int weak_edges = 0;  // edges where cells meet that are not connected by faces around the edge
+    int weak_nodes = 0;  // nodes likewise, nodes of weak edges included
 };
+/// Connectivity of a mesh. Weak edges and nodes act as hinges, with almost no bending stiffness.
 Connectivity connectivity(const VolumeMesh& mesh);
 
 }  // namespace myo::mesh

@@ -9,14 +9,15 @@
 
 #include "mesh/polygon.hpp"
 
-// VTK 9.1's own readers run out of bounds on garbled files (2000 damaged files each, legacy binary: 5 of 6 batches
-// died), so the arrays are read here and checked before use.
+// VTK 9.1's own readers access memory out of bounds on corrupt files (2000 damaged files each, legacy binary: 5 of 6
+// batches crashed). The arrays are therefore read here and checked before use.
 
 namespace myo::mesh {
 namespace {
 
 enum class NumberKind { none, i8, u8, i16, u16, i32, u32, i64, u64, f32, f64 };
 
+/// Number type of a name in the XML or the legacy format.
 NumberKind number_kind(std::string_view type) {
     if (type == "Int8" || type == "char" || type == "signed_char" || type == "vtktypeint8") return NumberKind::i8;
     if (type == "UInt8" || type == "unsigned_char" || type == "vtktypeuint8") return NumberKind::u8;
@@ -31,6 +32,7 @@ NumberKind number_kind(std::string_view type) {
     return NumberKind::none;
 }
 
+/// Appends the numbers of one type, with byte order conversion.
 template <class T>
 void append_as(std::string_view bytes, bool big_endian, VtkArray& numbers) {
     const bool swap = big_endian != (std::endian::native == std::endian::big);
@@ -43,6 +45,7 @@ void append_as(std::string_view bytes, bool big_endian, VtkArray& numbers) {
     }
 }
 
+/// Treatment of a VTK cell type: ignore, use or reject.
 enum class Keep { no, yes, unsupported };
 
 Keep keep(int vtk_type, CellType& type) {
@@ -51,6 +54,7 @@ Keep keep(int vtk_type, CellType& type) {
         case VTK_VOXEL: type = CellType::hex8; return Keep::yes;
         case VTK_TETRA: type = CellType::tet4; return Keep::yes;
         case VTK_QUADRATIC_TETRA: type = CellType::tet10; return Keep::yes;
+        // Cells of lower dimension are ignored.
         case VTK_EMPTY_CELL:
         case VTK_VERTEX:
         case VTK_POLY_VERTEX:
@@ -70,9 +74,10 @@ Keep keep(int vtk_type, CellType& type) {
     }
 }
 
-// Node numbers of cell c; nothing when offsets or indices are out of bounds.
+// Node numbers of cell c; empty if offsets or indices are out of bounds.
 std::optional<std::vector<int>> nodes_of(std::size_t c, const VtkArray& connectivity, const VtkArray& offsets,
                                          std::size_t first, std::size_t node_count) {
+    // Offsets are the ends of the cells. Comparisons are written such that NaN fails.
     const double begin = c == 0 ? 0.0 : offsets[c - 1], end = offsets[c];
     if (!(begin >= 0.0 && begin <= end && end <= static_cast<double>(connectivity.size()))) return std::nullopt;
     std::vector<int> nodes;
@@ -131,6 +136,7 @@ Result<void> add_vtk_cells(const VtkArray& connectivity, const VtkArray& offsets
     if (types.size() != offsets.size())
         return Error{"has not one type per cell: it is truncated or garbled", path.string()};
     for (std::size_t c = 0; c < offsets.size(); ++c) {
+        // Values outside of the range of VTK types are mapped to an unsupported type.
         const int vtk_type = types[c] >= 0.0 && types[c] < 256.0 ? static_cast<int>(types[c]) : 255;
         CellType type{};
         const Keep kept = keep(vtk_type, type);
@@ -141,6 +147,7 @@ Result<void> add_vtk_cells(const VtkArray& connectivity, const VtkArray& offsets
                 "is of VTK type " + std::to_string(vtk_type).append(", which is not read: only hex8, tet4 and tet10"),
                 path);
         }
+        // Mixed meshes are rejected: a VolumeMesh has one cell type.
         if (!soup.accepts(type)) {
             return Error{"the mesh mixes " + to_string(soup.type).append(" and ") +
                              to_string(type).append(" cells; one type is needed"),
@@ -150,7 +157,7 @@ Result<void> add_vtk_cells(const VtkArray& connectivity, const VtkArray& offsets
         if (!nodes) return bad_cell(c, "names a node that does not exist", path);
         if (nodes->size() != static_cast<std::size_t>(nodes_per_cell(type)))
             return bad_cell(c, "has a wrong number of nodes", path);
-        if (vtk_type == VTK_VOXEL) {  // counts x first, then y: corners 2 and 3, 6 and 7 change places
+        if (vtk_type == VTK_VOXEL) {  // ordered x first, then y: corners 2 and 3, 6 and 7 change places
             std::swap((*nodes)[2], (*nodes)[3]);
             std::swap((*nodes)[6], (*nodes)[7]);
         }
@@ -170,7 +177,7 @@ Result<void> add_vtk_polygons(const VtkArray& connectivity, const VtkArray& offs
             continue;
         }
         for (std::size_t i = 2; i < corners->size(); ++i) {
-            const std::size_t odd = i % 2;  // every second triangle of a strip turns the other way
+            const std::size_t odd = i % 2;  // every second triangle of a strip has the opposite orientation
             soup.triangles.push_back({(*corners)[i - 2], (*corners)[i - 1 + odd], (*corners)[i - odd]});
         }
     }

@@ -10,23 +10,28 @@
 
 namespace myo::mesh {
 
-/// Numbers of one array of a VTK file. Indices are exact up to 2^53, far above what a mesh can hold.
+/// Numbers of one array of a VTK file. Integers are exact up to 2^53, far above any mesh size.
 using VtkArray = std::vector<double>;
 
-/// Appends raw numbers of a VTK type name ("Float64", "double", "Int32", "vtktypeint64", ...). False for an unknown
-/// type or a number of bytes that does not fit.
+/// Appends raw numbers of a VTK type.
+/// @param type   "Float64", "double", "Int32", "vtktypeint64", ...
+/// @param bytes  whole numbers of that type
+/// @return       false for an unknown type or a number of bytes that is not a multiple of its size
 bool append_vtk_numbers(std::string_view type, std::string_view bytes, bool big_endian, VtkArray& numbers);
 
-/// Bytes per number of a VTK type name, 0 when unknown.
+/// Bytes per number of a VTK type name; 0 if unknown.
 std::size_t vtk_number_size(std::string_view type);
 
-/// Adds the volume cells of one piece: cell c has the nodes connectivity[offsets[c - 1]] ... connectivity[offsets[c] -
-/// 1]. `first_node` is added to every index. Errors: offsets that run out of the array, unsupported and mixed cells,
-/// indices outside the nodes of the soup.
+/// Adds the volume cells of one piece of a file. Cell c has the nodes connectivity[offsets[c - 1]] ...
+/// connectivity[offsets[c] - 1].
+///
+/// @param types       VTK type of each cell
+/// @param first_node  added to all node numbers
+/// Errors: offsets outside of the array, unsupported or mixed cells, node numbers out of range.
 Result<void> add_vtk_cells(const VtkArray& connectivity, const VtkArray& offsets, const VtkArray& types,
                            std::size_t first_node, const std::filesystem::path& path, CellSoup& soup);
 
-/// Adds polygons or triangle strips, likewise.
+/// Adds polygons or triangle strips of one piece; arguments as in add_vtk_cells().
 Result<void> add_vtk_polygons(const VtkArray& connectivity, const VtkArray& offsets, bool strips,
                               std::size_t first_vertex, const std::filesystem::path& path, PolygonSoup& soup);
 

@@ -14,6 +14,7 @@ std::string lower(std::string_view word) {
     return text;
 }
 
+/// Parser of one file; sections in any order.
 class LegacyParser {
 public:
     LegacyParser(const std::string& content, std::filesystem::path path) : content_(content), path_(std::move(path)) {}
@@ -22,6 +23,7 @@ public:
         if (line().substr(0, 14) != "# vtk DataFile")
             return Error{"does not begin with '# vtk DataFile'", path_.string()};
         line();  // title
+        // Keywords are not case-sensitive in the format.
         const std::string encoding = lower(first_word(line()));
         if (encoding != "ascii" && encoding != "binary") return broken("neither ASCII nor BINARY is stated");
         binary_ = encoding == "binary";
@@ -37,7 +39,7 @@ public:
             } else if (word == "cell_types") {
                 section = read_types();
             } else if (word == "metadata" || word == "information") {
-                // What VTK knows of an array: until an empty line, of which component names have some within.
+                // Metadata of an array: ends at an empty line.
                 line();
                 while (at_ < content_.size() && !line().empty()) {}
             } else if (word == "field") {
@@ -56,10 +58,12 @@ public:
     }
 
 private:
+    // Error with the reason for rejecting the file.
     Error broken(const std::string& why) const {
         return {"the VTK file is truncated or garbled: " + why, path_.string()};
     }
 
+    // Rest of the current line, without its end.
     std::string_view line() {
         const std::size_t end = std::min(content_.find('\n', at_), content_.size());
         std::string_view text = std::string_view(content_).substr(at_, end - at_);
@@ -76,6 +80,7 @@ private:
         while (at_ < content_.size() && !blank(content_[at_])) ++at_;
         return std::string_view(content_).substr(begin, at_ - begin);
     }
+    /// Reads a count; a count larger than the file size is rejected.
     bool count(std::size_t& value) {
         long long number = 0;
         if (!TextScanner::parse(next_word(), number) || number < 0 ||
@@ -85,7 +90,7 @@ private:
         return true;
     }
 
-    // `n` numbers after the line that announced them.
+    // `n` numbers after the line that announces them. Binary numbers are big-endian.
     bool numbers(std::string_view type, std::size_t n, VtkArray& values) {
         values.clear();
         if (!binary_) {
@@ -104,6 +109,7 @@ private:
         return read;
     }
 
+    // "POINTS n type", then 3 n numbers.
     Result<void> read_points() {
         std::size_t n = 0;
         VtkArray values;
@@ -115,10 +121,12 @@ private:
         return {};
     }
 
+    // "CELLS n size", then the cells in the layout of the file's version.
     Result<void> read_cells() {
         std::size_t first = 0, second = 0;
         if (!count(first) || !count(second)) return broken("the number of cells");
         const std::size_t before = at_;
+        // Version 5.1 announces arrays by name; earlier versions continue with numbers.
         if (lower(next_word()) == "offsets") {  // version 5.1: n + 1 offsets, then the nodes
             std::string type = lower(next_word());
             if (first < 1 || !numbers(type, first, offsets_)) return broken("offsets");
@@ -126,9 +134,11 @@ private:
             type = lower(next_word());
             if (!numbers(type, second, connectivity_)) return broken("connectivity");
             if (offsets_.front() != 0.0) return broken("offsets");
+            // The leading 0 is dropped: the offsets are the ends of the cells, as in the XML format.
             offsets_.erase(offsets_.begin());
             return {};
         }
+        // Older versions: each cell is its number of nodes followed by the nodes.
         at_ = before;
         VtkArray values;
         if (!numbers("int", second, values)) return broken("cells");
@@ -145,13 +155,14 @@ private:
         return {};
     }
 
+    // "CELL_TYPES n", then n type numbers.
     Result<void> read_types() {
         std::size_t n = 0;
         if (!count(n) || !numbers("int", n, types_)) return broken("cell types");
         return {};
     }
 
-    // "FIELD name n", then n times "name components tuples type" and the numbers: time and such.
+    // "FIELD name n", then n times "name components tuples type" and the numbers, for example the time.
     Result<void> skip_field() {
         std::size_t arrays = 0, components = 0, tuples = 0;
         next_word();

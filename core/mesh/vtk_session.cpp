@@ -14,6 +14,7 @@ std::mutex& one_at_a_time() {
 
 }  // namespace
 
+/// Output window that only records that a message arrived.
 struct VtkSession::Window : vtkOutputWindow {
     static Window* make() {
         auto* window = new Window;
@@ -33,7 +34,7 @@ VtkSession::VtkSession() : lock_(one_at_a_time()), window_(Window::make()) {
     previous->Register(nullptr);
     previous_ = previous;
     vtkOutputWindow::SetInstance(window_);
-    // VTK writes every message to its log as well, which goes to the terminal.
+    // VTK also writes all messages to its log, which goes to the terminal.
     previous_verbosity_ = vtkLogger::GetCurrentVerbosityCutoff();
     vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
 }

@@ -5,10 +5,10 @@
 
 namespace myo::mesh {
 
-/// Keeps VTK's messages off the screen while a reader or writer of it works, and collects them.
+/// Suppresses VTK's messages in its scope and records whether there were any.
 ///
-/// VTK reports through one output window for the whole process, so sessions exclude one another. Only .cpp files that
-/// call VTK include this.
+/// VTK reports through one output window per process, so only one session exists at a time; others wait. Include this
+/// only in .cpp files that call VTK.
 class VtkSession {
 public:
     VtkSession();
@@ -16,15 +16,15 @@ public:
     VtkSession(const VtkSession&) = delete;
     VtkSession& operator=(const VtkSession&) = delete;
 
-    /// Whether VTK has complained so far.
+    /// True if VTK reported an error or warning in this session.
     bool complained() const;
 
 private:
     struct Window;
     std::unique_lock<std::mutex> lock_;
-    Window* window_ = nullptr;
-    void* previous_ = nullptr;
-    int previous_verbosity_ = 0;
+    Window* window_ = nullptr;    // installed window
+    void* previous_ = nullptr;    // window to be restored
+    int previous_verbosity_ = 0;  // log level to be restored
 };
 
 }  // namespace myo::mesh

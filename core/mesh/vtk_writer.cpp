@@ -32,6 +32,7 @@ int vtk_type(CellType type) {
     return VTK_EMPTY_CELL;
 }
 
+/// Adds fields as VTK arrays. VTK stores all components of a tuple together, like a column of the field.
 void add_fields(vtkDataSetAttributes* attributes, const std::vector<MeshField>& fields,
                 [[maybe_unused]] Eigen::Index count) {
     for (const MeshField& field : fields) {
@@ -49,6 +50,7 @@ void add_fields(vtkDataSetAttributes* attributes, const std::vector<MeshField>& 
 
 Result<void> write_vtu(const std::filesystem::path& path, const VolumeMesh& mesh,
                        const std::vector<MeshField>& point_fields, const std::vector<MeshField>& cell_fields) {
+    // Double precision, so that a mesh can be written and read back without loss.
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
     points->SetNumberOfPoints(mesh.node_count());
@@ -67,11 +69,13 @@ Result<void> write_vtu(const std::filesystem::path& path, const VolumeMesh& mesh
 
     std::string content;
     try {
+        // VTK reports errors by messages instead of return values.
         const VtkSession session;
         vtkNew<vtkXMLUnstructuredGridWriter> writer;
         writer->WriteToOutputStringOn();
         writer->SetInputData(grid);
         writer->SetDataModeToAppended();
+        // Raw appended data: no base64 overhead.
         writer->EncodeAppendedDataOff();
         const bool made = writer->Write() == 1 && writer->GetErrorCode() == 0 && !session.complained();
         if (!made) return Error{"VTK cannot write this mesh", path.string()};
@@ -83,6 +87,7 @@ Result<void> write_vtu(const std::filesystem::path& path, const VolumeMesh& mesh
 }
 
 Result<void> write_stl(const std::filesystem::path& path, const SurfaceMesh& surface, double metres_per_unit) {
+    // 80-byte header, number of triangles, then normal, corners and a 16-bit attribute per triangle.
     std::string content(80, ' ');
     const auto append = [&](const auto& value) { content.append(reinterpret_cast<const char*>(&value), sizeof value); };
     append(static_cast<std::uint32_t>(surface.triangles.cols()));
@@ -105,6 +110,7 @@ Result<void> write_pvd(const std::filesystem::path& path, const std::vector<doub
         "<Collection>\n";
     for (std::size_t i = 0; i < files.size(); ++i) {
         std::string name;
+        // File names may contain characters that are special in XML.
         for (const char c : files[i].generic_string()) {
             switch (c) {
                 case '&': name += "&amp;"; break;

@@ -19,10 +19,11 @@ namespace {
 
 using Attributes = std::map<std::string, std::string, std::less<>>;
 
+/// XML tag with its attributes.
 struct Tag {
-    std::string name;  // "/Name" for an end
+    std::string name;  // "/Name" for an end tag
     Attributes attributes;
-    bool empty = false;  // <Name ... />
+    bool empty = false;  // self-closing <Name ... />
 };
 
 std::string_view value_of(const Attributes& attributes, std::string_view key) {
@@ -30,16 +31,18 @@ std::string_view value_of(const Attributes& attributes, std::string_view key) {
     return found == attributes.end() ? std::string_view() : std::string_view(found->second);
 }
 
-// Where an array stands: <DataArray> and its text.
+// <DataArray> element with its undecoded text.
 struct ArrayText {
     Attributes attributes;
     std::string_view text;
 };
 
+/// Arrays of a <Piece> by section.
 struct Piece {
     std::map<std::string, std::vector<ArrayText>, std::less<>> sections;  // Points, Cells, Polys, Strips
 };
 
+/// Minimal parser for the XML subset of VTK files. Arrays are located first and decoded on request.
 class XmlVtkParser {
 public:
     XmlVtkParser(std::string_view content, std::filesystem::path path) : content_(content), path_(std::move(path)) {}
@@ -48,7 +51,7 @@ public:
         return {"the VTK file is truncated or garbled: " + why, path_.string()};
     }
 
-    // Finds the pieces and their arrays; nothing is decoded yet.
+    // Locates the pieces and their arrays without decoding them.
     Result<std::vector<Piece>> pieces(std::string_view dataset) {
         std::vector<Piece> found;
         std::string section;
@@ -60,6 +63,7 @@ public:
                 right_kind = value_of(tag.attributes, "type") == dataset;
                 if (!right_kind) return Error{"is not a VTK file of type " + std::string(dataset), path_.string()};
                 big_endian_ = value_of(tag.attributes, "byte_order") == "BigEndian";
+                // Files before version 1.0 have no header type and use 32-bit sizes.
                 header_type_ = tag.attributes.contains("header_type")
                                    ? std::string(value_of(tag.attributes, "header_type"))
                                    : "UInt32";
@@ -68,6 +72,7 @@ public:
                 found.emplace_back();
                 section.clear();
             } else if (tag.name == "Points" || tag.name == "Cells" || tag.name == "Polys" || tag.name == "Strips") {
+                // Only arrays of the geometry are kept; PointData and CellData are skipped.
                 section = tag.empty ? "" : tag.name;
             } else if (tag.name == "DataArray") {
                 std::string_view text;
@@ -81,6 +86,8 @@ public:
             } else if (!section.empty() && tag.name == "/" + section) {
                 section.clear();
             } else if (tag.name == "AppendedData") {
+                // Appended data start after '_' and may contain any bytes, so their end is searched from the end of the
+                // file.
                 const std::size_t mark = content_.find('_', at_);
                 const std::size_t end = content_.rfind("</AppendedData>");
                 if (mark == std::string_view::npos || end == std::string_view::npos || end <= mark)
@@ -96,9 +103,11 @@ public:
         return found;
     }
 
+    /// Decodes an array of any format.
     Result<VtkArray> decode(const ArrayText& array) const {
         const std::string_view type = value_of(array.attributes, "type"), format = value_of(array.attributes, "format");
         VtkArray numbers;
+        // ASCII is the default of the format.
         if (format == "ascii" || format.empty()) {
             TextScanner text(array.text, path_.string());
             for (std::string_view word = text.word(); !word.empty(); word = text.word()) {
@@ -114,6 +123,7 @@ public:
             std::size_t offset = 0;
             if (!TextScanner::parse(value_of(array.attributes, "offset"), offset) || offset > appended_.size())
                 return broken("an offset");
+            // Offsets count from the mark '_' of the appended data.
             encoded = appended_.substr(offset);
             raw = appended_raw_;
         }
@@ -125,10 +135,12 @@ public:
     }
 
 private:
+    /// Next tag; comments and declarations are skipped. False at the end of the file.
     bool next_tag(Tag& tag) {
         for (;;) {
             at_ = content_.find('<', at_);
             if (at_ == std::string_view::npos) return false;
+            // A comment may contain '>', so it needs its own end mark.
             const bool comment = content_.substr(at_, 4) == "<!--";
             const std::size_t end = content_.find(comment ? "-->" : ">", at_);
             if (end == std::string_view::npos) return false;
@@ -139,6 +151,7 @@ private:
         }
     }
 
+    /// Splits the inside of a tag into name and attributes; false if malformed.
     static bool split(std::string_view inside, Tag& tag) {
         tag = {};
         if (inside.back() == '/') {
@@ -154,6 +167,7 @@ private:
             const std::size_t equals = inside.find('=', at);
             if (equals == std::string_view::npos || equals + 1 >= inside.size()) return false;
             const char quote = inside[equals + 1];
+            // Attribute values may use either kind of quote.
             if (quote != '"' && quote != '\'') return false;
             const std::size_t close = inside.find(quote, equals + 2);
             if (close == std::string_view::npos) return false;
@@ -162,8 +176,7 @@ private:
         }
     }
 
-    // Takes n bytes from the front. Base64 comes in blocks that are padded on their own: n bytes are (n + 2) / 3 * 4
-    // letters.
+    // Takes n bytes from the front. Base64 is padded per block: n bytes are (n + 2) / 3 * 4 letters.
     static bool take(std::string_view& encoded, bool raw, std::size_t n, std::string& bytes) {
         if (raw) {
             if (n > encoded.size()) return false;
@@ -197,6 +210,7 @@ private:
                 return false;
             buffer = buffer << 6 | value;
             ++seen;
+            // Four letters hold three bytes.
             if (++letters == 4) {
                 for (int shift = 16; shift >= 0; shift -= 8) bytes.push_back(static_cast<char>(buffer >> shift & 0xff));
                 buffer = 0, letters = 0;
@@ -207,6 +221,7 @@ private:
         return true;
     }
 
+    /// Reads `count` numbers of the header type without consuming them.
     bool header(std::string_view encoded, bool raw, std::size_t count, std::vector<std::size_t>& values) const {
         std::string bytes;
         VtkArray numbers;
@@ -217,14 +232,14 @@ private:
         }
         values.clear();
         for (const double number : numbers) {
-            // No block is larger than what the best compression could have put into the file.
+            // No block can be larger than the best compression ratio allows. Protects against huge allocations.
             if (!(number >= 0.0 && number <= 1100.0 * static_cast<double>(content_.size()))) return false;
             values.push_back(static_cast<std::size_t>(number));
         }
         return true;
     }
 
-    // Number of bytes, then the bytes, in one run of base64.
+    // Number of bytes, then the bytes, in one base64 run.
     std::string plain(std::string_view encoded, bool raw, std::string& bytes) const {
         std::vector<std::size_t> size;
         const std::size_t header_bytes = vtk_number_size(header_type_);
@@ -234,7 +249,7 @@ private:
         return {};
     }
 
-    // Number of blocks, their size, size of the last, compressed sizes; then the blocks, in a second run of base64.
+    // Number of blocks, block size, size of the last block, compressed sizes; then the blocks in a second base64 run.
     std::string compressed(std::string_view encoded, bool raw, std::string& bytes) const {
         std::vector<std::size_t> sizes;
         const std::string bad = "a compressed array";
@@ -245,12 +260,14 @@ private:
         std::size_t total = 0;
         for (std::size_t b = 0; b < blocks; ++b) {
             total += sizes[3 + b];
+            // The compressed blocks cannot be larger than the file.
             if (total > content_.size()) return bad;
         }
         std::string packed;
         if (!take(encoded, raw, (3 + blocks) * vtk_number_size(header_type_), packed) ||
             !take(encoded, raw, total, packed))
             return bad;
+        // Largest expansion of the supported compressors, as in header().
         const std::size_t limit = 1100 * content_.size();
 
         const VtkSession session;
@@ -265,6 +282,7 @@ private:
             return "an unknown compression";
         std::size_t from = 0;
         for (std::size_t b = 0; b < blocks; ++b) {
+            // A last size of 0 means that the last block is complete.
             const std::size_t size = b + 1 == blocks && last_size > 0 ? last_size : block_size;
             const std::size_t begin = bytes.size();
             if (size > limit || begin + size > limit) return bad;
@@ -286,7 +304,7 @@ private:
     std::string_view appended_;
 };
 
-// The array of that name in a section, decoded; empty when it is not there.
+// Decoded array of the given name in a section; empty if absent.
 Result<VtkArray> array_named(const XmlVtkParser& parser, const Piece& piece, std::string_view section,
                              std::string_view name) {
     const auto found = piece.sections.find(section);
@@ -297,6 +315,7 @@ Result<VtkArray> array_named(const XmlVtkParser& parser, const Piece& piece, std
     return VtkArray{};
 }
 
+/// Appends the points of a piece.
 Result<void> add_points(const XmlVtkParser& parser, const Piece& piece, std::vector<Eigen::Vector3d>& points) {
     const auto x = array_named(parser, piece, "Points", "");
     if (!x) return x.error();
@@ -305,9 +324,9 @@ Result<void> add_points(const XmlVtkParser& parser, const Piece& piece, std::vec
     return {};
 }
 
-/// Reads the pieces of a file one after the other into one soup.
+/// Reads all pieces of a file into one soup.
 ///
-/// @param points_of  where in a soup points go
+/// @param points_of  member of the soup that receives the points
 /// @param add_cells  (parser, piece, index of its first point, soup) -> Result<void>
 template <class Soup, class AddCells>
 Result<Soup> read_pieces(const std::filesystem::path& path, std::string_view kind,
@@ -335,6 +354,7 @@ Result<CellSoup> read_vtu(const std::filesystem::path& path) {
         const auto connectivity = array_named(parser, piece, "Cells", "connectivity");
         const auto offsets = array_named(parser, piece, "Cells", "offsets");
         const auto types = array_named(parser, piece, "Cells", "types");
+        // Missing arrays are empty and are reported by add_vtk_cells() through their lengths.
         for (const auto* part : {&connectivity, &offsets, &types}) {
             if (!*part) return part->error();
         }
@@ -346,6 +366,7 @@ Result<CellSoup> read_vtu(const std::filesystem::path& path) {
 Result<PolygonSoup> read_vtp(const std::filesystem::path& path) {
     const auto add_polygons = [&](const XmlVtkParser& parser, const Piece& piece, std::size_t first,
                                   PolygonSoup& soup) -> Result<void> {
+        // Vertices and lines of a PolyData set carry no surface and are ignored.
         for (const bool strips : {false, true}) {
             const auto connectivity = array_named(parser, piece, strips ? "Strips" : "Polys", "connectivity");
             const auto offsets = array_named(parser, piece, strips ? "Strips" : "Polys", "offsets");

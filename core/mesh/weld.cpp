@@ -13,6 +13,7 @@ namespace {
 
 using GridCell = std::array<std::int64_t, 3>;
 
+/// Hash of a grid cell for spatial hashing.
 struct GridHash {
     std::size_t operator()(const GridCell& c) const {
         std::uint64_t h = 0;
@@ -21,19 +22,19 @@ struct GridHash {
     }
 };
 
-// For each vertex the first vertex within the tolerance that stands for itself.
+// For each vertex, the first vertex within the tolerance that represents itself.
 std::vector<int> representatives(const Eigen::Matrix3Xd& x, double tolerance) {
     std::vector<int> stands_for(static_cast<std::size_t>(x.cols()));
     std::unordered_map<GridCell, std::vector<int>, GridHash> grid;
     grid.reserve(stands_for.size());
-    // Cells as wide as the tolerance: a partner is at most one cell away. With tolerance 0 only equal points meet.
+    // Cells of the size of the tolerance: a partner is at most one cell away. Tolerance 0 merges equal points only.
     const double width = tolerance > 0.0 ? tolerance : 1e-300;
     const Eigen::Vector3d origin = x.cols() > 0 ? Eigen::Vector3d(x.rowwise().minCoeff()) : Eigen::Vector3d::Zero();
     for (Eigen::Index v = 0; v < x.cols(); ++v) {
         GridCell cell{};
         for (std::size_t a = 0; a < 3; ++a) {
             const auto i = static_cast<Eigen::Index>(a);
-            // Far points (and ones that are not numbers) share the last cell: what is compared there is their distance.
+            // Very distant points (and NaN) share the last cell; the distance is compared there anyway.
             const double place = std::floor((x(i, v) - origin[i]) / width);
             cell[a] = static_cast<std::int64_t>(std::abs(place) < 9e15 ? place : 9e15);
         }
@@ -45,6 +46,7 @@ std::vector<int> representatives(const Eigen::Matrix3Xd& x, double tolerance) {
                 if ((x.col(v) - x.col(other)).norm() <= tolerance && (found < 0 || other < found)) found = other;
             }
         }
+        // Only representatives are stored: chains of close vertices do not merge over long distances.
         if (found < 0) grid[cell].push_back(static_cast<int>(v));
         stands_for[static_cast<std::size_t>(v)] = found < 0 ? static_cast<int>(v) : found;
     }
@@ -69,8 +71,10 @@ SurfaceMesh weld(const SurfaceMesh& surface, double tolerance) {
         for (std::size_t i = 0; i < 3; ++i) {
             corners[i] = stands_for[static_cast<std::size_t>(surface.triangles(static_cast<Eigen::Index>(i), t))];
         }
+        // Two merged corners: the triangle has collapsed to an edge.
         if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
         std::array<int, 3> key = corners;
+        // Duplicates are recognised regardless of orientation and starting corner.
         std::sort(key.begin(), key.end());
         if (seen.insert(key).second) kept.push_back(corners);
     }

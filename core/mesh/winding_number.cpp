@@ -9,6 +9,7 @@ namespace myo::mesh {
 
 double winding_number(const SurfaceMesh& surface, const Eigen::Vector3d& point) {
     double angle = 0.0;
+    // Signed solid angle of a triangle seen from the point.
     for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) {
         const auto corner = [&](int i) -> Eigen::Vector3d {
             return surface.vertices.col(surface.triangles(i, t)) - point;

@@ -4,7 +4,11 @@
 
 namespace myo::mesh {
 
-/// Times a closed outward surface winds round a point that is not on it: 1 inside, 0 outside.
+/// Winding number of a closed surface around a point.
+///
+/// @param surface  closed, outward
+/// @param point    not on the surface [m]
+/// @return         1 inside, 0 outside, up to rounding
 /// Source: solid angles after Van Oosterom & Strackee 1983.
 double winding_number(const SurfaceMesh& surface, const Eigen::Vector3d& point);
 

@@ -6,20 +6,21 @@
 
 namespace myo::model {
 
-/// Strains of a cell: see AssumedStrainGeometry. Both parts with their values at the corner points.
+/// Assumed strains of one pack of cells, see AssumedStrainGeometry: values at the corner points of the two parts.
 struct AssumedStrains {
-    std::array<PackSymmetric, 3> linear, bilinear;  // A_k, B_k
+    std::array<PackSymmetric, 3> linear, bilinear;  // A_k (linear in one coordinate), B_k (bilinear)
 };
 
-/// Values at the corners, corner q - 1 with the signs of its bits, see assumed_strain_point().
+/// Strain H at the eight corner points. The bits of q - 1 are the signs of the corner's coordinates, see
+/// assumed_strain_point().
 using CornerStrains = std::array<PackSymmetric, 8>;
 
-/// H at the corners: sums and differences of pairs, so that few additions serve all eight.
+/// Evaluates H at all corners by sums and differences of pairs (butterfly), so that common terms are added once.
 inline void set_at_corners(const AssumedStrains& strains, CornerStrains& H) {
     for (std::size_t k = 0; k < 6; ++k) {
         const Pack a0 = strains.linear[0][k], a1 = strains.linear[1][k], a2 = strains.linear[2][k];
         const Pack b0 = strains.bilinear[0][k], b1 = strains.bilinear[1][k], b2 = strains.bilinear[2][k];
-        // Opposite corners have opposite linear parts and the same bilinear one; here those with +xi_3.
+        // Opposite corners have opposite linear parts and equal bilinear parts. The values below are for +xi_3.
         const Pack same = a0 + a1, other = a0 - a1, b_same = b0 + b1, b_other = b0 - b1;
         const Pack odd3 = a2 - same, even3 = b2 - b_same;    // signs (-, -, +)
         const Pack odd0 = a2 + other, even0 = b1 - b0 - b2;  // (+, -, +)
@@ -32,7 +33,7 @@ inline void set_at_corners(const AssumedStrains& strains, CornerStrains& H) {
     }
 }
 
-/// Its transpose.
+/// Transpose of set_at_corners(): corner stresses to the stresses conjugate to A_k and B_k.
 inline AssumedStrains from_corners(const CornerStrains& R) {
     AssumedStrains sums;
     for (std::size_t k = 0; k < 6; ++k) {
@@ -50,17 +51,21 @@ inline AssumedStrains from_corners(const CornerStrains& R) {
     return sums;
 }
 
-/// The strains as a linear map of the amplitudes c(s, i) = edge i . F0^-1 q_s of the shapes, and its transpose.
+/// Linear map from the amplitudes c(s, i) = edge i . F0^-1 q_s of the shapes to the assumed strains, and its transpose.
 ///
-/// A plane's strain of trace t keeps the part s of its equibiaxial strain:
+/// An in-plane strain of trace t keeps the share s of its equibiaxial part:
 ///   A = in-plane - (1 - s)/2 t (I - n n') - s t nu/(1 - nu) n n'.
 struct AssumedStrainMap {
     const PackAssumedStrain& geometry;
-    Pack poissons_ratio;
-    std::array<Pack, 3> left_out, across;  // of each plane: (1 - s)/2, and what of t stands along n n'
+    Pack poissons_ratio;                   // nu per cell
+    std::array<Pack, 3> left_out, across;  // per plane: (1 - s)/2, and the coefficient of t on n n'
 
+    /// @param relaxed  AssumedStrainGeometry::relaxed of each cell; 0: bending is not constrained by neighbours, s = 1
+    /// @param nu       Poisson's ratio of each cell
     AssumedStrainMap(const PackAssumedStrain& g, const PackSurroundings& relaxed, const Pack& nu)
         : geometry(g), poissons_ratio(nu) {
+        // s = relaxed sqrt((1 - nu)/(1 + nu)) gives the equibiaxial strain the stiffness of the others, see
+        // AssumedStrainPolicy.
         const Pack thinning = nu / (1.0 - nu), even = sqrt((1.0 - nu) / (1.0 + nu));
         for (std::size_t k = 0; k < 3; ++k) {
             Pack s = relaxed[k] * even;
@@ -83,9 +88,10 @@ struct AssumedStrainMap {
                                    p.trace[m] * (across[plane] * p.normal[k] - (k < 3 ? left_out[plane] : Pack(0.0))));
         return a;
     }
-    /// That along an edge.
+    /// Strain per unit of the amplitude along an edge, at a corner: uniaxial stress along the edge.
     PackSymmetric bilinear_basis(std::size_t edge) const {
         const PackSymmetric& t = geometry.along[edge];
+        // Uniaxial stress: (1 + nu) t t' - nu tr(t t') I has strain 1 along t and -nu across it.
         const Pack sideways = poissons_ratio * (t[0] + t[1] + t[2]);
         PackSymmetric b;
         for (std::size_t k = 0; k < 6; ++k)
@@ -93,6 +99,7 @@ struct AssumedStrainMap {
         return b;
     }
 
+    /// Strains A_k, B_k from h = F0^-1 q, 3 x 4.
     AssumedStrains apply(const Eigen::Matrix<Pack, 3, 4>& h) const {
         Eigen::Matrix<Pack, 4, 3> c;
         for (int i = 0; i < 3; ++i)
@@ -104,6 +111,7 @@ struct AssumedStrainMap {
             const int i = (k + 1) % 3, j = (k + 2) % 3;
             const auto plane = static_cast<std::size_t>(k);
             const PackAssumedStrain::Plane& p = geometry.planes[plane];
+            // Covariant measures E_ii, E_jj and 2 E_ij of the plane at a corner.
             const Pack e0 = linear_scale * c(j, i), e1 = linear_scale * c(i, j),
                        e2 = linear_scale * (c(i, i) + c(j, j));
             const Pack trace = p.trace[0] * e0 + p.trace[1] * e1 + p.trace[2] * e2, normal = across[plane] * trace,
@@ -121,7 +129,7 @@ struct AssumedStrainMap {
         return strains;
     }
 
-    /// dW/dh from dW/d(A_k, B_k).
+    /// Transpose of apply(): dW/dh from dW/d(A_k, B_k).
     Eigen::Matrix<Pack, 3, 4> transposed(const AssumedStrains& stress) const {
         Eigen::Matrix<Pack, 4, 3> c;
         c.setConstant(Pack(0.0));
@@ -130,6 +138,7 @@ struct AssumedStrainMap {
             const auto plane = static_cast<std::size_t>(k);
             const PackAssumedStrain::Plane& p = geometry.planes[plane];
             const PackSymmetric& r = stress.linear[plane];
+            // Transposed operations in reverse order: the trace collects the normal and the isotropic part.
             const Pack of_trace = across[plane] * double_dot(p.normal, r) - left_out[plane] * (r[0] + r[1] + r[2]);
             const auto measure = [&](std::size_t m) {
                 return linear_scale * (double_dot(p.in_plane[m], r) + of_trace * p.trace[m]);
@@ -152,15 +161,17 @@ struct AssumedStrainMap {
     }
 };
 
+/// Cell with assumed strains: F = F0 at the centre point (q = 0) and F = F0 (I + H + H^2/2) at the corners q = 1 ... 8.
 template <>
 class PointKinematics<PackAssumedStrain> {
 public:
-    /// dF0 and the changes of the strains at the corners.
+    /// Variation of F along a nodal motion: dF0, and dH at the corners.
     struct Motion {
         material::Matrix3<Pack> mean;
         CornerStrains strains;
     };
 
+    /// @param x  nodal positions of the pack [m]
     PointKinematics(const PackAssumedStrain& geometry, const PackSurroundings& surroundings, const PackNodes<8>& x,
                     const Pack& poissons_ratio)
         : map_(geometry, surroundings, poissons_ratio),
@@ -168,7 +179,7 @@ public:
           inverse_(inverse(mean_)) {
         shapes_ = through_inverse(nodal_product(x, geometry.gamma));
         set_at_corners(map_.apply(shapes_), strain_);
-        // exp H to second order: never singular, and its determinant is exp(tr H) to the third.
+        // Second-order truncation of exp H: never singular, and its determinant equals exp(tr H) up to third order.
         for (std::size_t corner = 0; corner < 8; ++corner) {
             const PackSymmetric& H = strain_[corner];
             PackSymmetric& M = stretch_[corner];
@@ -182,14 +193,17 @@ public:
         }
     }
 
+    /// Deformation gradient at point q, 0 ... 8.
     material::Matrix3<Pack> gradient(int q) const { return q == 0 ? mean_ : times_symmetric(mean_, stretch(q)); }
+    /// Quadrature weight of point q [m3].
     Pack weight(int q) const {
         return (q == 0 ? fem::assumed_strain_rule::middle_weight : fem::assumed_strain_rule::corner_weight) *
                map_.geometry.volume;
     }
 
+    /// Variation along nodal displacements dx.
     Motion along(const PackNodes<8>& dx) const {
-        // d(F0^-1 q) = F0^-1 (dq - dF0 F0^-1 q).
+        // Product rule for the inverse: d(F0^-1 q) = F0^-1 (dq - dF0 F0^-1 q).
         const material::Matrix3<Pack> dF = nodal_product(dx, map_.geometry.gradient);
         Eigen::Matrix<Pack, 3, 4> dq = nodal_product(dx, map_.geometry.gamma);
         for (int s = 0; s < 4; ++s)
@@ -200,6 +214,7 @@ public:
         set_at_corners(map_.apply(through_inverse(dq)), motion.strains);
         return motion;
     }
+    /// dF at point q for a motion from along().
     material::Matrix3<Pack> tangent(int q, const Motion& motion) const {
         if (q == 0) return motion.mean;
         const PackSymmetric& dH = motion.strains[static_cast<std::size_t>(q - 1)];
@@ -208,13 +223,19 @@ public:
         return times_symmetric(motion.mean, stretch(q)) + times_symmetric(mean_, dM);
     }
 
+    /// Map from nodal shapes to strains of this pack.
     const AssumedStrainMap& map() const { return map_; }
+    /// F0, mean deformation gradient.
     const material::Matrix3<Pack>& mean() const { return mean_; }
+    /// F0^-1.
     const material::Matrix3<Pack>& mean_inverse() const { return inverse_; }
+    /// H at corner q = 1 ... 8.
     const PackSymmetric& strain(int q) const { return strain_[static_cast<std::size_t>(q - 1)]; }
+    /// I + H + H^2/2 at corner q = 1 ... 8.
     const PackSymmetric& stretch(int q) const { return stretch_[static_cast<std::size_t>(q - 1)]; }
 
-    /// gamma - G F0^-1 q: what of the nodes' motions moves the strains, as d(F0^-1 q) = F0^-1 dx Gamma.
+    /// Gamma = gamma - G F0^-1 q, the nodal map of the shapes in the current configuration: d(F0^-1 q) = F0^-1 dx
+    /// Gamma.
     Eigen::Matrix<Pack, 8, 4> gamma() const {
         Eigen::Matrix<Pack, 8, 4> result;
         const PackAssumedStrain& g = map_.geometry;
@@ -241,6 +262,7 @@ private:
     std::array<PackSymmetric, 8> stretch_;    // I + H + H^2/2
 };
 
+/// Accumulates dW/dF of the points and maps it to nodal forces.
 template <>
 class StressSum<PackAssumedStrain> {
 public:
@@ -248,20 +270,22 @@ public:
         for (PackSymmetric& s : corners_) s.fill(Pack(0.0));
     }
 
+    /// Adds point q with P = dW/dF [J].
     void add(int q, const material::Matrix3<Pack>& P) {
         if (q == 0) {
             mean_ += P;
             return;
         }
+        // F = F0 M: the derivative with respect to F0 at fixed M is P M.
         mean_ += times_symmetric(P, points_.stretch(q));
-        // dW = F0'P : dM, dM = dH + (dH H + H dH) / 2.
+        // dW = F0'P : dM with dM = dH + (dH H + H dH) / 2.
         const PackSymmetric Y = symmetric_part(transposed_product(points_.mean(), P));
         const PackSymmetric R = anticommutator_half(Y, points_.strain(q));
         PackSymmetric& sum = corners_[static_cast<std::size_t>(q - 1)];
         for (std::size_t k = 0; k < 6; ++k) sum[k] += Y[k] + R[k];
     }
 
-    /// dW/dq: F0^-T dW/d(F0^-1 q).
+    /// dW/dq = F0^-T dW/d(F0^-1 q).
     Eigen::Matrix<Pack, 3, 4> of_shapes() const {
         const Eigen::Matrix<Pack, 3, 4> S = points_.map().transposed(from_corners(corners_));
         const material::Matrix3<Pack>& inverse = points_.mean_inverse();
@@ -272,6 +296,7 @@ public:
         return T;
     }
 
+    /// Adds dW/dx to the nodal forces [N].
     void add_to(PackNodes<8>& forces) const {
         add_nodal(mean_, points_.map().geometry.gradient, forces);
         add_nodal(of_shapes(), points_.gamma(), forces);
@@ -279,7 +304,7 @@ public:
 
 private:
     const PointKinematics<PackAssumedStrain>& points_;
-    material::Matrix3<Pack> mean_;  // dW/dF0, the strains held
+    material::Matrix3<Pack> mean_;  // dW/dF0 at fixed strains
     CornerStrains corners_;         // dW/dH
 };
 

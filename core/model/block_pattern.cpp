@@ -19,8 +19,7 @@ BlockPattern block_pattern(const mesh::VolumeMesh& mesh, const std::vector<bool>
     const auto free_node = [&](Eigen::Index a, Eigen::Index c) {
         return pattern.free_index[static_cast<std::size_t>(mesh.cells(a, c))];
     };
-    std::vector<std::vector<int>> rows(
-        static_cast<std::size_t>(pattern.free_count));  // block rows of each block column
+    std::vector<std::vector<int>> rows(static_cast<std::size_t>(pattern.free_count));  // block rows per block column
     for (Eigen::Index c = 0; c < mesh.cell_count(); ++c)
         for (int b = 0; b < nodes; ++b)
             for (int a = 0; a < nodes; ++a)
@@ -31,6 +30,8 @@ BlockPattern block_pattern(const mesh::VolumeMesh& mesh, const std::vector<bool>
         rows[column].push_back(static_cast<int>(column));  // a node without cells keeps its diagonal
         std::sort(rows[column].begin(), rows[column].end());
         rows[column].erase(std::unique(rows[column].begin(), rows[column].end()), rows[column].end());
+        // A block column has three scalar columns; the strict upper triangle of the diagonal block (3 entries) is not
+        // stored.
         entries += 9 * rows[column].size() - 3;
     }
 
@@ -49,6 +50,7 @@ BlockPattern block_pattern(const mesh::VolumeMesh& mesh, const std::vector<bool>
         }
     matrix.outerIndexPtr()[pattern.unknowns()] = position;
 
+    // Rank of each cell block in its block column: assembly then needs no search.
     pattern.cell_blocks.assign(static_cast<std::size_t>(mesh.cell_count()) * static_cast<std::size_t>(nodes * nodes),
                                -1);
     for (Eigen::Index c = 0; c < mesh.cell_count(); ++c)

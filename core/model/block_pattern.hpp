@@ -9,26 +9,29 @@
 
 namespace myo::model {
 
-/// Where the 3 x 3 blocks of the cells' matrices go in the lower triangle over the free degrees of freedom.
+/// Sparsity pattern of the stiffness matrix in 3 x 3 blocks over the free nodes, lower triangle.
 ///
 /// Free node i owns the unknowns 3 i ... 3 i + 2. Each block column holds its diagonal block first, then the blocks
 /// below.
 struct BlockPattern {
-    int free_count = 0;
-    std::vector<int> free_index;   // per node: its number among the free nodes, or -1 when clamped
-    std::vector<int> free_nodes;   // the inverse
-    std::vector<int> cell_blocks;  // per cell, a + nodes_per_cell * b: rank in the block column of b, or -1: not stored
-    solver::SymmetricSparse zero;  // the pattern, all values 0
+    int free_count = 0;           // number of free nodes
+    std::vector<int> free_index;  // per node: index among the free nodes; -1 if clamped
+    std::vector<int> free_nodes;  // per free node: node
+    // at (cell * N + b) * N + a: rank of block (a, b) in its block column; -1: not stored
+    std::vector<int> cell_blocks;
+    solver::SymmetricSparse zero;  // matrix with this pattern and values 0
 
     int unknowns() const { return 3 * free_count; }
 
-    /// Whether the block (a, b) of a cell lies in the stored triangle and is free.
+    /// True if the block (a, b) of a cell is free and in the stored triangle.
     bool stores(int nodes_per_cell, int cell, int a, int b) const {
         return cell_blocks[static_cast<std::size_t>((cell * nodes_per_cell + b) * nodes_per_cell + a)] >= 0;
     }
 
-    /// Adds the block (a, b) of a cell, where entry(r, s) is d2W / dx_ra dx_sb. Skips what is clamped or above the
-    /// diagonal.
+    /// Adds the block (a, b) of a cell. Clamped blocks and blocks above the diagonal are skipped.
+    ///
+    /// @param matrix  has the pattern of `zero`
+    /// @param entry   entry(r, s) = d2W / dx_ra dx_sb [N/m]
     template <class Block>
     void add(solver::SymmetricSparse& matrix, const Eigen::MatrixXi& cells, int cell, int a, int b,
              const Block& entry) const {
@@ -46,11 +49,18 @@ struct BlockPattern {
     }
 };
 
-/// clamped: one flag per node.
+/// Pattern of a mesh.
+/// @param clamped  one flag per node
 BlockPattern block_pattern(const mesh::VolumeMesh& mesh, const std::vector<bool>& clamped);
 
-/// Free columns of X (3 x n) as one vector (3 x free), and back (clamped columns are zero).
+/// Free columns of a nodal field as one vector.
+///
+/// @param X  3 x n
+/// @return   unknowns() entries
 Eigen::VectorXd gather(const BlockPattern& pattern, const Eigen::Matrix3Xd& X);
+/// Inverse of gather().
+///
+/// @return  3 x n, zero columns at clamped nodes
 Eigen::Matrix3Xd scatter(const BlockPattern& pattern, const Eigen::VectorXd& v);
 
 }  // namespace myo::model

@@ -15,12 +15,14 @@ BodyPointer make_body(mesh::VolumeMesh mesh, fem::ElementKind kind, const std::v
     body->pattern = block_pattern(body->mesh, body->clamped);
 
     std::vector<Eigen::Triplet<double>> triplets;
+    // Triplets of shared nodes are summed by setFromTriplets().
     for (const fem::MassEntry& entry : fem::consistent_mass(body->mesh))
         triplets.emplace_back(entry.row, entry.column, entry.value);
     body->unit_mass.resize(body->mesh.node_count(), body->mesh.node_count());
     body->unit_mass.setFromTriplets(triplets.begin(), triplets.end());
     body->volume_m3 = body->unit_mass.sum();
 
+    // The packed layout depends on the cell type, hence the visit.
     std::visit(
         [&](const auto& cells) {
             body->volume_points_per_cell = cells.volumes_per_cell();

@@ -13,40 +13,44 @@
 
 namespace myo::model {
 
-/// A discretised and clamped body: everything that depends on the mesh alone.
+/// Discretised body with its clamped nodes: all data that depend on the mesh alone.
 struct Body {
-    mesh::VolumeMesh mesh;
-    mesh::BoundaryFaces boundary;
+    mesh::VolumeMesh mesh;         // rest configuration [m]
+    mesh::BoundaryFaces boundary;  // faces of the boundary
     fem::ElementKind kind = fem::ElementKind::hex8;
-    PackedElements cells;
-    NodeIncidence incidence;
-    std::vector<bool> clamped;           // per node
-    fem::CellSurroundings surroundings;  // of hex8, as the body was made
-    BlockPattern pattern;
+    PackedElements cells;                   // cell geometry in SIMD layout
+    NodeIncidence incidence;                // node to cell map for the assembly of nodal vectors
+    std::vector<bool> clamped;              // per node
+    fem::CellSurroundings surroundings;     // neighbourhood of each hex8 cell, see fem::cell_surroundings()
+    BlockPattern pattern;                   // of the stiffness matrix
     Eigen::SparseMatrix<double> unit_mass;  // n x n [m3]: consistent mass for density 1
-    double volume_m3 = 0.0;
-    int volume_points_per_cell = 1;  // independent volume measures (pressures) per cell
-    int strains_per_cell = 0;
-    int points_per_cell = 0;  // at which the law is evaluated
+    double volume_m3 = 0.0;                 // [m3] rest volume
+    int volume_points_per_cell = 1;         // independent volume measures (pressures) per cell
+    int strains_per_cell = 0;               // strain components per cell: 6 per point
+    int points_per_cell = 0;                // quadrature points, where the material law is evaluated
 
     int cell_count() const { return static_cast<int>(mesh.cell_count()); }
     int node_count() const { return static_cast<int>(mesh.node_count()); }
     int pack_count() const { return (cell_count() + pack_width - 1) / pack_width; }
-    /// Entries of the per-cell fields of pressures, strains and points; see PackedCells.
+    /// Length of a per-cell field of pressures, padded to full packs; see PackedCells.
     int volume_points() const { return pack_count() * pack_width * volume_points_per_cell; }
+    /// Length of a field of strains, padded to full packs.
     int strain_count() const { return pack_count() * pack_width * strains_per_cell; }
+    /// Length of a field over the quadrature points, padded to full packs.
     int point_count() const { return pack_count() * pack_width * points_per_cell; }
-    /// Entry of point q of a cell in a field over the points.
+    /// Index of point q of a cell in a field over the points.
     Eigen::Index point_entry(int cell, int q) const {
         return (cell / pack_width * points_per_cell + q) * pack_width + cell % pack_width;
     }
-    /// Degrees of freedom before clamping, as the field counts them.
+    /// Degrees of freedom, clamped ones included.
     int dofs() const { return 3 * node_count(); }
 };
 
 using BodyPointer = std::shared_ptr<const Body>;
 
-/// clamped_nodes: nodes held still. Asserts that the kind fits the mesh.
+/// Builds the body.
+/// @param kind           element formulation; asserts that it matches the cells of the mesh
+/// @param clamped_nodes  nodes with prescribed zero displacement
 BodyPointer make_body(mesh::VolumeMesh mesh, fem::ElementKind kind, const std::vector<int>& clamped_nodes);
 
 }  // namespace myo::model

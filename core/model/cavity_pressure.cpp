@@ -21,12 +21,12 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// One wall's share of the volume, 1/3 of the integral of x . (x_u x x_v): the body's outward normal points into the
-/// cavity.
+/// Share of one face in the cavity volume: 1/3 of the integral of x . (x_u x x_v) with the normal out of the cavity.
+/// The outward normal of the body points into the cavity, hence the negative sign below.
 struct WallVolume {
-    double value = 0.0;
-    Matrix3Xd gradient;
-    std::vector<Matrix3d> hessian;  // d2V / dx_a dx_b at a + nodes * b; empty unless asked for
+    double value = 0.0;             // [m3]
+    Matrix3Xd gradient;             // dV/dx, 3 x nodes [m2]
+    std::vector<Matrix3d> hessian;  // d2V / dx_a dx_b at a + nodes * b [m]; empty unless requested
 };
 
 WallVolume wall_volume(const Matrix3Xd& x, bool with_hessian) {
@@ -38,12 +38,13 @@ WallVolume wall_volume(const Matrix3Xd& x, bool with_hessian) {
         const VectorXd N = mesh::face_shape(static_cast<int>(count), point.uv);
         const Eigen::MatrixX2d D = mesh::face_shape_gradient(static_cast<int>(count), point.uv);
         const Vector3d at = x * N, u = x * D.col(0), v = x * D.col(1);
-        const double w = -point.weight / 3.0;  // outward of the cavity is into the body
+        const double w = -point.weight / 3.0;  // the cavity's outward normal points into the body
         V.value += w * at.dot(u.cross(v));
         const Vector3d uv = u.cross(v), vx = v.cross(at), xu = at.cross(u);
         for (Eigen::Index a = 0; a < count; ++a) V.gradient.col(a) += w * (N(a) * uv + D(a, 0) * vx + D(a, 1) * xu);
         if (!with_hessian) continue;
         const Matrix3d X = cross_matrix(at), U = cross_matrix(u), W = cross_matrix(v);
+        // Derivative of the triple product det(x, x_u, x_v); each variation is a cross-product matrix.
         for (Eigen::Index b = 0; b < count; ++b)
             for (Eigen::Index a = 0; a < count; ++a)
                 V.hessian[static_cast<std::size_t>(a + count * b)] += w * ((N(a) * D(b, 1) - D(a, 1) * N(b)) * U +
@@ -66,7 +67,8 @@ public:
             out.energy -= p * V.value;
             for (std::size_t a = 0; a < wall.nodes.size(); ++a)
                 out.gradient.col(wall.nodes[a]) -= p * V.gradient.col(static_cast<Eigen::Index>(a));
-            if (kind != HessianKind::exact) continue;  // never definite: its blocks have no diagonal
+            if (kind != HessianKind::exact)
+                continue;  // indefinite with zero diagonal blocks: its positive part is not used
             add_face_hessian(body, wall, out.hessian, [&](std::size_t a, std::size_t b) {
                 return Matrix3d(-p * V.hessian[a + wall.nodes.size() * b]);
             });
@@ -86,7 +88,9 @@ public:
         return std::make_shared<CavityPressure>(walls_,
                                                 fibre::Signal{pressure_.times_s, {values.begin(), values.end()}});
     }
+    // Linear interpolation between knots: only the two neighbouring knots contribute.
     void add_tangent(const Body&, const ForceState& at, const VectorXd& change, Matrix3Xd& gradient) const override {
+        // The pressure is linear in the values of its knots, so a change of values interpolates like the values.
         const fibre::Signal::Weights w = pressure_.weights(at.time_s, at.before_jump);
         const double dp = w.left == w.right ? change(static_cast<Eigen::Index>(w.left))
                                             : w.of_left * change(static_cast<Eigen::Index>(w.left)) +
@@ -102,6 +106,7 @@ public:
         if (w.right != w.left) by_parameter(static_cast<Eigen::Index>(w.right)) += w.of_right * work;
     }
 
+    /// Constant pressure between the two times.
     bool steady(double from_s, double to_s) const override {
         const auto inside = [&](double t) { return t > from_s && t < to_s; };
         return pressure_.value(from_s) == pressure_.value_before(to_s) &&
@@ -122,7 +127,7 @@ private:
     fibre::Signal pressure_;
 };
 
-/// Corners of a face in order round it: 3 of triangles, straight or curved.
+/// Corners of a face in cyclic order: 3 for straight and curved triangles, otherwise 4.
 Eigen::Index corner_count(const Body& body) { return body.boundary.nodes.rows() == 4 ? 4 : 3; }
 
 using Edge = std::pair<int, int>;
@@ -151,9 +156,11 @@ double cavity_volume(const Body& body, const std::vector<int>& faces, const Matr
 }
 
 int open_edges(const Body& body, const std::vector<int>& faces) {
+    // Quadratic faces are matched by the corners of their edges.
     std::map<Edge, int> shared;
     for (const int face : faces) for_each_edge(body, face, [&](const Edge& edge) { ++shared[edge]; });
     int open = 0;
+    // Odd count: the edge lies on the rim. Fully clamped edges do no work.
     for (const auto& [edge, count] : shared)
         if (count % 2 == 1 && !(body.clamped[static_cast<std::size_t>(edge.first)] &&
                                 body.clamped[static_cast<std::size_t>(edge.second)]))
@@ -165,6 +172,7 @@ std::vector<std::vector<int>> closed_cavities(const Body& body) {
     const int count = static_cast<int>(body.boundary.count());
     std::vector<int> part(static_cast<std::size_t>(count));
     std::iota(part.begin(), part.end(), 0);
+    // Union-find over faces that share an edge, with path compression.
     const auto root = [&](int face) {
         while (part[static_cast<std::size_t>(face)] != face)
             face = part[static_cast<std::size_t>(face)] = part[static_cast<std::size_t>(
@@ -182,7 +190,7 @@ std::vector<std::vector<int>> closed_cavities(const Body& body) {
     std::vector<std::vector<int>> cavities;
     for (auto& [number, faces] : parts)
         if (cavity_volume(body, faces, body.mesh.nodes) > 0.0)
-            cavities.push_back(std::move(faces));  // of an outer surface it is minus the body's
+            cavities.push_back(std::move(faces));  // the outer surface encloses minus the volume of the body
     return cavities;
 }
 

@@ -7,23 +7,25 @@
 
 namespace myo::model {
 
-/// Gauge pressure p(t) on the walls of a cavity, normal to them wherever they move: potential -p V with V the cavity's
-/// volume.
+/// Gauge pressure p(t) on the walls of a cavity, following their normals. Potential -p V with cavity volume V.
 ///
-/// `faces` of the body's boundary are the walls. They close the cavity, or leave it open at clamped nodes only; then
-/// the force on the free nodes has a potential and its tangent is symmetric. Parameters: the pressures at the signal's
-/// knots [Pa]. Source: Bonet & Wood 2008, sec. 8.5 (pressure on an enclosed boundary).
+/// @param faces        boundary faces of the walls. They must close the cavity, or leave it open at clamped nodes only:
+///                     then the force on the free nodes has a potential and a symmetric tangent
+/// @param pressure_Pa  p(t); its knots [Pa] are the parameters
+/// Source: Bonet & Wood 2008, sec. 8.5 (pressure on an enclosed boundary).
 ForceElementPointer cavity_pressure(const Body& body, const std::vector<int>& faces, fibre::Signal pressure_Pa);
 
-/// Volume between the walls at x (3 x n) [m3], up to a constant where they are open.
+/// Volume enclosed by the walls at positions x (3 x n [m]) [m3]; up to a constant if the walls are open.
 double cavity_volume(const Body& body, const std::vector<int>& faces, const Eigen::Matrix3Xd& x);
 
-/// Edges of the walls that no other wall shares and that are not clamped at both ends: none where a pressure has a
-/// potential.
+/// Number of open edges of the walls.
+///
+/// @return  edges that no other wall shares and that are not clamped at both ends; 0 is required for a pressure with
+///          potential
 int open_edges(const Body& body, const std::vector<int>& faces);
 
-/// Parts of the boundary that hang together by edges, as lists of faces; those that enclose no material but a hole in
-/// it are cavities.
+/// Edge-connected components of the boundary that enclose a hole in the material, as lists of faces. The outer surface
+/// is excluded.
 std::vector<std::vector<int>> closed_cavities(const Body& body);
 
 }  // namespace myo::model

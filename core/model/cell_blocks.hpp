@@ -8,17 +8,20 @@
 
 namespace myo::model {
 
-/// Free nodes first ... end - 1: the block columns of one thread.
+/// Range of free nodes, first ... end - 1: the block columns assembled by one thread.
 struct OwnColumns {
     int first = 0, end = 0;
 };
 
-/// Where the blocks of one cell go in an assembled matrix: BlockPattern::add with what the blocks of a cell share
-/// looked up once, which is most of an assembly. Blocks out of the own columns are left out.
+/// Destination of the blocks of one cell in an assembled matrix. Same result as BlockPattern::add, but the lookups that
+/// the blocks of a cell share are done once; they dominate the cost of assembly. Blocks outside of the own columns are
+/// skipped.
 template <int N>
 class CellBlocks {
 public:
     CellBlocks() = default;
+    /// @param own     block columns of this thread
+    /// @param matrix  has the pattern's structure; must outlive the object
     CellBlocks(const BlockPattern& pattern, const Eigen::MatrixXi& cells, int cell, const OwnColumns& own,
                solver::SymmetricSparse& matrix)
         : ranks_(pattern.cell_blocks.data() + static_cast<std::size_t>(cell) * N * N) {
@@ -30,8 +33,8 @@ public:
         }
     }
 
-    /// Adds the block (a, b), where entry(r, s) is d2W / dx_ra dx_sb, transposed where the free numbering turns the
-    /// pair round.
+    /// Adds the block (a, b), transposed if the order of the free nodes reverses the pair.
+    /// @param entry  entry(r, s) = d2W / dx_ra dx_sb
     template <class Entry>
     void add(int a, int b, const Entry& entry) const {
         if (ranks_[b * N + a] >= 0)
@@ -42,8 +45,8 @@ public:
 
 private:
     struct BlockColumn {
-        double* first = nullptr;  // of its first column; null: not ours
-        int length = 0;           // of that column; the next two are shorter by one each
+        double* first = nullptr;  // values of the first scalar column; null: not in the own columns
+        int length = 0;           // entries of that column; each of the next two is one shorter
     };
 
     template <class Entry>

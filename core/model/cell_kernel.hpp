@@ -15,38 +15,37 @@
 
 namespace myo::model {
 
-/// Entry i of a per-cell field, from its pack's part on.
+/// Entry i of a per-cell field. `field` points to the start of a pack's data.
 inline Pack entry(const double* field, int i) { return load_pack(field + i * pack_width); }
 
-/// What the energy of a pack of cells is evaluated with. Pointers may be null: that part is left out.
+/// Input of evaluate_pack(). A null pointer means a factor of 1, or an absent part.
 struct PackInput {
-    const material::Material* material = nullptr;
-    bool elastic = false, viscous = false;
-    Pack poissons_ratio = 0.0;                // by which cells of assumed strain thin as they bend
-    Pack mu = 0.0, kappa = 0.0;               // [Pa]
-    const double* elastic_factors = nullptr;  // of both, per point
-    PointBulk point_bulk;                     // of cells with a mean volume
-    Pack viscous_mu = 0.0;                    // damping times mu [Pa s]; needs `rate_history`
-    const double* viscous_factors = nullptr;  // of it, per point
-    double rate_factor = 0.0;                 // strain rate = rate_factor * strain + rate_history
-    const double* rate_history = nullptr;     // strains_per_cell packs
-    const double*
-        pressure = nullptr;  // volumes_per_cell packs: pressure of the geometric stiffness; null = the current one
+    const material::Material* material = nullptr;  // constitutive law
+    bool elastic = false, viscous = false;         // parts to evaluate
+    Pack poissons_ratio = 0.0;                     // for the bending of cells with assumed strain
+    Pack mu = 0.0, kappa = 0.0;                    // [Pa] moduli
+    const double* elastic_factors = nullptr;       // scale mu and kappa, per point; null: 1
+    PointBulk point_bulk;                          // bulk modulus at the points of cells with a mean volume
+    Pack viscous_mu = 0.0;                         // damping times mu [Pa s]; requires `rate_history`
+    const double* viscous_factors = nullptr;       // scale viscous_mu, per point; null: 1
+    double rate_factor = 0.0;                      // [1/s] strain rate = rate_factor * strain + rate_history
+    const double* rate_history = nullptr;          // [1/s] strains_per_cell packs
+    const double* pressure = nullptr;  // U' for the geometric stiffness, volumes_per_cell packs; null: current
 
     Pack elastic_factor(int q) const { return elastic_factors ? entry(elastic_factors, q) : Pack(1.0); }
     Pack viscous_factor(int q) const { return viscous_factors ? entry(viscous_factors, q) : Pack(1.0); }
 };
 
+/// Result of evaluate_pack().
 template <int N>
 struct PackOutput {
-    Pack energy;
-    PackNodes<N> gradient;  // dW/dx
-    PackMatrix<N> hessian;  // untouched unless asked for
-    material::LawResponse<Pack>
-        law;  // of the last point; kept with the output, since a new one for every pack would be cleared every time
+    Pack energy;                      // [J]
+    PackNodes<N> gradient;            // dW/dx [N]
+    PackMatrix<N> hessian;            // d2W/dx2 [N/m]; unchanged unless requested
+    material::LawResponse<Pack> law;  // workspace: of the last point. Kept here to avoid clearing one per pack
 };
 
-/// Strain rate of a point: rate_factor E(F) + history.
+/// Strain rate at point q: rate_factor E(F) + history. E(F) is skipped if rate_factor is 0.
 inline PackSymmetric strain_rate(const material::Matrix3<Pack>& F, double rate_factor, const double* rate_history,
                                  int q) {
     PackSymmetric rate;
@@ -62,16 +61,19 @@ inline PackSymmetric strain_rate(const material::Matrix3<Pack>& F, double rate_f
     return rate;
 }
 
-/// The schema's second Piola stress, 2 mu_v dev(rate).
+/// Viscous second Piola-Kirchhoff stress 2 mu_v dev(rate), as in the project file.
 inline material::Matrix3<Pack> viscous_stress(const Pack& viscous_mu, const PackSymmetric& rate_deviator) {
     PackSymmetric S = rate_deviator;
     for (Pack& s : S) s *= 2.0 * viscous_mu;
     return full(S);
 }
 
-/// Adds the Kelvin-Voigt response of one point: potential mu_v / rate_factor |dev Edot|^2, Edot = rate_factor E(F) +
-/// history. Its gradient is F S with S = 2 mu_v dev Edot and its Hessian is symmetric: a strain rate differenced like
-/// the velocity keeps every step a minimisation.
+/// Adds the Kelvin-Voigt response of one point, with potential mu_v / rate_factor |dev Edot|^2 and Edot = rate_factor
+/// E(F) + history.
+///
+/// The gradient is F S with S = 2 mu_v dev Edot, and the Hessian is symmetric. Differencing the strain rate like the
+/// velocity keeps each time step a minimisation.
+/// @param value, P, A  energy density [J/m3], dW/dF and d2W/dF2; increased
 template <bool WithHessian>
 void add_viscous_response(const material::Matrix3<Pack>& F, const Pack& viscous_mu, double rate_factor,
                           const double* history, int q, Pack& value, material::Matrix3<Pack>& P,
@@ -85,6 +87,7 @@ void add_viscous_response(const material::Matrix3<Pack>& F, const Pack& viscous_
         for (int j = 0; j < 3; ++j)
             for (int i = 0; i < 3; ++i) B(i, j) = F(i, 0) * F(j, 0) + F(i, 1) * F(j, 1) + F(i, 2) * F(j, 2);
         const Pack scale = 2.0 * viscous_mu * rate_factor;
+        // d2W/dF2 = scale * (dE/dF)' dev (dE/dF) + I x S, with B = F F' from the symmetrised products.
         material::for_each_tangent_entry([&](int row, int column, int i, int j, int k, int l) {
             Pack value_ikjl = F(i, l) * F(k, j);
             if (j == l) value_ikjl += B(i, k);
@@ -94,7 +97,8 @@ void add_viscous_response(const material::Matrix3<Pack>& F, const Pack& viscous_
     }
 }
 
-/// What the mean volume of a pack's cells adds to their energy, for cells and laws that have one.
+/// Energy of the mean volume of a pack's cells (mean dilatation), for elements and laws with a volumetric split. W = V
+/// U(theta) with theta the volume average over the points.
 template <bool WithHessian, class Geometry>
 class MeanVolume {
 public:
@@ -103,6 +107,9 @@ public:
     MeanVolume(const PointKinematics<Geometry>& points, const Pack& volume)
         : inverse_volume_(1.0 / volume), volume_(volume), gradient_(points) {}
 
+    /// Adds point q.
+    /// @param factor  scale of kappa at this point
+    /// @param theta   volume measure and its derivatives with respect to F
     void add(int q, const Pack& weight, const Pack& factor, const material::TensorFunctionOf<Pack>& theta) {
         theta_ += weight * inverse_volume_ * theta.value;
         factor_ += weight * inverse_volume_ * factor;
@@ -110,6 +117,7 @@ public:
         if constexpr (WithHessian) hessian_[static_cast<std::size_t>(q)] = theta.hessian;
     }
 
+    /// Adds energy, gradient and Hessian to the output. Call after the last add().
     void finish(const PointKinematics<Geometry>& points, const PackInput& in, PackOutput<N>& out) const {
         const material::ScalarFunctionOf<Pack> U = in.material->bulk(
             theta_, (in.kappa - in.point_bulk.of(in.mu, in.kappa)) * factor_);
@@ -118,10 +126,13 @@ public:
         gradient_.add_to(gradient);
         out.gradient += gradient * U.first;
         if constexpr (WithHessian) {
+            // Hessian of V U(theta): U' times the second derivative of theta, plus a rank-one term U'' d theta x d
+            // theta.
             const Pack p = in.pressure ? load_pack(in.pressure) : U.first;
             for (std::size_t q = 0; q < Q; ++q)
                 add_pulled_back<N>(hessian_[q], points.geometry().gradient[q], p * points.weight(static_cast<int>(q)),
                                    out.hessian);
+            // The rank-one part couples all nodes of a cell, so it is added after the loop over points.
             const Pack stiffness = U.second * inverse_volume_;
             for (int b = 0; b < N; ++b)
                 for (int a = b; a < N; ++a) {
@@ -138,7 +149,8 @@ private:
     std::array<material::Matrix9<Pack>, WithHessian ? Q : 1> hessian_;
 };
 
-/// dU/dF at a point, and with a Hessian its second derivatives, p standing for U' in the geometric part.
+/// Adds the volumetric response U(theta(F)) of one point.
+/// @param p  replaces U' in the geometric part of the Hessian
 template <bool WithHessian>
 void add_bulk_response(const material::ScalarFunctionOf<Pack>& U, const Pack& p,
                        const material::TensorFunctionOf<Pack>& theta, Pack& value, material::Matrix3<Pack>& P,
@@ -151,11 +163,14 @@ void add_bulk_response(const material::ScalarFunctionOf<Pack>& U, const Pack& p,
         });
 }
 
-/// Energy, gradient and, if asked for, Hessian of one pack of cells at the positions x.
+/// Energy, gradient and optionally Hessian of one pack of cells at the nodal positions x [m].
+///
+/// An inverted cell gives non-finite values where the law is undefined.
 template <bool WithHessian, class Geometry>
 void evaluate_pack(const PackedCells<Geometry>& cells, int pack, const PackNodes<Geometry::nodes>& x,
                    const PackInput& in, PackOutput<Geometry::nodes>& out) {
     constexpr int Q = Geometry::points;
+    /// Cells with assumed strain have no volumetric locking, hence no mean volume.
     constexpr bool has_mean_volume = requires(const Geometry& g) { g.weight; };
     const Geometry& geometry = cells.geometry(pack);
     const PointKinematics<Geometry> points(geometry, cells.surroundings_of(pack), x, in.poissons_ratio);
@@ -166,11 +181,12 @@ void evaluate_pack(const PackedCells<Geometry>& cells, int pack, const PackNodes
         for (material::Matrix3<Pack>& block : out.hessian) block.setConstant(Pack(0.0));
     std::optional<StiffnessSum<Geometry>> stiffness;
     if constexpr (WithHessian) stiffness.emplace(points, out.hessian);
+    /// Laws without a split cannot exchange their volume measure; they are evaluated as a whole.
     const bool split = in.elastic && in.material->has_split();
     const bool mean = has_mean_volume && cells.mean_volume && split;
     std::optional<MeanVolume<WithHessian, Geometry>> volume;
     if (mean) volume.emplace(points, geometry.volume);
-    // What the points keep of the bulk modulus.
+    // Part of the bulk modulus that stays at the points in cells with a mean volume.
     const Pack point_kappa = mean ? in.point_bulk.of(in.mu, in.kappa) : in.kappa;
     const bool point_bulk = split && (!mean || !cells.point_bulk_over_mu.empty());
 
@@ -179,11 +195,12 @@ void evaluate_pack(const PackedCells<Geometry>& cells, int pack, const PackNodes
         const Pack weight = points.weight(q);
         const material::Matrix3<Pack> F = points.gradient(q);
         material::Matrix3<Pack> P = zero_tensor();
-        Pack pressure_change = 0.0;  // of the geometric stiffness, from the current one
+        Pack pressure_change = 0.0;  // of the geometric stiffness, relative to the current pressure
         material::Matrix9<Pack> A;
         Pack density = 0.0;
         if (in.elastic) {
             const Pack factor = in.elastic_factor(q);
+            // Fast path: the law evaluates energy and stress in one call if no split is needed.
             if (!WithHessian && !mean) {
                 in.material->respond_whole(F, in.mu * factor, in.kappa * factor, density, P);
             } else {
@@ -209,6 +226,7 @@ void evaluate_pack(const PackedCells<Geometry>& cells, int pack, const PackNodes
                                               q, density, P, A);
         out.energy += weight * density;
         stress.add(q, P * weight);
+        // P enters the curvature of F(x). It must contain the same pressure as the geometric part of A.
         if constexpr (WithHessian) {
             if (split) P += law.volume.gradient * pressure_change;
             stiffness->add(q, A * weight, P * weight);

@@ -20,20 +20,22 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Integrals over the rest cell.
+/// Integrals over the rest volume of one cell.
 struct CellIntegrals {
-    Matrix3d kirchhoff = Matrix3d::Zero();  // of P F' [J]
-    double volume = 0.0;                    // of J [m3]
-    double stretch = 0.0;                   // of the largest stretch [m3]
+    Matrix3d kirchhoff = Matrix3d::Zero();  // integral of P F' [J]
+    double volume = 0.0;                    // integral of J [m3]
+    double stretch = 0.0;                   // integral of the largest stretch [m3]
     double rest_volume = 0.0;               // [m3]
 };
 
+/// Largest principal stretch: square root of the largest eigenvalue of C = F'F.
 double largest_stretch(const Matrix3d& F) {
+    // Eigenvalues are ascending.
     const Eigen::SelfAdjointEigenSolver<Matrix3d> C(F.transpose() * F, Eigen::EigenvaluesOnly);
     return std::sqrt(std::max(0.0, C.eigenvalues()(2)));
 }
 
-/// Writes the integrals of a pack's cells.
+/// Integrals of all cells of a pack.
 template <class Geometry>
 void add_integrals(const PackedCells<Geometry>& cells, int pack, const Model& model, const Matrix3Xd& x,
                    std::vector<CellIntegrals>& result) {
@@ -43,10 +45,12 @@ void add_integrals(const PackedCells<Geometry>& cells, int pack, const Model& mo
     const Pack mu = pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].mu; });
     const Pack kappa = pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].kappa; });
     const double* factors = factors_of(cells, pack, model.point_factors);
+    // Same split of the bulk modulus between points and mean volume as in evaluate_pack().
     const bool mean = cells.mean_volume && law.has_split();
     const Pack volume = cells.geometry(pack).volume,
                point_kappa = mean ? point_bulk(cells, pack, model.moduli).of(mu, kappa) : kappa;
-    material::Matrix3<Pack> kirchhoff = zero_tensor(), mean_part = zero_tensor();  // of P F' and of d theta/dF F'
+    material::Matrix3<Pack> kirchhoff = zero_tensor(),
+                            mean_part = zero_tensor();  // integrals of P F' and of d theta/dF F'
     Pack mean_theta = 0.0, mean_factor = 0.0, now = 0.0;
     material::LawResponse<Pack> response;
     for (int q = 0; q < Geometry::points; ++q) {
@@ -62,6 +66,7 @@ void add_integrals(const PackedCells<Geometry>& cells, int pack, const Model& mo
             mean_part += product(response.volume.gradient, F_transposed) * weight;
         }
         kirchhoff += product(P, F_transposed) * weight;
+        // J from the first column of F and its cofactors.
         const material::Matrix3<Pack> C = material::cofactor(F);
         now += weight * (F(0, 0) * C(0, 0) + F(1, 0) * C(1, 0) + F(2, 0) * C(2, 0));
         for (int lane = 0; lane < cells.lanes_used(pack); ++lane)
@@ -69,6 +74,7 @@ void add_integrals(const PackedCells<Geometry>& cells, int pack, const Model& mo
                 .stretch += static_cast<double>(weight[static_cast<std::size_t>(lane)]) *
                             largest_stretch(material::lane_of(F, lane));
     }
+    // The mean pressure acts on all points of a cell, so it is known only after the loop.
     if (mean) kirchhoff += mean_part * law.bulk(mean_theta, (kappa - point_kappa) * mean_factor).first;
     for (int lane = 0; lane < cells.lanes_used(pack); ++lane) {
         const auto l = static_cast<std::size_t>(lane);
@@ -79,7 +85,7 @@ void add_integrals(const PackedCells<Geometry>& cells, int pack, const Model& mo
     }
 }
 
-/// Of the fibres, P F' = d psi/ds s' with s = F m, in every cell [J].
+/// Adds the fibre part of P F' [J] in each cell: d psi/ds s' with s = F m.
 void add_fibres(const Model& model, const Eigen::MatrixXi& cells, const Matrix3Xd& x,
                 const std::vector<double>& activation, std::vector<CellIntegrals>& result) {
     for (std::size_t g = 0; g < model.fibres->size(); ++g) {
@@ -111,10 +117,12 @@ CellMeans cell_means(const Model& model, const Matrix3Xd& x, const std::vector<d
     CellMeans means{VectorXd(count), VectorXd(count), VectorXd(count)};
     for (int cell = 0; cell < count; ++cell) {
         const CellIntegrals& each = integrals[static_cast<std::size_t>(cell)];
+        // Cauchy stress of the deformed cell: integral of P F' over integral of J.
         const Matrix3d cauchy = each.volume > 0.0 ? Matrix3d(each.kirchhoff / each.volume)
                                                   : Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
         means.stretch(cell) = each.stretch / each.rest_volume;
         means.pressure_Pa(cell) = -cauchy.trace() / 3.0;
+        // Norm of the deviator times sqrt(3/2).
         means.von_mises_Pa(cell) = std::sqrt(1.5) * (cauchy + means.pressure_Pa(cell) * Matrix3d::Identity()).norm();
     }
     return means;

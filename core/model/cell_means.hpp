@@ -6,21 +6,26 @@
 
 namespace myo::model {
 
-/// What a body feels, as means over each cell.
+/// Cell averages of stretch and stress, for display.
 ///
-/// The stress is Cauchy's: sum of w P F' over sum of w J, the mean over the deformed cell, of the law and the fibres;
-/// neither damping nor the memory of creep and softening is in it. A law or fibre that has no stress there leaves NaN.
+/// Cauchy stress sum(w P F') / sum(w J) over the points, of material law and fibres; damping, creep and softening
+/// memory are not included. NaN where a law or fibre has no stress.
 struct CellMeans {
-    Eigen::VectorXd stretch;       // largest principal stretch, mean over the rest volume
-    Eigen::VectorXd von_mises_Pa;  // sqrt(3/2 dev(sigma) : dev(sigma))
-    Eigen::VectorXd pressure_Pa;   // -tr(sigma) / 3
+    Eigen::VectorXd stretch;       // per cell, largest principal stretch, averaged over the rest volume
+    Eigen::VectorXd von_mises_Pa;  // per cell, sqrt(3/2 dev(sigma) : dev(sigma))
+    Eigen::VectorXd pressure_Pa;   // per cell, -tr(sigma) / 3
 };
 
-/// @param x         3 x n [m]
+/// Cell averages at a configuration.
+/// @param x           node positions, 3 x n [m]
 /// @param activation  per fibre group
 CellMeans cell_means(const Model& model, const Eigen::Matrix3Xd& x, const std::vector<double>& activation);
 
-/// Values per cell as values per node: the mean of a node's cells, weighted with their volumes [m3].
+/// Cell values averaged to the nodes, weighted by the cell volumes.
+///
+/// @param cell_values  one per cell, any unit
+/// @param volumes_m3   one per cell
+/// @return             one per node; 0 at nodes without cells
 Eigen::VectorXd at_nodes(const mesh::VolumeMesh& mesh, const Eigen::VectorXd& cell_values,
                          const Eigen::VectorXd& volumes_m3);
 

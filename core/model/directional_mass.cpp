@@ -17,6 +17,7 @@ using Eigen::VectorXd;
 
 using Entries = std::vector<Eigen::Triplet<double>>;
 
+/// Adds a 3 x 3 block for nodes a, b as triplets.
 void add_block(Index a, Index b, const Matrix3d& block, Entries& entries) {
     for (Index s = 0; s < 3; ++s)
         for (Index r = 0; r < 3; ++r)
@@ -42,6 +43,7 @@ DirectionalMass added_mass(const Body& body, const std::vector<int>& faces, doub
         for (const mesh::FacePoint& point : mesh::face_quadrature(count)) {
             const VectorXd N = mesh::face_shape(count, point.uv);
             const Eigen::Matrix<double, 3, 2> T = X * mesh::face_shape_gradient(count, point.uv);
+            // Integral of N_a N_b n n' over the rest area: the area vector enters squared, divided once by its length.
             const Vector3d area = T.col(0).cross(T.col(1));
             const Matrix3d normals = surface_density_kg_m2 * point.weight / area.norm() * area * area.transpose();
             for (Index b = 0; b < count; ++b)
@@ -53,6 +55,7 @@ DirectionalMass added_mass(const Body& body, const std::vector<int>& faces, doub
 
 DirectionalMass line_mass(const VectorXd& share, const Vector3d& direction, double mass_kg) {
     assert(direction.norm() > 0.0 && mass_kg >= 0.0);
+    // Inertia m d d' per node: no mass perpendicular to the thread.
     const Vector3d d = direction.normalized();
     Entries entries;
     for (Index i = 0; i < share.size(); ++i)

@@ -16,9 +16,9 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Shape function products of one face integrated over its rest area.
+/// Products of shape functions of one face, integrated over its rest area.
 struct BedFace : LoadedFace {
-    MatrixXd area;  // nodes x nodes [m2]
+    MatrixXd area;  // integral of N_a N_b [m2], nodes x nodes
 };
 
 class ElasticBed : public ForceElement {
@@ -28,6 +28,7 @@ public:
 
     void add(const Body& body, const ForceState& at, HessianKind kind, InternalEnergy& out) const override {
         for (const BedFace& face : *faces_) {
+            // Displacement from the rest configuration; the force is linear in it.
             const Matrix3Xd u = at.x(Eigen::all, face.nodes) - body.mesh.nodes(Eigen::all, face.nodes);
             const Matrix3Xd force = stiffness_ * u * face.area;
             out.energy += 0.5 * force.cwiseProduct(u).sum();
@@ -72,6 +73,7 @@ ForceElementPointer elastic_bed(const Body& body, const std::vector<int>& faces,
         face.area = MatrixXd::Zero(count, count);
         const Matrix3Xd X = body.mesh.nodes(Eigen::all, face.nodes);
         for (const mesh::FacePoint& point : mesh::face_quadrature(static_cast<int>(count))) {
+            // Rest area element |X_u x X_v|.
             const VectorXd N = mesh::face_shape(static_cast<int>(count), point.uv);
             const Eigen::Matrix<double, 3, 2> T = X * mesh::face_shape_gradient(static_cast<int>(count), point.uv);
             face.area += point.weight * T.col(0).cross(T.col(1)).norm() * N * N.transpose();

@@ -9,10 +9,11 @@
 
 namespace myo::model {
 
-/// One coordinate per column, so that the nodes of a cell lie side by side.
+/// Nodal vectors of a cell, one coordinate per column: dot products over the nodes are then contiguous.
 template <int N>
 using CellVectors = Eigen::Matrix<double, N, 3>;
 
+/// Columns of X (3 x n) at the nodes of a cell.
 template <int N>
 CellVectors<N> cell_vectors(const Eigen::MatrixXi& cells, int cell, const Eigen::Matrix3Xd& X) {
     CellVectors<N> result;
@@ -20,14 +21,15 @@ CellVectors<N> cell_vectors(const Eigen::MatrixXi& cells, int cell, const Eigen:
     return result;
 }
 
+/// Shape vector of a fibre point with compile-time size; asserts the size.
 template <int N>
 Eigen::Map<const Eigen::Matrix<double, N, 1>> shape_of(const fibre::FibrePoint& point) {
     assert(point.shape.size() == N);
     return Eigen::Map<const Eigen::Matrix<double, N, 1>>(point.shape.data());
 }
 
-/// Calls visit(nodes per cell, group, first, last) for every run of points of one group in one cell; the number of
-/// nodes is an std::integral_constant.
+/// Calls visit(nodes per cell, group, first, last) for each run of fibre points of one group in one cell. The number of
+/// nodes is passed as std::integral_constant, so that loops over nodes unroll.
 template <class Visit>
 void for_each_fibre_cell(const Model& model, const Visit& visit) {
     const auto all = [&](auto nodes) {

@@ -17,15 +17,15 @@ void add_at_nodes(const Eigen::MatrixXi& cells, int cell, const CellVectors<N>& 
     for (int a = 0; a < N; ++a) nodal.col(cells(a, cell)) += forces.row(a).transpose();
 }
 
-/// Points of one cell side by side.
+/// Consecutive fibre points of one cell, one per lane.
 template <int N>
 struct FibreLanes {
-    int first = 0, count = 0;  // lanes past the last point repeat it without volume
-    std::array<Pack, 3> s;     // F m
+    int first = 0, count = 0;  // lanes from count on repeat the last point with zero volume
+    std::array<Pack, 3> s;     // F m, current fibre vector
     Pack length, stiffness;    // |s|; volume times w
 };
 
-/// Calls visit(lanes) for the points first ... last - 1, as many at once as a pack has lanes.
+/// Calls visit(lanes) for the points first ... last - 1, pack_width at a time.
 template <int N, class Visit>
 void for_each_fibre_lanes(const fibre::FibreGroup& group, std::size_t first, std::size_t last, const CellVectors<N>& xe,
                           const Visit& visit) {
@@ -33,6 +33,7 @@ void for_each_fibre_lanes(const fibre::FibreGroup& group, std::size_t first, std
         FibreLanes<N> lanes;
         lanes.first = static_cast<int>(k);
         lanes.count = static_cast<int>(std::min(last - k, static_cast<std::size_t>(pack_width)));
+        // The last point is repeated in unused lanes, which keeps them finite.
         const auto point = [&](auto lane) -> const fibre::FibrePoint& {
             return group.points[std::min(k + lane, last - 1)];
         };
@@ -47,7 +48,7 @@ void for_each_fibre_lanes(const fibre::FibreGroup& group, std::size_t first, std
     }
 }
 
-/// forces += shape scale s' of every point.
+/// forces += shape * scale * s' for each point.
 template <int N>
 void add_along_fibres(const fibre::FibreGroup& group, const FibreLanes<N>& lanes, const Pack& scale,
                       CellVectors<N>& forces) {
@@ -59,7 +60,7 @@ void add_along_fibres(const fibre::FibreGroup& group, const FibreLanes<N>& lanes
     }
 }
 
-/// The matrix of one cell, N x N per pair of coordinates (rr, rs with r < s).
+/// Stiffness of one cell by pairs of coordinates (rr, then rs with r < s), N x N each.
 template <int N>
 struct CellMatrix {
     std::array<Eigen::Matrix<double, N, N>, 6> part;
@@ -69,16 +70,17 @@ struct CellMatrix {
         for (auto& p : part) p.setZero();
     }
 
-    /// The points' second derivatives are stiffness (across (I - n n') + n n'), n = s / |s|.
+    /// Adds the second derivatives of the points: stiffness (across (I - n n') + n n') with n = s / |s|.
     void add(const fibre::FibreGroup& group, const FibreLanes<N>& lanes, const Pack& across) {
         std::array<Pack, 6> H;
+        // n n' = s s' / |s|^2: the projector is formed without normalising s.
         const Pack along = lanes.stiffness * (1.0 - across) / (lanes.length * lanes.length);
         for (std::size_t k = 0; k < 6; ++k) {
             const auto [r, s] = pairs[k];
             H[k] = along * lanes.s[static_cast<std::size_t>(r)] * lanes.s[static_cast<std::size_t>(s)];
             if (r == s) H[k] += lanes.stiffness * across;
         }
-        for (std::size_t k = 0; k < 6; ++k)  // one part after the other: it stays in registers
+        for (std::size_t k = 0; k < 6; ++k)  // one part at a time: it stays in registers
             for (int point = 0; point < lanes.count; ++point) {
                 const auto shape = shape_of<N>(group.points[static_cast<std::size_t>(lanes.first + point)]);
                 part[k] += shape * (static_cast<double>(H[k][static_cast<std::size_t>(point)]) * shape).transpose();
@@ -87,6 +89,7 @@ struct CellMatrix {
 
     void assemble(const Body& body, int cell, solver::SymmetricSparse& matrix) const {
         const CellBlocks<N> blocks(body.pattern, body.mesh.cells, cell, {0, body.pattern.free_count}, matrix);
+        // Index of the pair (r, s) in the packed symmetric storage.
         constexpr std::size_t of[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
         for (int b = 0; b < N; ++b)
             for (int a = b; a < N; ++a) blocks.add(a, b, [&](int r, int s) { return part[of[r][s]](a, b); });
@@ -110,7 +113,8 @@ void add_fibres(const Model& model, const Matrix3Xd& x, const std::vector<double
             const Pack stretch = lanes.length - activation[g], relative = stretch / lanes.length;
             out.energy += reduce(0.5 * lanes.stiffness * stretch * stretch);
             add_along_fibres<N>(group, lanes, lanes.stiffness * relative, forces);
-            // Shorter than a it pushes, and bends away: only across the fibre the curvature is ever negative.
+            // A fibre shorter than its active length a is in compression and would buckle. Only the transverse
+            // curvature can be negative, so clipping it gives the positive part.
             if (kind == HessianKind::exact)
                 matrix.add(group, lanes, relative);
             else if (kind != HessianKind::none)
@@ -130,6 +134,7 @@ Matrix3Xd activation_gradient(const Model& model, const Matrix3Xd& x, const std:
         const int cell = group.points[first].cell;
         const CellVectors<N> xe = cell_vectors<N>(cells, cell, x);
         CellVectors<N> forces = CellVectors<N>::Zero();
+        // d psi/da = -w (|s| - a), so its gradient along s is -w s / |s| per unit of activation.
         for_each_fibre_lanes<N>(group, first, last, xe, [&](const FibreLanes<N>& lanes) {
             add_along_fibres<N>(group, lanes, -d_activation[g] * lanes.stiffness / lanes.length, forces);
         });

@@ -19,7 +19,7 @@ using Eigen::VectorXd;
 
 constexpr int packs_per_thread = 16;
 
-/// Adds the viscous forces of a strain rate.
+/// Adds the viscous forces of a given strain rate.
 template <class Geometry>
 void add_viscous(const PointKinematics<Geometry>& points, const Pack& viscous_mu, const double* factors,
                  const double* rate, PackNodes<Geometry::nodes>& gradient) {
@@ -35,7 +35,7 @@ void add_viscous(const PointKinematics<Geometry>& points, const Pack& viscous_mu
     stress.add_to(gradient);
 }
 
-/// value(cell) in the lanes of a pack; 0 past the last cell.
+/// Lanes value(cell) of a pack; 0 for lanes past the last cell.
 template <class Cells, class Value>
 Pack lanes_of(const Cells& cells, int pack, const Value& value) {
     return Pack([&](auto lane) {
@@ -44,12 +44,14 @@ Pack lanes_of(const Cells& cells, int pack, const Value& value) {
     });
 }
 
+/// Forces for unit mu, unit kappa and unit viscous modulus, at the nodes of each pack.
 template <class Geometry>
 UnitForces unit_forces_of(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x,
                           const VectorXd& softening, const VectorXd& rate) {
     constexpr int N = Geometry::nodes;
     const auto size = static_cast<std::size_t>(cells.pack_count()) * 3 * N;
     UnitForces forces{std::vector<Pack>(size), std::vector<Pack>(size), std::vector<Pack>(rate.size() > 0 ? size : 0)};
+    // Softening multiplies the elastic moduli only; viscous moduli keep the model's factors.
     const VectorXd elastic_factors = times_factors(model.point_factors, softening);
     parallel_ranges(cells.pack_count(), packs_per_thread, [&](int first, int end) {
         PackOutput<N> out;
@@ -67,6 +69,7 @@ UnitForces unit_forces_of(const PackedCells<Geometry>& cells, const Model& model
             elastic.point_bulk = point_bulk(cells, pack, model.moduli);
             elastic.mu = 1.0;
             keep(forces.mu, elastic);
+            // Unit bulk modulus with zero shear modulus.
             std::swap(elastic.mu, elastic.kappa);
             keep(forces.kappa, elastic);
             if (rate.size() == 0) continue;
@@ -82,7 +85,8 @@ UnitForces unit_forces_of(const PackedCells<Geometry>& cells, const Model& model
     return forces;
 }
 
-/// The elastic forces of every point of a pack for the model's moduli: what a change of the factor there multiplies.
+/// Elastic forces of each point of a pack, for the moduli of the model. A change of the factor at a point multiplies
+/// its forces.
 template <class Geometry>
 std::array<PackNodes<Geometry::nodes>, Geometry::points> point_forces_of(const PackedCells<Geometry>& cells, int pack,
                                                                          const Model& model, const Matrix3Xd& x) {
@@ -112,11 +116,12 @@ std::array<PackNodes<Geometry::nodes>, Geometry::points> point_forces_of(const P
         stress.add_to(forces[q]);
         if (!mean) continue;
         theta += weight / cells.geometry(pack).volume * law.volume.value;
+        // Gradient of the mean volume, needed for the part of the pressure that acts on all points.
         StressSum<Geometry> of_theta(points);
         of_theta.add(point, law.volume.gradient * weight);
         of_theta.add_to(mean_gradient);
     }
-    if (mean)  // the cell's bulk modulus is the mean of those of its points
+    if (mean)  // the cell's bulk modulus is the average over its points
         for (std::size_t q = 0; q < Q; ++q) {
             const int point = static_cast<int>(q);
             const Pack factor = factors ? entry(factors, point) : Pack(1.0),
@@ -126,7 +131,7 @@ std::array<PackNodes<Geometry::nodes>, Geometry::points> point_forces_of(const P
     return forces;
 }
 
-/// field += weight * unit for one pack, where the weight is not zero in all lanes.
+/// out.gradient += weight * unit for one pack; skipped if the weight is zero in all lanes.
 template <int N>
 void add_weighted(const std::vector<Pack>& unit, int pack, const Pack& weight, PackOutput<N>& out) {
     if (unit.empty() || all_of(weight == 0.0)) return;
@@ -139,16 +144,18 @@ NodalColumns gradients_of(const PackedCells<Geometry>& cells, const Model& model
                           const UnitForces& forces, const GradientChanges& changes) {
     constexpr int N = Geometry::nodes;
     const auto columns = static_cast<Index>(changes.stiffness.size());
-    constexpr Index at_once = 8;  // columns for which a pack is looked at once; more would fill the cache with forces
+    constexpr Index at_once = 8;  // columns per sweep; more would evict the forces from the cache
     const auto field = static_cast<std::size_t>(cells.pack_count()) * 3 * N;
     std::vector<Pack> nodal(field * static_cast<std::size_t>(std::min(at_once, columns)));
     NodalColumns result = NodalColumns::Zero(3 * columns, x.cols());
+    // Groups of columns: each pack's kinematics serve all columns of a group.
     for (Index start = 0; start < columns; start += at_once) {
         const Index count = std::min(at_once, columns - start);
         parallel_ranges(cells.pack_count(), packs_per_thread, [&](int first, int end) {
             PackOutput<N> out;
             for (int pack = first; pack < end; ++pack) {
                 const auto xe = nodes_of_pack(cells, pack, x);
+                // Kinematics are needed for viscous forces only.
                 std::optional<PointKinematics<Geometry>> points;
                 Pack viscous_mu = 0.0;
                 if (changes.rates.size() > 0) {
@@ -186,6 +193,7 @@ NodalColumns gradients_of(const PackedCells<Geometry>& cells, const Model& model
                 }
             }
         });
+        // Fixed order of summation at the nodes: independent of threads.
         for (Index k = 0; k < count; ++k)
             add_at_nodes(model.body->incidence,
                          reinterpret_cast<const double*>(nodal.data() + static_cast<std::ptrdiff_t>(field) * k),
@@ -205,6 +213,7 @@ MatrixXd strain_tangents_of(const PackedCells<Geometry>& cells, const Model& mod
         for (int pack = first; pack < end; ++pack) {
             const auto xe = nodes_of_pack(cells, pack, x);
             const PointKinematics<Geometry> points = points_of(cells, pack, model, xe);
+            // F does not depend on the motion: computed once for all columns.
             for (int q = 0; q < Geometry::points; ++q) F[static_cast<std::size_t>(q)] = points.gradient(q);
             const auto& nodes = cells.lane_nodes[static_cast<std::size_t>(pack)];
             for (Index p = 0; p < result.cols(); ++p) {

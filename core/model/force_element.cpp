@@ -7,9 +7,11 @@ namespace myo::model {
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
+// Default by unit changes. Elements with many parameters override it.
 void ForceElement::add_work(const Body& body, const ForceState& at, const Matrix3Xd& p, VectorXd& by_parameter) const {
     for (Eigen::Index k = 0; k < by_parameter.size(); ++k) {
         Matrix3Xd gradient = Matrix3Xd::Zero(3, p.cols());
+        // One tangent per parameter. Elements with many parameters provide a direct implementation.
         add_tangent(body, at, VectorXd::Unit(by_parameter.size(), k), gradient);
         by_parameter(k) += gradient.cwiseProduct(p).sum();
     }

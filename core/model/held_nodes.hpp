@@ -6,7 +6,9 @@
 
 namespace myo::model {
 
-/// The clamped nodes of a body, ascending.
+/// Clamped nodes of a body.
+///
+/// @return  node numbers, ascending
 std::vector<int> held_nodes(const Body& body);
 
 }  // namespace myo::model

@@ -17,7 +17,7 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
-/// Least work that pays for handing it to another thread, which takes a few microseconds.
+/// Smallest number of packs worth a separate task; starting a task takes a few microseconds.
 constexpr int packs_per_task = 24;
 
 template <class Cells, class Visit>
@@ -27,6 +27,7 @@ void for_each_pack(const Cells& cells, const Visit& visit) {
     });
 }
 
+/// Input of one pack from the fields of the body.
 template <class Cells>
 PackInput pack_input(const Model& model, const Cells& cells, const InternalInput& input, int pack) {
     const Stiffness& stiffness = *input.stiffness;
@@ -51,7 +52,7 @@ PackInput pack_input(const Model& model, const Cells& cells, const InternalInput
     return in;
 }
 
-/// Adds those of a pack's blocks to the assembled matrix that lie in the columns, cell by cell.
+/// Adds the blocks of a pack that belong to the own columns, cell by cell.
 template <int N>
 void assemble_pack(const BlockPattern& pattern, const Eigen::MatrixXi& cells, int pack, int lanes,
                    const PackOutput<N>& out, const OwnColumns& own, solver::SymmetricSparse& matrix) {
@@ -67,6 +68,8 @@ void assemble_pack(const BlockPattern& pattern, const Eigen::MatrixXi& cells, in
     }
 }
 
+/// Projects the stiffness of each cell on the positive semidefinite matrices. Non-finite cells are left for the solver
+/// to reject.
 template <int N>
 void project_cells_positive(int lanes, PackOutput<N>& out) {
     for (std::size_t lane = 0; lane < static_cast<std::size_t>(lanes); ++lane) {
@@ -86,8 +89,9 @@ void project_cells_positive(int lanes, PackOutput<N>& out) {
     }
 }
 
-/// Forces (per cell node, see NodeIncidence) and energies of the packs first ... end - 1. output(pack): where a pack is
-/// evaluated.
+/// Evaluates the packs first ... end - 1.
+/// @param forces, energies  per pack, see NodeIncidence
+/// @param output            output(pack): workspace of a pack
 template <bool WithHessian, class Geometry, class Output>
 void evaluate_packs(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x,
                     const InternalInput& input, int first, int end, std::vector<Pack>& forces,
@@ -102,17 +106,20 @@ void evaluate_packs(const PackedCells<Geometry>& cells, const Model& model, cons
     }
 }
 
-/// Cells' matrices are made side by side for as many packs as fit in a cache, then every thread adds those that fall in
-/// its columns, one after the other, so that sums do not depend on the number of threads.
+/// Assembles the Hessian. Cell matrices are computed in parallel for a group of packs that fits in the cache; then each
+/// thread adds the blocks of its own columns in cell order. The order of summation is independent of the number of
+/// threads.
 template <class Geometry>
 void assemble_packs(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x,
                     const InternalInput& input, bool positive, std::vector<Pack>& forces, std::vector<Pack>& energies,
                     solver::SymmetricSparse& hessian) {
     constexpr int packs_at_once = 32, N = Geometry::nodes;
     const BlockPattern& pattern = model.body->pattern;
+    // Workspace for one group of packs, reused for all groups.
     std::vector<PackOutput<N>> outputs(static_cast<std::size_t>(std::min(packs_at_once, cells.pack_count())));
     for (int start = 0; start < cells.pack_count(); start += packs_at_once) {
         const int count = std::min(packs_at_once, cells.pack_count() - start);
+        // An eighth of the usual grain: with Hessian a pack costs several times more.
         parallel_ranges(count, packs_per_task / 8, [&](int first, int end) {
             evaluate_packs<true>(
                 cells, model, x, input, start + first, start + end, forces, energies,
@@ -133,8 +140,10 @@ template <class Geometry>
 void add_cells(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x, const InternalInput& input,
                HessianKind kind, InternalEnergy& out) {
     constexpr int N = Geometry::nodes;
-    static thread_local std::vector<Pack> forces, energies;  // kept, because this runs thousands of times a second
-    std::vector<Pack>&force_field = forces, &energy_field = energies;  // of this thread, for all that help it
+    static thread_local std::vector<Pack> forces,
+        energies;  // kept between calls: this runs thousands of times a second
+    std::vector<Pack>&force_field = forces,
+    &energy_field = energies;  // references, so that helper threads use this thread's storage
     force_field.resize(static_cast<std::size_t>(cells.pack_count()) * 3 * N);
     energy_field.resize(static_cast<std::size_t>(cells.pack_count()));
     if (kind == HessianKind::none)
@@ -145,13 +154,14 @@ void add_cells(const PackedCells<Geometry>& cells, const Model& model, const Mat
         });
     else
         assemble_packs(cells, model, x, input, kind == HessianKind::positive, force_field, energy_field, out.hessian);
+    // Sequential sum: the energy must not depend on the number of threads.
     for (int pack = 0; pack < cells.pack_count(); ++pack)
         for (int lane = 0; lane < cells.lanes_used(pack); ++lane)
             out.energy += energy_field[static_cast<std::size_t>(pack)][static_cast<std::size_t>(lane)];
     add_at_nodes(model.body->incidence, reinterpret_cast<const double*>(force_field.data()), out.gradient);
 }
 
-/// theta of each volume point and its derivative along dx (zero when dx is null), then the pressures they make.
+/// Pressures of all volume points: U'(theta) + U''(theta) d theta. Without dx the linear term is zero.
 template <class Geometry>
 VectorXd pack_pressures(const PackedCells<Geometry>& cells, const Model& model, const Stiffness& stiffness,
                         const Matrix3Xd& x, const Matrix3Xd* dx) {
@@ -162,6 +172,7 @@ VectorXd pack_pressures(const PackedCells<Geometry>& cells, const Model& model, 
     InternalInput input;
     input.stiffness = &stiffness;
     for_each_pack(cells, [&](int pack) {
+        // Pressures depend on elastic moduli only; viscous parts of the input stay empty.
         const PackInput in = pack_input(model, cells, input, pack);
         const auto xe = nodes_of_pack(cells, pack, x), de = dx ? nodes_of_pack(cells, pack, *dx) : xe;
         const PointKinematics<Geometry> points(cells.geometry(pack), cells.surroundings_of(pack), xe,
@@ -172,11 +183,13 @@ VectorXd pack_pressures(const PackedCells<Geometry>& cells, const Model& model, 
         Pack theta = 0.0, d_theta = 0.0, factor = 0.0;
         for (int q = 0; q < Q; ++q) {
             model.material->respond(points.gradient(q), in.mu, in.kappa, false, law);
+            // Mean volume: one theta per cell, averaged over the points. Otherwise theta per point.
             const Pack share = cells.mean_volume ? points.weight(q) / cells.geometry(pack).volume : Pack(1.0);
             if (!cells.mean_volume) theta = d_theta = factor = 0.0;
             theta += share * law.volume.value;
             factor += share * in.elastic_factor(q);
             if (dx) d_theta += share * material::double_dot(law.volume.gradient, points.tangent(q, motion));
+            // With a mean volume the pressure is known after the last point.
             if (cells.mean_volume && q + 1 < Q) continue;
             const material::ScalarFunctionOf<Pack> U = model.material->bulk(theta, kappa * factor);
             const Pack p = U.first + U.second * d_theta;
@@ -187,7 +200,7 @@ VectorXd pack_pressures(const PackedCells<Geometry>& cells, const Model& model, 
     return pressure;
 }
 
-/// Strains of every point at x, or their derivative along dx when dx is given.
+/// Green strains of all points at x; with dx their derivative along dx.
 template <class Geometry>
 VectorXd pack_strains(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x, const Matrix3Xd* dx) {
     const int per_cell = cells.strains_per_cell();
@@ -265,6 +278,7 @@ VectorXd strain_tangent(const Model& model, const Matrix3Xd& x, const Matrix3Xd&
 }
 
 Matrix3Xd viscous_gradient(const Model& model, const Matrix3Xd& x, const VectorXd& rate) {
+    // A rate factor of 0 makes the rate constant: the gradient then contains the viscous force alone.
     Stiffness viscous_only = stiffness(model);
     viscous_only.elastic.clear();
     viscous_only.fibres = false;

@@ -7,26 +7,28 @@
 
 namespace myo::model {
 
-/// A face of the body's boundary with what its place in the body's matrix takes.
+/// Boundary face with the indices needed to assemble into the body's matrix.
 struct LoadedFace {
-    std::vector<int> nodes;
-    int cell = 0;                // behind it
-    std::vector<int> cell_node;  // of each node, its number in the cell
+    std::vector<int> nodes;      // nodes of the face
+    int cell = 0;                // cell behind the face
+    std::vector<int> cell_node;  // per node of the face: its index in the cell
 };
 
-/// Those of the body's boundary faces.
+/// Loaded faces for given faces of the boundary.
+///
+/// @param faces  columns of Body::boundary
 std::vector<LoadedFace> loaded_faces(const Body& body, const std::vector<int>& faces);
 
 /// Nodes of one cell, on its surface or not, as the carriers of a force at a point.
 LoadedFace loaded_nodes(const Body& body, int cell, const std::vector<int>& nodes);
 
-/// Faces of the body's boundary all of whose nodes are among these.
+/// Boundary faces whose nodes are all in the list.
 std::vector<int> faces_of_nodes(const Body& body, const std::vector<int>& nodes);
 
-/// Faces of the boundary with a node that is not clamped.
+/// Boundary faces with at least one free node.
 std::vector<int> free_faces(const Body& body);
 
-/// Adds block(a, b), 3 x 3, to the matrix for the pairs of a face's nodes that it stores.
+/// Adds block(a, b), 3 x 3 [N/m], for all stored pairs of nodes of a face.
 template <class Block>
 void add_face_hessian(const Body& body, const LoadedFace& face, solver::SymmetricSparse& matrix, const Block& block) {
     const int per_cell = static_cast<int>(body.mesh.cells.rows());

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-/// Mean cell volume on the diagonal: what every vertex gets of a density of 1.
+/// Mean cell volume on the diagonal, for density 1.
 Eigen::SparseMatrix<double> equal_vertex_mass(const Body& body) {
     Eigen::SparseMatrix<double> mass(body.node_count(), body.node_count());
     mass.setIdentity();
@@ -22,10 +22,12 @@ Eigen::SparseMatrix<double> equal_vertex_mass(const Body& body) {
     return mass;
 }
 
+/// Mass matrix of the body plus attached masses, identical for the three directions.
 Eigen::SparseMatrix<double> isotropic_mass(const Model& model) {
     Eigen::SparseMatrix<double> mass = model.mass_model == MassModel::consistent ? model.body->unit_mass
                                                                                  : equal_vertex_mass(*model.body);
     mass *= model.density_kg_m3;
+    // Attached masses are lumped on the diagonal.
     for (const AttachedMass& attached : model.masses)
         for (int i = 0; i < model.body->node_count(); ++i)
             if (attached.share(i) != 0.0) mass.coeffRef(i, i) += attached.mass_kg * attached.share(i);
@@ -33,6 +35,7 @@ Eigen::SparseMatrix<double> isotropic_mass(const Model& model) {
     return mass;
 }
 
+/// Sum of the directional masses active at a time; 0 x 0 if there are none.
 Eigen::SparseMatrix<double> directional_mass(const Model& model, double at_s) {
     Eigen::SparseMatrix<double> sum(model.body->dofs(), model.body->dofs());
     for (const DirectionalMass& mass : model.directional_masses) {
@@ -54,12 +57,15 @@ MassMatrix mass_matrix(const Model& model, double at_s) {
     return mass_matrix(isotropic_mass(model), directional_mass(model, at_s));
 }
 
+// The mass matrix is piecewise constant in time. Spans end at the times at which a directional mass starts or stops.
 std::vector<MassSpan> mass_spans(const Model& model) {
     std::vector<double> ends{std::numeric_limits<double>::infinity()};
     for (const DirectionalMass& mass : model.directional_masses)
+        // Times before the start of the run do not split it.
         for (const double t : {mass.from_s, mass.until_s})
             if (std::isfinite(t) && t > 0.0) ends.push_back(t);
     std::sort(ends.begin(), ends.end());
+    // Several masses may start or stop at the same time.
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     std::vector<MassSpan> spans;
     double from_s = 0.0;
@@ -76,8 +82,8 @@ std::size_t span_at(const std::vector<MassSpan>& spans, double at_s) {
     return k;
 }
 
-// Eigen multiplies dense rows one by one through the sparse matrix; node by node is several times faster, and a fourth
-// number per node makes its vector one of the processor's.
+// Node by node instead of row by row: several times faster than Eigen's product of dense rows and a sparse matrix. A
+// fourth row makes each nodal vector one SIMD register.
 Matrix3Xd times_mass(const Matrix3Xd& X, const MassMatrix& mass) {
     Eigen::Matrix4Xd padded(4, X.cols());
     padded.topRows<3>() = X;
@@ -86,7 +92,7 @@ Matrix3Xd times_mass(const Matrix3Xd& X, const MassMatrix& mass) {
     const double* const values = mass.isotropic.valuePtr();
     const int* const rows = mass.isotropic.innerIndexPtr();
     const int* const starts = mass.isotropic.outerIndexPtr();
-    const int* const counts = mass.isotropic.innerNonZeroPtr();  // null of a compressed matrix
+    const int* const counts = mass.isotropic.innerNonZeroPtr();  // null for a compressed matrix
     parallel_ranges(static_cast<int>(mass.isotropic.outerSize()), 1000, [&](int first, int end) {
         for (int j = first; j < end; ++j) {
             Eigen::Vector4d sum = Eigen::Vector4d::Zero();
@@ -102,7 +108,8 @@ Matrix3Xd times_mass(const Matrix3Xd& X, const MassMatrix& mass) {
 void add_directional(const Eigen::SparseMatrix<double>& directional, const Eigen::Ref<const Eigen::MatrixXd>& X,
                      Eigen::Ref<Eigen::MatrixXd> result) {
     assert(directional.cols() == 3 * X.cols() && X.rows() == result.rows() && X.cols() == result.cols());
-    // By symmetry the columns of a node are its rows, so that every node gathers its own sum.
+    // The matrix is symmetric, so its columns serve as rows: each node gathers its own sum without conflicts between
+    // threads.
     parallel_ranges(static_cast<int>(X.cols()), 1000, [&](int first, int end) {
         for (int j = first; j < end; ++j)
             for (int s = 0; s < 3; ++s)

@@ -5,17 +5,19 @@
 
 namespace myo::model {
 
-/// How a density becomes the mass matrix of a body.
+/// Discretisation of the mass.
 enum class MassModel {
-    consistent,      // integrals of the shape functions: the body's true mass
-    equal_vertices,  // every vertex gets density x mean cell volume, whatever it touches. As published, for comparison:
-                     // the body's mass, and with it its weight, is wrong by vertices over cells (136 % for 23 x 7 x 7
-                     // hexahedra)
+    consistent,  // integrals of the shape functions: exact total mass
+    // Density times mean cell volume at every vertex, independent of its cells. Published scheme, for comparison: mass
+    // and weight of the body have an error of vertices over cells (136 % for 23 x 7 x 7 hexahedra).
+    equal_vertices,
 };
 
+/// Name of the mass model in project files.
 std::string to_string(MassModel model);
+/// All names.
 std::vector<std::string> mass_model_ids();
-/// False when there is no model of this name.
+/// Looks up a mass model by name. Returns false if unknown; `model` is then unchanged.
 bool parse_mass_model(const std::string& id, MassModel& model);
 
 }  // namespace myo::model

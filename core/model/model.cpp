@@ -18,6 +18,7 @@ std::vector<material::Moduli> uniform_moduli(int cell_count, double youngs_modul
                                          material::moduli_from_young(youngs_modulus_Pa, poissons_ratio));
 }
 
+// The weight acts on the isotropic mass only.
 Eigen::Matrix3Xd external_forces(const Model& model, const MassMatrix& mass, double t, bool before) {
     Eigen::Matrix3Xd f = model.gravity_m_s2 * mass.nodal_kg.transpose();
     for (const DeadForce& load : model.forces)

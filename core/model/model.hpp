@@ -20,64 +20,75 @@
 
 namespace myo::model {
 
-/// A force of fixed direction over a part of the surface, active in [from_s, until_s).
+/// Force of fixed direction distributed over nodes, active in [from_s, until_s).
 struct DeadForce {
-    Eigen::VectorXd share;  // per node, sums to 1
-    Eigen::Vector3d force_N = Eigen::Vector3d::Zero();
-    double from_s = -std::numeric_limits<double>::infinity();
-    double until_s = std::numeric_limits<double>::infinity();
+    Eigen::VectorXd share;                                     // per node, sums to 1
+    Eigen::Vector3d force_N = Eigen::Vector3d::Zero();         // total force, world frame
+    double from_s = -std::numeric_limits<double>::infinity();  // start, included
+    double until_s = std::numeric_limits<double>::infinity();  // end, excluded
 
+    /// True at time t [s].
     bool active(double t) const { return t >= from_s && t < until_s; }
+    /// True just before time t [s]: the left limit of active().
     bool active_before(double t) const { return t > from_s && t <= until_s; }
 };
 
-/// A body fixed to the specimen: weight and inertia.
+/// Rigid body attached to the specimen; contributes weight and inertia.
 struct AttachedMass {
-    Eigen::VectorXd share;  // per node, sums to 1, never negative
-    double mass_kg = 0.0;
+    Eigen::VectorXd share;  // per node, >= 0, sums to 1
+    double mass_kg = 0.0;   // >= 0
 };
 
 class ForceElement;
 using ForceElementPointer = std::shared_ptr<const ForceElement>;
 
-/// Everything that does not change while it runs: a body with its material, fibres and loads. Cheap to copy.
+/// Constant data of a simulation: body, material, fibres and loads. Cheap to copy, because large parts are shared.
 struct Model {
-    BodyPointer body;
-    material::MaterialPointer material;
-    std::vector<material::Moduli> moduli;  // per cell
-    Eigen::VectorXd point_factors;         // of the moduli, at the body's points (see Body::point_entry); empty: 1
-    std::vector<double> poissons_ratio;  // per cell, by which hex8 cells thin as they bend: a datum, which derivatives
-                                         // hold; empty: that of the moduli
-    double damping_s = 0.0;              // Kelvin-Voigt: S = 2 damping mu dev(dE/dt)
-    double density_kg_m3 = 0.0;
-    MassModel mass_model = MassModel::consistent;
-    double velocity_force_1_s = 0.0;  // Lambda of f = Lambda M v; 0 = none
-    Eigen::Vector3d gravity_m_s2 = Eigen::Vector3d::Zero();
+    BodyPointer body;                      // discretisation and clamped nodes
+    material::MaterialPointer material;    // constitutive law
+    std::vector<material::Moduli> moduli;  // [Pa] per cell
+    Eigen::VectorXd point_factors;         // scale the moduli at the body's points (see Body::point_entry); empty: 1
+    std::vector<double> poissons_ratio;    // per cell, for the bending of hex8 cells; constant under differentiation.
+                                           // Empty: from the moduli
+    double damping_s = 0.0;                // Kelvin-Voigt damping: S = 2 damping mu dev(dE/dt)
+    double density_kg_m3 = 0.0;            // of the rest configuration
+    MassModel mass_model = MassModel::consistent;            // how the density is discretised
+    double velocity_force_1_s = 0.0;                         // Lambda of the force f = Lambda M v ; 0: none
+    Eigen::Vector3d gravity_m_s2 = Eigen::Vector3d::Zero();  // world frame
     std::shared_ptr<const std::vector<fibre::FibreGroup>> fibres = std::make_shared<std::vector<fibre::FibreGroup>>();
-    std::vector<fibre::Signal> activation;  // per fibre group
-    std::vector<DeadForce> forces;
-    std::vector<AttachedMass> masses;
-    std::vector<DirectionalMass> directional_masses;
-    std::vector<ForceElementPointer> force_elements;  // springs, pressures, drag ...
-    std::optional<material::MaxwellBranch>
-        creep;  // memory of the past strain: runs have it, statics and modes know the relaxed body
-    std::optional<material::StressSoftening>
-        softening;  // memory of the largest strain; every run and every equilibrium starts virgin
+    std::vector<fibre::Signal> activation;            // a(t) per fibre group
+    std::vector<DeadForce> forces;                    // dead loads
+    std::vector<AttachedMass> masses;                 // with weight and inertia
+    std::vector<DirectionalMass> directional_masses;  // with inertia only
+    std::vector<ForceElementPointer> force_elements;  // springs, pressures, drag, ...
+    // Memory of past strain in simulations; statics and modes use the relaxed body
+    std::optional<material::MaxwellBranch> creep;
+    // Memory of the largest strain; each simulation and each equilibrium starts from the virgin state
+    std::optional<material::StressSoftening> softening;
 };
 
-/// Poisson's ratio of the moduli of each cell.
+/// Poisson's ratio of each cell, from its moduli.
 std::vector<double> poissons_ratios(const std::vector<material::Moduli>& moduli);
 
-/// The same moduli in every cell.
+/// Equal moduli in all cells.
 std::vector<material::Moduli> uniform_moduli(int cell_count, double youngs_modulus_Pa, double poissons_ratio);
 
-/// Gravity on body and attached masses plus the forces active at t, 3 x n [N]. `before`: the limit from the left.
+/// External dead forces: weight of body and attached masses plus active dead loads.
+///
+/// @param t       [s]
+/// @param before  left limit at a discontinuity
+/// @return        3 x n [N], world frame
 Eigen::Matrix3Xd external_forces(const Model& model, const MassMatrix& mass, double t, bool before = false);
 
-/// Activations of all groups at t.
+/// Activations of all fibre groups.
+///
+/// @param t       [s]
+/// @param before  left limit at a discontinuity
 std::vector<double> activations(const Model& model, double t, bool before = false);
 
-/// Times at which a force, a directional mass, an activation or a force element jumps, ascending, without repetition.
+/// Times of discontinuities of forces, directional masses, activations and force elements.
+///
+/// @return  [s], ascending, unique
 std::vector<double> jump_times(const Model& model);
 
 }  // namespace myo::model

@@ -11,7 +11,7 @@ namespace {
 
 using Rotations = Eigen::Matrix<double, 9, Eigen::Dynamic>;
 
-/// Mean deformation gradients times volumes.
+/// Volume integral of F over each cell: centre weight for assumed strains, sum over points otherwise.
 template <int N, int Q>
 material::Matrix3<Pack> mean_gradient(const PackGeometry<N, Q>& geometry, const PackNodes<N>& x) {
     material::Matrix3<Pack> sum = zero_tensor();
@@ -22,7 +22,7 @@ material::Matrix3<Pack> mean_gradient(const PackAssumedStrain& geometry, const P
     return nodal_product(x, geometry.gradient) * geometry.volume;
 }
 
-/// Sum of the cells' mean deformation gradients at each node, weighted with their volumes.
+/// Sum over the cells around each node of volume-weighted deformation gradients.
 template <class Geometry>
 Rotations mean_gradients(const PackedCells<Geometry>& cells, const Body& body, const Eigen::Matrix3Xd& x) {
     std::vector<material::Matrix3<Pack>> means(static_cast<std::size_t>(cells.pack_count()));
@@ -32,6 +32,7 @@ Rotations mean_gradients(const PackedCells<Geometry>& cells, const Body& body, c
             means[pack] = mean_gradient(cells.geometry(static_cast<int>(pack)), xe);
         }
     });
+    // Gather by node: the order of summation is fixed by the incidence.
     Rotations sum = Rotations::Zero(9, body.node_count());
     const auto* values = reinterpret_cast<const double*>(means.data());
     parallel_ranges(body.node_count(), 500, [&](int first, int end) {
@@ -46,7 +47,7 @@ Rotations mean_gradients(const PackedCells<Geometry>& cells, const Body& body, c
     return sum;
 }
 
-/// The rotations of as many gradients as a pack has lanes, in place.
+/// Replaces pack_width gradients by their polar rotations.
 void turn_into_rotations(Rotations& field, Eigen::Index first) {
     const Eigen::Index last = field.cols() - 1;
     const auto column = [&](auto lane) { return std::min(first + static_cast<Eigen::Index>(lane), last); };
@@ -56,8 +57,9 @@ void turn_into_rotations(Rotations& field, Eigen::Index first) {
         F(k % 3, k / 3) = Pack([&](auto lane) { return field(k, column(lane)); });
         size += F(k % 3, k / 3) * F(k % 3, k / 3);
     }
+    // The volume factor is removed first: the polar decomposition expects entries of order one.
     F *= 1.0 / sqrt((1.0 / 3.0) * size);
-    const PackMask degenerate = !(size > 1e-300) || !(size < 1e300);  // nothing to turn, or not a number
+    const PackMask degenerate = !(size > 1e-300) || !(size < 1e300);  // zero or non-finite: no rotation defined
     for (int k = 0; k < 9; ++k) std::experimental::where(degenerate, F(k % 3, k / 3)) = k % 4 == 0 ? 1.0 : 0.0;
     const material::Matrix3<Pack> R = material::polar_rotation(F);
     for (Eigen::Index i = first; i <= std::min(first + pack_width - 1, last); ++i)

@@ -7,7 +7,7 @@
 
 namespace myo::model {
 
-/// Poisson's ratio by which the cells of a pack thin as they bend; see Model::poissons_ratio.
+/// Poisson's ratio of the cells of a pack for bending; see Model::poissons_ratio.
 template <class Geometry>
 Pack poissons_ratio_of(const PackedCells<Geometry>& cells, int pack, const Model& model) {
     if (!model.poissons_ratio.empty())
@@ -17,13 +17,13 @@ Pack poissons_ratio_of(const PackedCells<Geometry>& cells, int pack, const Model
     return (3.0 * kappa - 2.0 * mu) / (2.0 * (3.0 * kappa + mu));  // as young_from_moduli()
 }
 
-/// A pack's part of a field over the body's points; null of an empty one.
+/// Data of a pack in a field over the body's points; null for an empty field.
 template <class Geometry>
 const double* factors_of(const PackedCells<Geometry>&, int pack, const Eigen::VectorXd& factors) {
     return factors.size() > 0 ? factors.data() + pack * Geometry::points * pack_width : nullptr;
 }
 
-/// Where the points of a pack are at the positions x of its nodes.
+/// Kinematics of the points of a pack at nodal positions x [m].
 template <class Geometry>
 PointKinematics<Geometry> points_of(const PackedCells<Geometry>& cells, int pack, const Model& model,
                                     const PackNodes<Geometry::nodes>& x) {

@@ -7,6 +7,7 @@ namespace {
 
 using Lane = std::size_t;
 
+/// Writes the entries of one cell into a lane.
 template <class Packs, class Values>
 void set_lane_of(Packs& packs, Lane lane, const Values& values) {
     for (Eigen::Index k = 0; k < values.size(); ++k) packs.data()[k][lane] = values.data()[k];
@@ -35,15 +36,15 @@ void set_lane_of(PackAssumedStrain& to, Lane lane, const fem::AssumedStrainGeome
     to.volume[lane] = from.volume;
 }
 
-/// Whether two packs have the same shape but for the rounding of coordinates.
+/// True if two packs have equal geometry up to the rounding of coordinates.
 template <class Geometry>
 bool same_shape(const Geometry& a, const Geometry& b) {
+    // Geometry consists of Packs only and is compared as an array.
     constexpr std::size_t count = sizeof(Geometry) / sizeof(Pack);
     const Pack *x = reinterpret_cast<const Pack*>(&a), *y = reinterpret_cast<const Pack*>(&b);
     const Pack scale = abs(a.volume);
     if (any_of(abs(a.volume - b.volume) > 1e-11 * scale)) return false;
-    // Entries have dimensions of their own; those that should vanish are compared with the largest of the shape
-    // gradients.
+    // Entries have different dimensions. Entries that should vanish are compared with the largest shape gradient.
     Pack largest = 0.0;
     for (std::size_t k = 0; k < count; ++k) largest = max(largest, abs(x[k]));
     for (std::size_t k = 0; k < count; ++k)
@@ -51,7 +52,7 @@ bool same_shape(const Geometry& a, const Geometry& b) {
     return true;
 }
 
-/// How many different shapes a pack is compared with: a grid whose lines are unequal has a few.
+/// Number of previous shapes a pack is compared with. A grid with non-uniform lines has a few distinct shapes.
 constexpr std::size_t most_compared = 16;
 
 template <class Geometry>
@@ -64,12 +65,14 @@ PackedCells<Geometry> pack_cells(const typename Geometry::Block& block) {
     for (std::size_t pack = 0; pack < packed.lane_nodes.size(); ++pack) {
         Geometry geometry;
         for (Lane lane = 0; lane < static_cast<Lane>(pack_width); ++lane) {
+            // Lanes past the last cell repeat it, so that they stay finite.
             const int cell = std::min(static_cast<int>(pack) * pack_width + static_cast<int>(lane),
                                       block.cell_count() - 1);
             for (int a = 0; a < Geometry::nodes; ++a)
                 packed.lane_nodes[pack][static_cast<std::size_t>(a)][lane] = block.cells(a, cell);
             set_lane_of(geometry, lane, block.geometry[static_cast<std::size_t>(cell)]);
         }
+        // Only the most recent shapes are compared, which bounds the cost for unstructured meshes.
         const std::size_t known = packed.shapes.size(), first = known > most_compared ? known - most_compared : 0;
         std::size_t shape = first;
         while (shape < known && !same_shape(packed.shapes[shape], geometry)) ++shape;
@@ -103,6 +106,7 @@ PackedElements pack_elements(const fem::Elements& elements) {
     return std::visit([](const auto& block) -> PackedElements { return packed(block); }, elements);
 }
 
+// Counting sort: degrees, prefix sums, then the offsets in cell order.
 NodeIncidence node_incidence(const mesh::VolumeMesh& mesh) {
     const auto nodes = static_cast<int>(mesh.cells.rows());
     NodeIncidence incidence;

@@ -13,25 +13,25 @@
 
 namespace myo::model {
 
-/// Vectors at the nodes of as many cells as a pack has lanes.
+/// Nodal vectors of a pack of cells, 3 x N.
 template <int N>
 using PackNodes = Eigen::Matrix<Pack, 3, N>;
 
-/// Symmetric tensors (xx, yy, zz, xy, yz, zx).
+/// Symmetric tensor (xx, yy, zz, xy, yz, zx).
 using PackSymmetric = std::array<Pack, 6>;
 
-/// Cells whose deformation gradient at their points is that of their shape functions.
+/// Geometry of a pack of cells whose deformation gradients follow from the shape functions.
 template <int N, int Q>
 struct PackGeometry {
     static constexpr int nodes = N, points = Q;
     using Block = fem::ElementBlock<N, Q>;
 
-    std::array<Eigen::Matrix<Pack, N, 3>, Q> gradient;  // [1/m]
-    std::array<Pack, Q> weight;                         // [m3]
-    Pack volume;
+    std::array<Eigen::Matrix<Pack, N, 3>, Q> gradient;  // shape gradients at the points [1/m]
+    std::array<Pack, Q> weight;                         // quadrature weights [m3]
+    Pack volume;                                        // [m3]
 };
 
-/// See AssumedStrainGeometry.
+/// Geometry of a pack of hex8 cells with assumed strains. Members as in fem::AssumedStrainGeometry.
 struct PackAssumedStrain {
     static constexpr int nodes = 8, points = fem::assumed_strain_rule::points;
     using Block = fem::AssumedStrainBlock;
@@ -49,65 +49,74 @@ struct PackAssumedStrain {
     Pack volume;
 };
 
-/// What of a pack's cells is not shared with others of the same shape: AssumedStrainGeometry::relaxed.
+/// Part of AssumedStrainGeometry that cells of equal shape do not share: `relaxed`.
 using PackSurroundings = std::array<Pack, 3>;
 
-/// An element block laid out for the vectorised kernel. Cell c is lane c % pack_width of pack c / pack_width; the last
-/// pack is filled up with copies of the last cell, whose results nobody reads. Packs of the same shape, as most of a
-/// grid, share it.
+/// Element block in the layout of the vectorised kernel. Cell c is lane c % pack_width of pack c / pack_width; the last
+/// pack is padded with copies of the last cell, whose results are not used. Packs of equal shape share their geometry,
+/// which in a grid is almost all.
 ///
-/// Per-cell fields (strains, pressures, forces) are stored pack by pack: entry i of cell c is at
-/// (c / pack_width * entries + i) * pack_width + c % pack_width.
+/// Per-cell fields (strains, pressures, forces) are stored pack by pack: entry i of cell c is at (c / pack_width *
+/// entries + i) * pack_width + c % pack_width.
 template <class Geometry>
 struct PackedCells {
     static constexpr int nodes = Geometry::nodes;
     static constexpr int points = Geometry::points;
     using LaneNodes = std::array<std::array<int, pack_width>, Geometry::nodes>;
 
-    bool mean_volume = false;
-    std::vector<Pack> point_bulk_over_mu;  // per pack, see PointBulkPolicy; empty: 0
-    int cell_count = 0;
-    std::vector<LaneNodes> lane_nodes;  // per pack
-    std::vector<Geometry> shapes;
-    std::vector<int> shape_of_pack;
-    std::vector<PackSurroundings> surroundings;  // per pack of cells of assumed strain; else empty
+    bool mean_volume = false;                    // one volume measure per cell instead of one per point
+    std::vector<Pack> point_bulk_over_mu;        // per pack, see PointBulkPolicy; empty: 0
+    int cell_count = 0;                          // without padding
+    std::vector<LaneNodes> lane_nodes;           // per pack: node of each cell node and lane
+    std::vector<Geometry> shapes;                // distinct geometries
+    std::vector<int> shape_of_pack;              // per pack: index into shapes
+    std::vector<PackSurroundings> surroundings;  // per pack of cells with assumed strains; otherwise empty
 
     int pack_count() const { return static_cast<int>(lane_nodes.size()); }
+    /// Lanes of a pack that hold cells; less than pack_width only in the last pack.
     int lanes_used(int pack) const { return std::min(pack_width, cell_count - pack * pack_width); }
+    /// Surroundings of a pack; zeros for elements without them.
     const PackSurroundings& surroundings_of(int pack) const {
         static const PackSurroundings none{};
         return surroundings.empty() ? none : surroundings[static_cast<std::size_t>(pack)];
     }
+    /// Geometry of a pack, possibly shared with others.
     const Geometry& geometry(int pack) const {
         return shapes[static_cast<std::size_t>(shape_of_pack[static_cast<std::size_t>(pack)])];
     }
-    /// Green strains of every point.
+    /// Components of the Green strains of all points of a cell.
     static constexpr int strains_per_cell() { return 6 * points; }
+    /// Volume measures (pressures) per cell.
     int volumes_per_cell() const { return mean_volume ? 1 : points; }
 };
 
+/// Supported element formulations: hex8 with assumed strains, hex8, tet4 and tet10 with 4 or 10 points.
 using PackedElements = std::variant<PackedCells<PackAssumedStrain>, PackedCells<PackGeometry<8, 8>>,
                                     PackedCells<PackGeometry<4, 1>>, PackedCells<PackGeometry<10, 4>>,
                                     PackedCells<PackGeometry<10, 10>>>;
+/// Packs the elements of a body.
 PackedElements pack_elements(const fem::Elements& elements);
 
-/// Where each node finds its share of a field of cell vectors (3 entries per node of a cell, node by node): first
-/// entries of node i are offset[start[i]] ... offset[start[i + 1] - 1], the other two each one pack further. Sums taken
-/// in this order do not depend on how the cells were shared between threads.
+/// Positions of the contributions to each node in a field of cell vectors (3 entries per node of a cell, node by node).
+/// First components of node i are at offset[start[i]] ... offset[start[i + 1] - 1], the other two each one pack
+/// further.
+///
+/// Summation in this order does not depend on the distribution of cells over threads.
 struct NodeIncidence {
-    std::vector<int> start;
-    std::vector<int> offset;
+    std::vector<int> start;   // n + 1: first offset of each node, and the end
+    std::vector<int> offset;  // into the field
 };
+/// Node incidence of a mesh.
 NodeIncidence node_incidence(const mesh::VolumeMesh& mesh);
 
-/// The cell of an offset.
+/// Cell to which offset k belongs.
 template <int N>
 int incident_cell(const NodeIncidence& incidence, int k) {
     const int offset = incidence.offset[static_cast<std::size_t>(k)];
     return offset / (3 * N * pack_width) * pack_width + offset % pack_width;
 }
 
-/// Positions of the cells of a pack, from X (3 x n).
+/// Nodal vectors of the cells of a pack, gathered from X (3 x n).
 template <int N>
 PackNodes<N> gather_lanes(const std::array<std::array<int, pack_width>, N>& nodes, const Eigen::Matrix3Xd& X) {
     PackNodes<N> result;
@@ -118,12 +127,13 @@ PackNodes<N> gather_lanes(const std::array<std::array<int, pack_width>, N>& node
     }
     return result;
 }
+/// Nodal vectors of a pack, gathered from X (3 x n).
 template <class Geometry>
 PackNodes<Geometry::nodes> nodes_of_pack(const PackedCells<Geometry>& cells, int pack, const Eigen::Matrix3Xd& X) {
     return gather_lanes<Geometry::nodes>(cells.lane_nodes[static_cast<std::size_t>(pack)], X);
 }
 
-/// value(cell) in the lanes of a pack; past the last cell that of the last.
+/// Lanes value(cell) of a pack; lanes past the last cell repeat the last cell.
 template <class Geometry, class Value>
 Pack pack_of(const PackedCells<Geometry>& cells, int pack, const Value& value) {
     return Pack([&](auto lane) {

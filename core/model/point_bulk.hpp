@@ -7,15 +7,16 @@
 
 namespace myo::model {
 
-/// The bulk modulus that acts at the points of cells with a mean volume: of_mu mu + of_kappa kappa, see
-/// PointBulkPolicy. Linear in the moduli while their ratio stays on one side of the element's bound.
+/// Bulk modulus at the points of cells with a mean volume, of_mu mu + of_kappa kappa; see PointBulkPolicy. Linear in
+/// the moduli as long as kappa / mu stays on one side of the element's bound.
 struct PointBulk {
-    Pack of_mu = 0.0, of_kappa = 0.0;
+    Pack of_mu = 0.0, of_kappa = 0.0;  // dimensionless coefficients
 
     Pack of(const Pack& mu, const Pack& kappa) const { return of_mu * mu + of_kappa * kappa; }
 };
 
-/// That of a pack's cells, whose moduli in Pa are given per cell.
+/// Coefficients for the cells of a pack.
+/// @param moduli  [Pa] per cell
 template <class Geometry>
 PointBulk point_bulk(const PackedCells<Geometry>& cells, int pack, const std::vector<material::Moduli>& moduli) {
     PointBulk result;
@@ -23,6 +24,7 @@ PointBulk point_bulk(const PackedCells<Geometry>& cells, int pack, const std::ve
     const Pack bound = cells.point_bulk_over_mu[static_cast<std::size_t>(pack)];
     const Pack mu = pack_of(cells, pack, [&](std::size_t c) { return moduli[c].mu; }),
                kappa = pack_of(cells, pack, [&](std::size_t c) { return moduli[c].kappa; });
+    /// Below the bound the complete bulk modulus acts at the points, above it the bound itself.
     const auto below = kappa < bound * mu;
     result.of_mu = bound;
     std::experimental::where(below, result.of_mu) = 0.0;

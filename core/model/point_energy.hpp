@@ -6,8 +6,10 @@
 
 namespace myo::model {
 
-/// Isochoric energy per rest volume at every point of the body at x (3 x n), see Body::point_entry [J/m3]: what the
-/// shear modulus answers for. Not finite where the law knows no such deformation.
+/// Isochoric energy density at each point of the body [J/m3], the part governed by the shear modulus; see
+/// Body::point_entry.
+/// @param x  node positions, 3 x n [m]
+/// @return   point_count entries; non-finite where the law is undefined
 Eigen::VectorXd isochoric_energy_densities(const Model& model, const Eigen::Matrix3Xd& x);
 
 }  // namespace myo::model

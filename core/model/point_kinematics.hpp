@@ -5,24 +5,25 @@
 
 namespace myo::model {
 
-/// Number of the block (a, b), a >= b, of a cell's symmetric matrix: column by column of the lower triangle.
+/// Index of block (a, b), a >= b, in the packed lower triangle of a cell's matrix, column by column.
 template <int N>
 constexpr int lower_block(int a, int b) {
     return b * N - b * (b - 1) / 2 + a - b;
 }
 
-/// 3 x 3 blocks of a cell's symmetric matrix, see lower_block().
+/// 3 x 3 blocks of the symmetric matrix of a pack of cells, see lower_block().
 template <int N>
 using PackMatrix = std::array<material::Matrix3<Pack>, static_cast<std::size_t>(N*(N + 1) / 2)>;
 
-// How the points of a pack of cells deform as functions of its nodes. Each kind of cell gives, for its geometry,
+// Kinematics of a pack of cells as functions of its nodes. Each element formulation specialises three templates for its
+// geometry:
 //
 //   PointKinematics   gradient(q): F of a point; along(dx): a motion; tangent(q, motion): dF
-//   StressSum         add(q, P): P times its weight, dW/dF of a point; add_to(forces): dW/dx
+//   StressSum         add(q, P): P = dW/dF of a point times its weight; add_to(forces): dW/dx
 //   StiffnessSum      add(q, A, P): A = d2W/dF2 of a point times its weight, P its stress, for the curvature of F in x;
-//   add_to(matrix): d2W/dx2
+//                     finish(): d2W/dx2
 //
-// and all that energies, forces, works, strains and means are made of is written once, for any of them.
+// Energies, forces, works, strains and means are written once in terms of these.
 
 template <class Geometry>
 class PointKinematics;
@@ -31,7 +32,7 @@ class StressSum;
 template <class Geometry>
 class StiffnessSum;
 
-// Compatible cells: F is linear in x.
+// Compatible elements: F is linear in x, so stress and stiffness need no geometric term of their own.
 
 template <int N, int Q>
 class PointKinematics<PackGeometry<N, Q>> {
@@ -47,6 +48,7 @@ public:
     Pack weight(int q) const { return geometry_.weight[static_cast<std::size_t>(q)]; }
     const PackGeometry<N, Q>& geometry() const { return geometry_; }
 
+    /// F is linear in x, so a motion is the displacement itself.
     Motion along(const PackNodes<N>& dx) const { return &dx; }
     material::Matrix3<Pack> tangent(int q, Motion dx) const {
         return nodal_product(*dx, geometry_.gradient[static_cast<std::size_t>(q)]);
@@ -73,7 +75,7 @@ private:
     PackNodes<N> forces_;
 };
 
-/// Blocks K_ab += G_a A G_b for a >= b: the pull-back of a 9 x 9 tangent to the nodes. A is symmetric.
+/// K_ab += weight G_a A G_b for a >= b: pull-back of a symmetric 9 x 9 tangent to the nodes.
 template <int N>
 void add_pulled_back(const material::Matrix9<Pack>& A, const Eigen::Matrix<Pack, N, 3>& G, const Pack& weight,
                      PackMatrix<N>& matrix) {
@@ -94,7 +96,7 @@ void add_pulled_back(const material::Matrix9<Pack>& A, const Eigen::Matrix<Pack,
 template <int N, int Q>
 class StiffnessSum<PackGeometry<N, Q>> {
 public:
-    /// The blocks are added to at once.
+    /// Blocks are added to `matrix` immediately; finish() does nothing.
     StiffnessSum(const PointKinematics<PackGeometry<N, Q>>& points, PackMatrix<N>& matrix)
         : geometry_(points.geometry()), matrix_(matrix) {}
 

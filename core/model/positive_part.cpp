@@ -4,7 +4,7 @@
 
 namespace myo::model {
 
-// Of any size at run time: this path is rare.
+// Dynamic size: the projection is rare compared with element loops.
 void project_positive(Eigen::Ref<Eigen::MatrixXd> K) {
     const SymmetricEigen eigen = symmetric_eigen(K);
     if (eigen.values(0) >= 0.0) return;

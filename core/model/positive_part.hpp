@@ -4,7 +4,7 @@
 
 namespace myo::model {
 
-/// Replaces a symmetric matrix by the nearest positive semi-definite one.
+/// Replaces a symmetric matrix by the nearest positive semidefinite one: negative eigenvalues become 0.
 void project_positive(Eigen::Ref<Eigen::MatrixXd> K);
 
 }  // namespace myo::model

@@ -6,7 +6,9 @@
 
 namespace myo::model {
 
-/// Where the points of a body, at which its law is evaluated, lie at rest, 3 x point_count [m]; see Body::point_entry.
+/// Rest positions of all points of a body, where its law is evaluated.
+///
+/// @return  3 x point_count [m]; order as in Body::point_entry, padding included
 Eigen::Matrix3Xd rest_points(const Body& body);
 
 }  // namespace myo::model

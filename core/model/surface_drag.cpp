@@ -17,15 +17,17 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
+/// Quadrature point of a wetted face.
 struct DragPoint {
-    VectorXd shape;
-    double area = 0.0;  // at rest [m2]
+    VectorXd shape;     // shape functions of the face nodes
+    double area = 0.0;  // [m2] rest area times weight
 };
 
 struct DragFace : LoadedFace {
     std::vector<DragPoint> points;
 };
 
+/// See surface_drag().
 class SurfaceDrag : public ForceElement {
 public:
     SurfaceDrag(std::shared_ptr<const std::vector<DragFace>> faces, double linear, double quadratic)
@@ -39,10 +41,12 @@ public:
             for (const DragPoint& point : face.points) {
                 const Vector3d u = v * point.shape;
                 const double speed = u.norm();
+                // The potential exists only for a given velocity_factor; at 0 (statics) the force has no Hessian in x.
                 if (factor > 0.0)
                     out.energy += point.area / factor * speed * speed * (0.5 * linear_ + quadratic_ * speed / 3.0);
                 add_force(face, point, point.area * (linear_ + quadratic_ * speed) * u, out.gradient);
                 if (kind == HessianKind::none || factor == 0.0) continue;
+                // dv/dx = factor turns the derivative by velocity into one by position.
                 const Matrix3d H = factor * point.area * by_velocity(u);
                 add_face_hessian(body, face, out.hessian, [&](std::size_t a, std::size_t b) {
                     return Matrix3d(point.shape(static_cast<Eigen::Index>(a)) *
@@ -75,19 +79,22 @@ public:
     }
 
 private:
-    /// Derivative of the traction, per area.
+    /// Derivative of the traction with respect to the velocity [Pa s/m].
     Matrix3d by_velocity(const Vector3d& u) const {
         const double speed = u.norm();
         const Matrix3d I = Matrix3d::Identity();
+        // The quadratic part is differentiable at rest, with derivative zero.
         if (speed == 0.0) return linear_ * I;
         return (linear_ + quadratic_ * speed) * I + quadratic_ / speed * u * u.transpose();
     }
 
+    // Distributes a force at a quadrature point to the nodes of its face.
     static void add_force(const DragFace& face, const DragPoint& point, const Vector3d& force, Matrix3Xd& gradient) {
         for (std::size_t a = 0; a < face.nodes.size(); ++a)
             gradient.col(face.nodes[a]) += point.shape(static_cast<Eigen::Index>(a)) * force;
     }
 
+    /// Calls visit(face, point, velocity) for all quadrature points; does nothing at rest.
     template <class Visit>
     void for_each_point(const ForceState& at, const Visit& visit) const {
         if (!at.v) return;

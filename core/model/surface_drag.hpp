@@ -8,8 +8,10 @@ namespace myo::model {
 
 /// Drag of a resting fluid on part of the surface: traction -(linear v + quadratic |v| v) per rest area.
 ///
-/// faces: of the body's boundary. Parameters: linear_Pa_s_m, quadratic_kg_m3, neither negative.
 /// Dissipation potential per rest area: linear |v|^2 / 2 + quadratic |v|^3 / 3.
+/// @param faces            faces of the body's boundary
+/// @param linear_Pa_s_m    >= 0, parameter
+/// @param quadratic_kg_m3  >= 0, parameter
 ForceElementPointer surface_drag(const Body& body, const std::vector<int>& faces, double linear_Pa_s_m,
                                  double quadratic_kg_m3);
 

@@ -13,6 +13,7 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
+/// See tied_spring().
 class TiedSpring : public ForceElement {
 public:
     TiedSpring(LoadedFace nodes, VectorXd shares, const Vector3d& anchor, double rest_length, double stiffness)
@@ -23,13 +24,14 @@ public:
           stiffness_(stiffness) {}
 
     void add(const Body& body, const ForceState& at, HessianKind kind, InternalEnergy& out) const override {
+        // Vector from the anchor to the attachment point in the current configuration.
         const Vector3d arm = at.x(Eigen::all, at_.nodes) * shares_ - anchor_;
         const double length = arm.norm(), stretch = length - rest_length_;
         const Vector3d d = arm / length;
         out.energy += 0.5 * stiffness_ * stretch * stretch;
         add_force(stiffness_ * stretch * d, out.gradient);
         if (kind == HessianKind::none) return;
-        double across = stretch / length;  // the spring turns: it pushes away from its line when it is shortened
+        double across = stretch / length;  // transverse (geometric) stiffness; negative if the spring is compressed
         if (kind != HessianKind::exact) across = std::max(0.0, across);
         const Matrix3d H = stiffness_ * (d * d.transpose() + across * (Matrix3d::Identity() - d * d.transpose()));
         add_face_hessian(body, at_, out.hessian, [&](std::size_t a, std::size_t b) {
@@ -64,6 +66,7 @@ private:
 
 ForceElementPointer tied_spring(const Body& body, int cell, const std::vector<int>& nodes, const VectorXd& shares,
                                 const Vector3d& anchor_m, double stiffness_N_m) {
+    // Stress-free length: distance in the rest configuration.
     const double length = (body.mesh.nodes(Eigen::all, nodes) * shares - anchor_m).norm();
     assert(length > 0.0);
     return std::make_shared<TiedSpring>(loaded_nodes(body, cell, nodes), shares, anchor_m, length, stiffness_N_m);

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-/// Work of one pack per unit of mu, of kappa and of damping times mu.
+/// Virtual work of one pack per unit of mu, of kappa and of damping times mu.
 struct PackWork {
     Pack mu = 0.0, kappa = 0.0, viscous = 0.0;
 };
@@ -36,8 +36,10 @@ PackWork pack_work(const PackedCells<Geometry>& cells, int pack, const Model& mo
     for (int q = 0; q < Geometry::points; ++q) {
         const Pack factor = factors ? entry(factors, q) : one, weight = points.weight(q);
         const material::Matrix3<Pack> F = points.gradient(q), dF = points.tangent(q, motion);
+        // Unit shear modulus and zero bulk modulus: the response is the derivative by mu.
         material.respond(F, factor, zero, false, law);
         work.mu += weight * material::double_dot(law.distortion.gradient, dF);
+        // Laws without a split have no bulk function: their derivative by kappa is the volume gradient itself.
         const Pack change = material::double_dot(law.volume.gradient, dF);
         if (!split) {
             work.kappa += weight * factor * change;
@@ -58,6 +60,7 @@ PackWork pack_work(const PackedCells<Geometry>& cells, int pack, const Model& mo
             work.viscous += 2.0 * weight * factor *
                             double_dot(deviator(strain_rate(F, rate.factor, history, q)), green_strain_tangent(F, dF));
     }
+    // The mean volume carries kappa minus the part that acts at the points.
     if (split && cells.mean_volume) {
         const Pack mean = cells.geometry(pack).volume * material.bulk(theta, mean_factor).first * d_theta;
         work.kappa += (1.0 - bulk.of_kappa) * mean;
@@ -80,6 +83,7 @@ void add_moduli_work(const Model& model, const Matrix3Xd& x, const Matrix3Xd& p,
         [&](const auto& cells) {
             parallel_ranges(cells.pack_count(), 16, [&](int first, int end) {
                 for (int pack = first; pack < end; ++pack) {
+                    // Each cell belongs to one pack, so threads write to different entries.
                     const PackWork of_pack = pack_work(cells, pack, model, x, p, rate);
                     for (int lane = 0; lane < cells.lanes_used(pack); ++lane) {
                         const auto l = static_cast<std::size_t>(lane),
@@ -119,11 +123,13 @@ void add_fibre_work(const Model& model, const Matrix3Xd& x, const Matrix3Xd& p, 
             const fibre::FibrePoint& point = group.points[k];
             const auto shape = shape_of<N>(point);
             const Eigen::Vector3d s = xe.transpose() * shape, ds = pe.transpose() * shape;
+            // Virtual elongation of the fibre times its volume.
             const double length = s.norm(), along = s.dot(ds) / length * point.volume;
             work.by_activation[g] -= group.stiffness_Pa * along;
             work.by_stiffness[g] += (length - activation[g]) * along;
             if (work.by_shape.empty()) continue;
             const fibre::FibreResponse response = fibre::fibre_response(s, activation[g], group.stiffness_Pa);
+            // Derivative of (psi'(s) . ds) with respect to the shape: s = x shape and ds = p shape.
             work.by_shape[g][k] += point.volume * (xe * (response.hessian * ds) + pe * response.gradient);
         }
     });

@@ -8,28 +8,38 @@
 
 namespace myo::model {
 
-/// Virtual work p . dW/dx of the internal energy along motions p, split into the parameters it is linear in: its
-/// derivatives with respect to them, positions and strain rate held.
+/// Virtual work p . dW/dx along nodal motions p by parameters in which the internal energy is linear: the derivatives
+/// with respect to them at fixed positions and strain rate.
 struct ModuliWork {
-    std::vector<material::Moduli> elastic;  // per cell, per unit of mu and of kappa [m3]
-    std::vector<double> viscous;            // per cell, per unit of damping times mu [m3/s]
+    std::vector<material::Moduli> elastic;  // [m3] per cell, per unit of mu and of kappa
+    std::vector<double> viscous;            // [m3/s] per cell, per unit of damping times mu
 };
+/// Zero work for all cells of a model, to be passed to add_moduli_work().
 ModuliWork no_moduli_work(const Model& model);
 
-/// Adds the work of elastic and viscous forces at x (3 x n) along p (3 x n). rate.history null: no viscous part.
+/// Adds the work of elastic and viscous forces.
+/// @param x, p  node positions [m] and motions, 3 x n
+/// @param rate  history null: no viscous part
 void add_moduli_work(const Model& model, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& p, const StrainRate& rate,
                      ModuliWork& work);
 
-/// The work of the fibres per group.
+/// Virtual work of the fibres by parameters.
 struct FibreWork {
-    std::vector<double> by_activation;  // derivative with respect to a [J]
-    std::vector<double> by_stiffness;   // with respect to w [m3]
-    std::vector<std::vector<Eigen::VectorXd>>
-        by_shape;  // per group and point, with respect to FibrePoint::shape; empty unless asked for
+    std::vector<double> by_activation;  // per group: derivative by activation a [J]
+    std::vector<double> by_stiffness;   // per group: derivative by stiffness w [m3]
+    // per group and point: derivative by FibrePoint::shape; empty unless requested
+    std::vector<std::vector<Eigen::VectorXd>> by_shape;
 };
+/// Zero work for all fibre groups.
+/// @param with_shapes  also allocate by_shape
 FibreWork no_fibre_work(const Model& model, bool with_shapes);
 
-/// activation: per group. Shapes are filled in when `work` has room for them.
+/// Adds the work of the fibres.
+///
+/// by_shape is computed only if `work` has it allocated.
+///
+/// @param x, p        node positions [m] and motions, 3 x n
+/// @param activation  per group
 void add_fibre_work(const Model& model, const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& p,
                     const std::vector<double>& activation, FibreWork& work);
 

@@ -8,6 +8,7 @@
 namespace myo::solver {
 namespace {
 
+// A factor can outlive the session that made it, so it is freed with a common of its own.
 void free_factor(cholmod_factor* factor) {
     cholmod_common common{};
     cholmod_start(&common);
@@ -17,8 +18,8 @@ void free_factor(cholmod_factor* factor) {
 
 }  // namespace
 
-/// One thread at a time: the serial OpenBLAS underneath is not safe to call from two threads (seen: runs side by side
-/// gave solutions that were not numbers), and METIS's orderings would depend on what runs beside.
+/// One thread at a time. The serial OpenBLAS underneath is not thread-safe (observed: concurrent factorisations gave
+/// NaN solutions), and METIS orderings would depend on concurrent calls.
 std::mutex& cholmod_mutex() {
     static std::mutex mutex;
     return mutex;
@@ -32,7 +33,7 @@ cholmod_sparse cholmod_view(const SymmetricSparse& lower) {
     matrix.p = const_cast<int*>(lower.outerIndexPtr());
     matrix.i = const_cast<int*>(lower.innerIndexPtr());
     matrix.x = const_cast<double*>(lower.valuePtr());
-    matrix.stype = -1;
+    matrix.stype = -1;  // lower triangle is stored
     matrix.itype = CHOLMOD_INT;
     matrix.xtype = CHOLMOD_REAL;
     matrix.dtype = CHOLMOD_DOUBLE;
@@ -43,6 +44,7 @@ cholmod_sparse cholmod_view(const SymmetricSparse& lower) {
 
 CholmodSession::CholmodSession() {
     cholmod_start(&common_);
+    // One ordering, instead of the best of several trials.
     common_.nmethods = 1;
     common_.method[0].ordering = CHOLMOD_METIS;
     common_.postorder = 1;
@@ -59,11 +61,12 @@ CholmodFactor CholmodSession::analyse(cholmod_sparse& matrix) {
 }
 
 bool CholmodSession::factorise(cholmod_sparse& matrix, cholmod_factor& factor) {
-    // Debian's CHOLMOD opens OpenMP regions of four threads by itself; on small factors they cost more than they give,
-    // and threads belong to us. Level 0 makes every region of this thread serial.
+    // Debian's CHOLMOD opens OpenMP regions of four threads. On small factors they cost more than they gain, and
+    // parallelism is organised above this level. Level 0 makes every region of this thread serial.
     omp_set_max_active_levels(0);
     const std::lock_guard<std::mutex> lock(cholmod_mutex());
     return cholmod_factorize(&matrix, &factor, &common_) != 0 && common_.status == CHOLMOD_OK &&
+           // factor.minor < n marks the column in which a non-positive pivot was found.
            factor.minor == factor.n;
 }
 
@@ -83,6 +86,7 @@ Eigen::MatrixXd CholmodSession::solve(cholmod_factor& factor, const Eigen::Matri
     return X;
 }
 
+// Overwrite flag 0: a value set by the user wins.
 void use_one_blas_thread() {
     ::setenv("OPENBLAS_NUM_THREADS", "1", 0);
     ::setenv("OMP_NUM_THREADS", "1", 0);

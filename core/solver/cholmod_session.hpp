@@ -9,15 +9,17 @@
 
 namespace myo::solver {
 
-/// Held by whoever is in CHOLMOD, or in METIS, which draws from one random generator.
+/// Serialises all calls into CHOLMOD and METIS. METIS draws from one global random generator, so its orderings would
+/// otherwise depend on the order of calls; see cholmod_session.cpp for the BLAS underneath.
 std::mutex& cholmod_mutex();
 
-/// A matrix of ours as CHOLMOD sees it; it copies nothing.
+/// View of the matrix in CHOLMOD's format. Shares the arrays, so `lower` must outlive it.
 cholmod_sparse cholmod_view(const SymmetricSparse& lower);
 
+/// Owned symbolic or numeric factor.
 using CholmodFactor = std::unique_ptr<cholmod_factor, void (*)(cholmod_factor*)>;
 
-/// CHOLMOD's workspace, set up for supernodal factors in METIS ordering.
+/// CHOLMOD workspace, configured for supernodal factors in METIS nested-dissection ordering.
 class CholmodSession {
 public:
     CholmodSession();
@@ -25,10 +27,12 @@ public:
     CholmodSession(const CholmodSession&) = delete;
     CholmodSession& operator=(const CholmodSession&) = delete;
 
-    /// Ordering and pattern of the factor, without values. Empty when it runs out of memory.
+    /// Symbolic analysis: fill-reducing ordering and pattern of the factor. Null if memory runs out.
     CholmodFactor analyse(cholmod_sparse& matrix);
-    /// Its values. False when the matrix is not positive definite.
+    /// Numeric factorisation into an analysed factor.
+    /// @return  false if the matrix is not positive definite
     bool factorise(cholmod_sparse& matrix, cholmod_factor& factor);
+    /// Solution of A X = B for B of n x k.
     Eigen::MatrixXd solve(cholmod_factor& factor, const Eigen::MatrixXd& B);
 
 private:

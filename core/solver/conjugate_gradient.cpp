@@ -14,13 +14,15 @@ using Eigen::RowVectorXd;
 
 RowVectorXd column_dots(const MatrixXd& A, const MatrixXd& B) { return A.cwiseProduct(B).colwise().sum(); }
 
-/// Whether columns and rows come in threes throughout, like the coordinates of nodes.
+/// True if all columns and rows come in aligned groups of three with equal patterns, as for nodal coordinates.
 bool has_blocks_of_three(const SymmetricSparse& lower) {
     const int* start = lower.outerIndexPtr();
     const int* rows = lower.innerIndexPtr();
     if (lower.outerSize() % 3 != 0) return false;
     for (int j = 0; j < lower.outerSize(); j += 3) {
         const int length = start[j + 1] - start[j];
+        // Columns j, j + 1, j + 2 of a lower triangle start at the diagonal: each is one entry shorter than the one
+        // before.
         if (length < 3 || length % 3 != 0 || rows[start[j]] != j || start[j + 2] - start[j + 1] != length - 1 ||
             start[j + 3] - start[j + 2] != length - 2)
             return false;
@@ -33,12 +35,13 @@ bool has_blocks_of_three(const SymmetricSparse& lower) {
     return true;
 }
 
-/// y += A x for the columns j, j + 1, j + 2, block by block: x and y are touched once for nine entries.
+/// y += A x for the columns j, j + 1, j + 2 in 3 x 3 blocks: x and y are loaded once for nine entries, and the mirrored
+/// upper triangle is applied in the same pass.
 template <class Lane>
 void add_block_column(const SymmetricSparse& lower, int j, const std::vector<Lane>& x, std::vector<Lane>& y) {
     const int first = lower.outerIndexPtr()[j], length = lower.outerIndexPtr()[j + 1] - first;
     const int* rows = lower.innerIndexPtr() + first;
-    const double* a = lower.valuePtr() + first;  // entry e of the columns, as if all began where the first does
+    const double* a = lower.valuePtr() + first;  // indexed by the entries of the first column
     const double *b = a + length - 1, *c = b + length - 2;
     const auto at = static_cast<std::size_t>(j);
     const Lane xa = x[at], xb = x[at + 1], xc = x[at + 2];
@@ -59,8 +62,8 @@ void add_block_column(const SymmetricSparse& lower, int j, const std::vector<Lan
     y[at + 2] += yc;
 }
 
-/// Columns first ... first + count - 1 of Y = A X, count <= K: a row's numbers lie side by side, so that the matrix is
-/// read once for K columns.
+/// Columns first ... first + count - 1 of Y = A X, count <= K. The K numbers of a row are interleaved, so that the
+/// matrix is read once for K columns.
 template <int K>
 void product_of(const SymmetricSparse& lower, bool in_threes, const MatrixXd& X, Eigen::Index first, Eigen::Index count,
                 MatrixXd& Y) {
@@ -76,6 +79,7 @@ void product_of(const SymmetricSparse& lower, bool in_threes, const MatrixXd& X,
     const double* values = lower.valuePtr();
     if (in_threes)
         for (int j = 0; j < lower.outerSize(); j += 3) add_block_column(lower, j, x, y);
+    // General pattern: each off-diagonal entry acts on both its row and its column.
     for (std::size_t j = 0; j < n && !in_threes; ++j) {
         Lane sum = 0.0;
         const Lane xj = x[j];
@@ -103,13 +107,14 @@ ConjugateGradientReport conjugate_gradient(const LinearOperator& A, const Linear
     MatrixXd& X = report.solution;
     X = guess.size() == 0 ? MatrixXd::Zero(B.rows(), B.cols()) : guess;
     const RowVectorXd scale = B.colwise().norm();
+    // A zero right-hand side has the exact solution 0, and its relative residual is undefined.
     for (Eigen::Index k = 0; k < B.cols(); ++k)
         if (scale(k) == 0.0) X.col(k).setZero();
     MatrixXd R = B;
     if (guess.size() > 0) R -= A(X);
     using Flags = Eigen::Array<bool, 1, Eigen::Dynamic>;
-    Flags open;
-    const auto look = [&]() {  // which columns are not yet there
+    Flags open;                // columns above the tolerance
+    const auto look = [&]() {  // updates `open`; false once all columns have converged
         const RowVectorXd size = R.colwise().norm();
         open = size.array() > tolerance * scale.array();
         report.relative_residual = (scale.array() > 0.0).select(size.array() / scale.array(), 0.0).maxCoeff();
@@ -126,6 +131,7 @@ ConjugateGradientReport conjugate_gradient(const LinearOperator& A, const Linear
         const MatrixXd AP = A(P);
         const RowVectorXd curvature = column_dots(P, AP);
         ++report.iterations;
+        // Converged columns are frozen: further iterations only add rounding, and their curvature may vanish.
         for (Eigen::Index k = 0; k < B.cols(); ++k) {
             if (!open(k)) continue;
             if (!(curvature(k) > 0.0)) {
@@ -152,6 +158,7 @@ ConjugateGradientReport conjugate_gradient(const LinearOperator& A, const Linear
 MatrixXd symmetric_product(const SymmetricSparse& lower, const MatrixXd& X) {
     MatrixXd Y(X.rows(), X.cols());
     constexpr int wide = 16;
+    // Groups of 16 columns fill the registers; the remainder uses the smallest sufficient width.
     const Eigen::Index columns = X.cols();
     const int groups = static_cast<int>((columns + wide - 1) / wide);
     const bool in_threes = has_blocks_of_three(lower);

@@ -10,28 +10,31 @@
 
 namespace myo::solver {
 
-/// As many right-hand sides side by side as a register has lanes.
+/// SIMD vector with one lane per right-hand side.
 template <class Scalar, int K>
 using Lanes = std::experimental::simd<Scalar, std::experimental::simd_abi::deduce_t<Scalar, K>>;
 
-/// A pass goes through a block this many columns at a time, and as many rows of its diagonal.
+/// Block size of the triangular solves: columns processed together, and rows of a diagonal block.
 inline constexpr int diagonal_block_size = 8;
 
-/// A supernode's dense block of a Cholesky factor, for solves with K right-hand sides: rows x columns, column-major,
-/// `stride` apart. In place of each small block L_d on its diagonal stands L_d^-1, zeros above its own diagonal: a
-/// solve is made of products alone.
+/// Dense block of one supernode of a Cholesky factor, with triangular solves for K right-hand sides.
+///
+/// rows x columns, column-major with leading dimension `stride`; the first `columns` rows are L11, the others L21. Each
+/// diagonal block L_d of diagonal_block_size is stored as its inverse L_d^-1, zero above the diagonal. Solves then
+/// consist of products, without divisions or dependent substitutions inside a block.
 template <class Scalar, int K>
 struct FactorBlock {
     using Lane = Lanes<Scalar, K>;
     static constexpr int step = diagonal_block_size;
-    const Scalar* values;
-    int stride, rows, columns;
+    const Scalar* values;       // rows x columns, not owned
+    int stride, rows, columns;  // leading dimension; sizes of the block
 
     const Scalar* column(int c) const {
         return values + static_cast<std::size_t>(c) * static_cast<std::size_t>(stride);
     }
 
-    /// y <- L11^-1 y, then below -= L21 y.
+    /// Forward substitution on one supernode: y1 <- L11^-1 y1, then y2 <- y2 - L21 y1.
+    /// @param y  `rows` entries, own columns first
     void forward(Lane* y) const {
         for (int start = 0; start < columns; start += step) {
             const int end = std::min(start + step, columns);
@@ -61,7 +64,7 @@ struct FactorBlock {
         }
     }
 
-    /// y <- L11^-T (y - L21' below).
+    /// Backward substitution on one supernode: y1 <- L11^-T (y1 - L21' y2). y2 holds the solution of the rows below.
     void backward(Lane* y) const {
         for (int start = (columns - 1) / step * step; start >= 0; start -= step) {
             const int end = std::min(start + step, columns);
@@ -84,8 +87,8 @@ struct FactorBlock {
     }
 };
 
-/// A single right-hand side has no lanes to fill: its products run down the columns, a register of rows at a time. y
-/// and the columns are filled up to the stride.
+/// Specialisation for a single right-hand side. With no lanes to fill, products run down the columns, one register of
+/// rows at a time; y and the columns are zero-padded to the stride, so that loops need no remainder.
 template <class Scalar>
 struct FactorBlock<Scalar, 1> {
     using Lane = Scalar;
@@ -100,6 +103,7 @@ struct FactorBlock<Scalar, 1> {
         return values + static_cast<std::size_t>(c) * static_cast<std::size_t>(stride);
     }
 
+    /// See the general template; y has `stride` entries.
     void forward(Scalar* y) const {
         for (int start = 0; start < columns; start += step) {
             if (columns - start >= step)
@@ -108,6 +112,7 @@ struct FactorBlock<Scalar, 1> {
                 for_few(columns - start, [&](auto n) { forward_columns<n.value>(start, y); });
         }
     }
+    /// See the general template; y has `stride` entries.
     void backward(Scalar* y) const {
         for (int start = (columns - 1) / step * step; start >= 0; start -= step) {
             if (columns - start >= step)
@@ -118,7 +123,7 @@ struct FactorBlock<Scalar, 1> {
     }
 
 private:
-    /// Calls visit with the number n < step as a constant.
+    /// Calls visit with n as a compile-time constant, 1 <= n < step, so that the inner loops unroll.
     template <class Visit>
     static void for_few(int n, const Visit& visit) {
         [&]<std::size_t... k>(std::index_sequence<k...>) {
@@ -129,12 +134,15 @@ private:
     }
 
     static Rows load(const Scalar* at) { return Rows(at, std::experimental::element_aligned); }
-    /// The register that row `first` is in, and which of its rows come no earlier.
+    /// First row of the register that contains row `first`.
     static int register_of(int first) { return first / width * width; }
+    /// Lanes of that register with row >= `first`.
     static Mask from(int first) {
         return Rows([](auto lane) { return static_cast<Scalar>(lane); }) >= static_cast<Scalar>(first % width);
     }
 
+    /// Forward substitution with N columns. L11 acts on the N own rows; its result is broadcast and L21 is applied
+    /// register by register. The register that contains both own rows and rows below is masked.
     template <int N>
     void forward_columns(int start, Scalar* y) const {
         const Scalar* const at = column(start);
@@ -165,6 +173,8 @@ private:
 
     template <int N>
     void backward_columns(int start, Scalar* y) const {
+        // Transposed products: one dot product per column over the rows below, accumulated in registers and reduced
+        // once.
         const Scalar* const at = column(start);
         const auto n = static_cast<std::size_t>(stride);
         const int end = start + N;

@@ -26,6 +26,7 @@ bool FastCholesky::factorize(const SymmetricSparse& lower) {
     analyse(lower);
     if (pattern_.size() != lower.rows()) return false;  // the analysis ran out of memory
     if (myo::solver::factorize(pattern_, lower, factor_)) return true;
+    // A matrix whose smallest scaled pivots are below single-precision rounding: repeat in double and round the factor.
     SupernodalFactor<double> exact;
     if (!myo::solver::factorize(pattern_, lower, exact)) return false;
     factor_.values.resize(exact.values.size());

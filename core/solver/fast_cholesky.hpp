@@ -9,30 +9,34 @@
 
 namespace myo::solver {
 
-/// Cholesky factor in single precision, for preconditioning and search directions, kept while only the matrix's values
-/// change.
+/// Cholesky factor in single precision, for preconditioners and search directions. The symbolic analysis is reused as
+/// long as the pattern of the matrix stays the same.
 ///
-/// A solve costs one pass over the factor each way, at the speed of memory, so half the bytes are twice the speed.
-/// Accuracy: about 1e-6 times the condition of the scaled matrix. Where single precision breaks down it is factored in
-/// double and rounded. Solves may run side by side. Source: Higham 2002, ch. 12 (single precision beneath a
-/// double-precision iteration).
+/// A solve reads the factor twice and is bound by memory bandwidth, so half the bytes give twice the speed. Accuracy:
+/// about 1e-6 times the condition number of the scaled matrix. If the factorisation breaks down in single precision, it
+/// is repeated in double precision and rounded. solve() is thread-safe.
+/// Source: Higham 2002, ch. 12 (single precision beneath a double-precision iteration).
 class FastCholesky {
 public:
-    /// Learns the pattern, and with it the size of the factor, when it is new.
+    /// Symbolic analysis, skipped if the pattern is unchanged. Gives the size of the factor before any values are
+    /// computed.
+    /// @param lower  lower triangle, compressed, n x n
     void analyse(const SymmetricSparse& lower);
 
-    /// Analyses the pattern when it is new, then factors. False when the matrix is not positive definite.
+    /// Symbolic analysis if needed, then numeric factorisation.
+    /// @return  false if the matrix is not positive definite or memory ran out in the analysis
     bool factorize(const SymmetricSparse& lower);
 
     bool has_factor() const { return !factor_.empty(); }
 
-    /// A^-1 B for B of n x k. Asserts has_factor().
+    /// Solution X of A X = B, n x k. Asserts has_factor(). Thread-safe.
     Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& B) const {
         return myo::solver::solve(pattern_, factor_, B);
     }
 
-    /// Entries of the factor and floating-point operations to make it; 0 before the first analyse().
+    /// Stored entries of the factor; 0 before the first analyse().
     double factor_entries() const { return static_cast<double>(pattern_.value_count()); }
+    /// Floating-point operations of one factorisation; 0 before the first analyse().
     double factor_flops() const { return flops_; }
 
 private:
@@ -40,7 +44,7 @@ private:
 
     SupernodalPattern pattern_;
     SupernodalFactor<float> factor_;
-    std::vector<int> starts_, rows_;  // of the matrix that the pattern was made for
+    std::vector<int> starts_, rows_;  // pattern of the analysed matrix (column starts, row indices)
     double flops_ = 0.0;
 };
 

@@ -15,17 +15,18 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// Unknowns of a part before its overlap: large parts need few iterations, small ones little memory.
+/// Target size of a part without overlap. Larger parts need fewer iterations, smaller parts less memory.
 constexpr int unknowns_per_part = 12000;
-/// Layers of neighbours that each part takes along.
+/// Layers of neighbouring nodes added to each part.
 constexpr int overlap_layers = 2;
 
-/// Which nodes share a cell: the matrix's pattern without its directions.
+/// Adjacency of the nodes (nodes that share a cell), in compressed row format as METIS expects.
 struct NodeGraph {
-    std::vector<idx_t> start{0}, neighbours;
+    std::vector<idx_t> start{0}, neighbours;  // CSR: start per node plus end; adjacent nodes
     int nodes() const { return static_cast<int>(start.size()) - 1; }
 };
 
+/// Pattern of the matrix with the three directions of a node merged.
 NodeGraph node_graph(const SymmetricSparse& lower) {
     const int nodes = static_cast<int>(lower.cols()) / 3;
     std::vector<std::vector<idx_t>> neighbours(static_cast<std::size_t>(nodes));
@@ -37,8 +38,7 @@ NodeGraph node_graph(const SymmetricSparse& lower) {
                 continue;
             neighbours[static_cast<std::size_t>(j)].push_back(i);
         }
-    // The upper triangle too; entries of a column came in ascending order, so that those of the lower triangle stand
-    // first.
+    // Mirrors the lower triangle. Its entries were added first, so `below` separates them from the mirrored ones.
     std::vector<std::size_t> below(neighbours.size());
     for (std::size_t j = 0; j < neighbours.size(); ++j) below[j] = neighbours[j].size();
     for (std::size_t j = 0; j < neighbours.size(); ++j)
@@ -52,7 +52,7 @@ NodeGraph node_graph(const SymmetricSparse& lower) {
     return graph;
 }
 
-/// Nodes of each part, by METIS, with a seed of its own so that parts do not depend on what ran before.
+/// Partition of the nodes by METIS. The fixed seed makes the parts independent of earlier calls.
 std::vector<std::vector<int>> cut(NodeGraph& graph, int part_count) {
     std::vector<idx_t> part(static_cast<std::size_t>(graph.nodes()), 0);
     if (part_count > 1) {
@@ -70,6 +70,7 @@ std::vector<std::vector<int>> cut(NodeGraph& graph, int part_count) {
     return members;
 }
 
+/// Nodes of the part plus overlap_layers layers of neighbours (breadth-first), ascending.
 std::vector<int> with_overlap(const NodeGraph& graph, const std::vector<int>& nodes) {
     std::vector<char> inside(static_cast<std::size_t>(graph.nodes()), 0);
     std::vector<int> all = nodes;
@@ -90,6 +91,7 @@ std::vector<int> with_overlap(const NodeGraph& graph, const std::vector<int>& no
     return all;
 }
 
+/// Lower triangle of R A R' for the restriction R to the given unknowns, in their order.
 SymmetricSparse submatrix(const SymmetricSparse& lower, const std::vector<int>& unknowns) {
     std::vector<int> place(static_cast<std::size_t>(lower.cols()), -1);
     for (std::size_t k = 0; k < unknowns.size(); ++k)
@@ -98,6 +100,7 @@ SymmetricSparse submatrix(const SymmetricSparse& lower, const std::vector<int>& 
     std::vector<int> counts;
     for (const int j : unknowns) counts.push_back(lower.outerIndexPtr()[j + 1] - lower.outerIndexPtr()[j]);
     part.reserve(counts);
+    // Unknowns are ascending, so the lower triangle maps into the lower triangle.
     for (std::size_t k = 0; k < unknowns.size(); ++k)
         for (SymmetricSparse::InnerIterator entry(lower, unknowns[k]); entry; ++entry)
             if (const int row = place[static_cast<std::size_t>(entry.row())]; row >= 0)
@@ -128,10 +131,11 @@ bool SchwarzPreconditioner::factorize(const SymmetricSparse& lower, const Matrix
             parts_.push_back(std::move(part));
         }
     }
-    // Parts share what they have in common evenly: the shares add up to the whole motion.
+    // Partition of unity: an unknown in several parts gets equal weights, so the shares add up to the whole motion.
     Eigen::VectorXd holders = Eigen::VectorXd::Zero(lower.cols());
     for (const Part& part : parts_)
         for (const int i : part.unknowns) holders(i) += 1.0;
+    // Parts are independent. Concurrent writes agree, because `definite` only changes to false.
     std::atomic<bool> definite = true;
     parallel_ranges(static_cast<int>(parts_.size()), 1, [&](int first, int end) {
         for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(end); ++k) {
@@ -147,6 +151,7 @@ bool SchwarzPreconditioner::factorize(const SymmetricSparse& lower, const Matrix
 }
 
 bool SchwarzPreconditioner::factorize_coarse(const SymmetricSparse& lower) {
+    // A Z is formed part by part, because Z for all parts at once would be a dense n x (parts m) matrix.
     const Eigen::Index modes = parts_.front().share.cols(), size = modes * static_cast<Eigen::Index>(parts_.size());
     MatrixXd coarse(size, size);
     parallel_ranges(static_cast<int>(parts_.size()), 1, [&](int first, int end) {
@@ -177,7 +182,7 @@ MatrixXd SchwarzPreconditioner::solve(const Eigen::Ref<const MatrixXd>& B) const
         }
     });
     coarse = coarse_.solve(coarse).eval();
-    // In the parts' order, whoever solved them.
+    // Summation in the order of the parts, independent of the threads that solved them: results are reproducible.
     MatrixXd X = MatrixXd::Zero(B.rows(), B.cols());
     for (Eigen::Index k = 0; k < count; ++k) {
         const Part& part = parts_[static_cast<std::size_t>(k)];

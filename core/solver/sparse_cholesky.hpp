@@ -7,12 +7,12 @@
 
 namespace myo::solver {
 
-/// Lower triangle of a symmetric matrix, column-major, rows sorted.
+/// Lower triangle of a symmetric matrix, column-major, row indices ascending in each column.
 using SymmetricSparse = Eigen::SparseMatrix<double, Eigen::ColMajor, int>;
 
-/// Cholesky factor of a symmetric positive definite matrix in double precision, by CHOLMOD's supernodal method.
+/// Cholesky factor of a symmetric positive definite matrix in double precision, computed by CHOLMOD (supernodal).
 ///
-/// One thread at a time works in CHOLMOD; FastCholesky is the one for directions and preconditioning.
+/// CHOLMOD runs on one thread at a time; FastCholesky is preferred for search directions and preconditioning.
 /// Source: Chen, Davis, Hager & Rajamanickam 2008.
 class SparseCholesky {
 public:
@@ -21,12 +21,15 @@ public:
     SparseCholesky(SparseCholesky&&) noexcept;
     SparseCholesky& operator=(SparseCholesky&&) noexcept;
 
-    /// Analyses the pattern and factors. False when the matrix is not positive definite.
+    /// Symbolic analysis and numeric factorisation.
+    /// @param lower  lower triangle, compressed, n x n
+    /// @return       false if the matrix is not positive definite
     bool factorize(const SymmetricSparse& lower);
 
+    /// True after a successful factorize().
     bool has_factor() const;
 
-    /// Solution of A X = B; B is n x k. Asserts has_factor().
+    /// Solution of A X = B for B of n x k. Asserts has_factor().
     Eigen::MatrixXd solve(const Eigen::MatrixXd& B) const;
 
 private:
@@ -34,7 +37,8 @@ private:
     std::unique_ptr<Implementation> implementation_;
 };
 
-/// Keeps the linear algebra underneath single-threaded, whichever BLAS is installed: threads belong to us.
+/// Restricts BLAS and OpenMP to one thread via the environment, unless already set there: parallelism is organised
+/// above them.
 void use_one_blas_thread();
 
 }  // namespace myo::solver

@@ -15,8 +15,8 @@
 namespace myo::solver {
 namespace {
 
-/// Calls visit(s) for every supernode, children before parents or, downwards, parents before children; supernodes on
-/// different branches at the same time.
+/// Visits all supernodes of the given subtrees: children before parents (upwards), or parents before children
+/// (downwards). Independent branches run in parallel; a subtree of the cut runs on one thread in index order.
 template <class Visit>
 void climb(const SupernodalPattern& p, const std::vector<int>& supernodes, bool downwards, const Visit& visit) {
     parallel_ranges(static_cast<int>(supernodes.size()), 1, [&](int first, int end) {
@@ -35,16 +35,17 @@ void climb(const SupernodalPattern& p, const std::vector<int>& supernodes, bool 
     });
 }
 
-/// Where the rows below supernode s are among its parent's.
+/// Indices of the rows below supernode s in the rows of its parent.
 const int* parent_positions(const SupernodalPattern& p, int s) {
     return p.parent_position.data() + p.first_row[static_cast<std::size_t>(s)] + p.columns(s);
 }
 
-/// Replaces a lower triangle by its inverse, and what stands above it by zeros.
+/// Replaces a lower triangular matrix by its inverse and sets the entries above the diagonal to zero.
 template <class Block>
 void invert_lower(Block L) {
     const Eigen::Index n = L.rows();
     L.template triangularView<Eigen::StrictlyUpper>().setZero();
+    // Column c of the inverse by forward substitution: sum_k L(r, k) X(k, c) = 0 for r > c.
     for (Eigen::Index c = 0; c < n; ++c) {
         L(c, c) = 1 / L(c, c);
         for (Eigen::Index r = c + 1; r < n; ++r) {
@@ -55,6 +56,7 @@ void invert_lower(Block L) {
     }
 }
 
+/// Numeric multifrontal factorisation of all supernodes.
 template <class Scalar>
 class Factorisation {
     using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
@@ -75,21 +77,25 @@ private:
                 Eigen::OuterStride<>(p_.row_stride(s))};
     }
 
-    /// Adds what child c leaves to the parent's block L and to what the parent leaves.
+    /// Extend-add: adds the update matrix of child c to the parent's block L and to the parent's update matrix.
     void assemble(int c, Block& L, Matrix& left) {
         Matrix& from = left_[static_cast<std::size_t>(c)];
         const int* position = parent_positions(p_, c);
         const auto columns = static_cast<int>(L.cols());
+        // The child's rows are ascending in the parent, so the lower triangle maps into the lower triangle. A column
+        // either belongs to the parent's own columns or to its update matrix.
         for (Eigen::Index j = 0; j < from.cols(); ++j) {
             const int target = position[j];
             Scalar* to = target < columns ? L.col(target).data() : left.col(target - columns).data() - columns;
             const Scalar* values = from.col(j).data();
             for (Eigen::Index i = j; i < from.rows(); ++i) to[position[i]] += values[i];
         }
-        from.resize(0, 0);
+        from.resize(0, 0);  // freed at once: the peak memory is that of the active front
     }
 
+    /// Partial factorisation: L11 L11' = A11, L21 = A21 L11^-T, update matrix S = -L21 L21' plus the children's.
     void factor_supernode(int s) {
+        // Another thread met a negative pivot.
         if (!definite_.load(std::memory_order_relaxed)) return;
         Block L = block(s);
         const Eigen::Index columns = L.cols(), below = L.rows() - columns;
@@ -107,6 +113,7 @@ private:
             top.template triangularView<Eigen::Lower>().transpose().template solveInPlace<Eigen::OnTheRight>(bottom);
             left.template selfadjointView<Eigen::Lower>().rankUpdate(bottom, Scalar(-1));
         }
+        // Inverted diagonal blocks, see FactorBlock. Only after L21 is complete, which needs L11 itself.
         for (Eigen::Index start = 0; start < columns; start += diagonal_block_size) {
             const Eigen::Index size = std::min<Eigen::Index>(diagonal_block_size, columns - start);
             invert_lower(L.block(start, start, size, size));
@@ -115,11 +122,13 @@ private:
 
     const SupernodalPattern& p_;
     SupernodalFactor<Scalar>& factor_;
-    std::vector<Matrix> left_;  // per supernode, lower triangle: what it leaves to the rows below
-    std::atomic<bool> definite_ = true;
+    // per supernode, lower triangle: update matrix for the rows below, -L21 L21' plus the children's
+    std::vector<Matrix> left_;
+    std::atomic<bool> definite_ = true;  // cleared by the first non-positive pivot
 };
 
-/// The triangular solves on K columns. Each supernode has a copy of the rows that it touches.
+/// Triangular solves on K columns. Each supernode works on a private copy of its rows, so that branches do not share
+/// memory and sums are taken in the children's order.
 template <class Scalar, int K>
 class Substitution {
     using Block = FactorBlock<Scalar, K>;
@@ -130,13 +139,15 @@ public:
     Substitution(const SupernodalPattern& pattern, const SupernodalFactor<Scalar>& factor)
         : p_(pattern), factor_(factor), local_(pattern.rows.size()) {}
 
-    /// y: one entry per row of P A P', overwritten with the solution.
+    /// Solves in place.
+    /// @param y  one entry per row of P A P'; right-hand side in, solution out
     void run(std::vector<Lane>& y) {
         climb(p_, p_.roots, false, [&](int s) { forward(s, y); });
         climb(p_, p_.roots, true, [&](int s) { backward(s, y); });
     }
 
 private:
+    /// Private copy of the rows of supernode s, padded to the stride.
     Lane* local(int s) { return local_.data() + p_.first_row[static_cast<std::size_t>(s)]; }
     Block block(int s) const {
         return {factor_.values.data() + p_.first_value[static_cast<std::size_t>(s)], p_.row_stride(s), p_.row_count(s),
@@ -147,6 +158,7 @@ private:
         Lane* values = local(s);
         const int own = p_.columns(s);
         std::copy_n(y.begin() + p_.first_column[static_cast<std::size_t>(s)], own, values);
+        // Rows below start at 0: they collect only what this subtree subtracts.
         std::fill(values + own, values + p_.row_stride(s), Lane(0));
         for (const int c : p_.children[static_cast<std::size_t>(s)]) {
             const Lane* from = local(c) + p_.columns(c);
@@ -158,6 +170,7 @@ private:
     }
 
     void backward(int s, std::vector<Lane>& y) {
+        // The rows below are already solved in the parent and are copied from there.
         Lane* values = local(s);
         const int own = p_.columns(s), below = p_.row_count(s) - own;
         if (below > 0) {
@@ -174,7 +187,7 @@ private:
     std::vector<Lane, Eigen::aligned_allocator<Lane>> local_;
 };
 
-/// Solves the columns first ... first + count - 1 of B, count <= K, at once.
+/// Solves the columns first ... first + count - 1 of B together, count <= K.
 template <class Scalar, int K>
 void solve_columns(const SupernodalPattern& pattern, const SupernodalFactor<Scalar>& factor,
                    const Eigen::Ref<const Eigen::MatrixXd>& B, Eigen::Index first, Eigen::Index count,
@@ -182,7 +195,8 @@ void solve_columns(const SupernodalPattern& pattern, const SupernodalFactor<Scal
     using Run = Substitution<Scalar, K>;
     const auto n = static_cast<std::size_t>(pattern.size());
     std::vector<typename Run::Lane> y(n);
-    auto* numbers = reinterpret_cast<Scalar*>(y.data());  // K per row
+    auto* numbers = reinterpret_cast<Scalar*>(y.data());  // K interleaved numbers per row
+    // Each column is normalised by its largest entry: single precision overflows where double precision does not.
     std::array<double, K> size{};  // single precision overflows where double does not: each column at its own size
     for (Eigen::Index k = 0; k < count; ++k)
         size[static_cast<std::size_t>(k)] = std::max(B.col(first + k).cwiseAbs().cwiseProduct(factor.scale).maxCoeff(),
@@ -210,6 +224,7 @@ bool factorize(const SupernodalPattern& pattern, const SymmetricSparse& lower, S
     assert(lower.rows() == pattern.size() && static_cast<std::size_t>(lower.nonZeros()) == pattern.entry.size());
     factor.scale.resize(lower.rows());
     factor.values.assign(static_cast<std::size_t>(pattern.value_count()), Scalar(0));
+    // Symmetric diagonal scaling to a unit diagonal keeps the entries within the range of single precision.
     bool positive = true;
     for (int j = 0; j < lower.outerSize(); ++j) {
         const double diagonal = lower.coeff(j, j);

@@ -8,24 +8,26 @@
 
 namespace myo::solver {
 
-/// Values of the factor L of D P A P' D, D = diag(A)^(-1/2): each supernode's rows x columns, column-major, see
-/// FactorBlock.
+/// Numeric Cholesky factor L of D P A P' D with D = diag(A)^(-1/2), by supernodes.
 ///
-/// Every supernode gathers what its children leave for it and hands what it leaves to its parent, so that independent
-/// subtrees go to different threads and sums do not depend on their number. Source: Liu 1992 (the multifrontal method).
+/// Multifrontal method: a supernode adds the update matrices of its children and passes its own to its parent.
+/// Independent subtrees run on different threads, and the order of summation does not depend on their number.
+/// Source: Liu 1992 (the multifrontal method).
 template <class Scalar>
 struct SupernodalFactor {
-    std::vector<Scalar, Eigen::aligned_allocator<Scalar>> values;
-    Eigen::VectorXd scale;  // diag(D), in A's order
+    std::vector<Scalar, Eigen::aligned_allocator<Scalar>> values;  // dense blocks, see FactorBlock
+    Eigen::VectorXd scale;                                         // n: diagonal of D in the order of A
 
     bool empty() const { return values.empty(); }
 };
 
-/// Factors the matrix. False, and an empty factor, when it is not positive definite in this precision.
+/// Numeric factorisation.
+/// @param pattern  analysis of the same pattern as `lower`
+/// @return         false, with an empty factor, if the matrix is not positive definite in this precision
 template <class Scalar>
 bool factorize(const SupernodalPattern& pattern, const SymmetricSparse& lower, SupernodalFactor<Scalar>& factor);
 
-/// A^-1 B for B of n x k.
+/// Solution X of A X = B, n x k. Right-hand sides are processed in groups of up to 16.
 template <class Scalar>
 Eigen::MatrixXd solve(const SupernodalPattern& pattern, const SupernodalFactor<Scalar>& factor,
                       const Eigen::Ref<const Eigen::MatrixXd>& B);

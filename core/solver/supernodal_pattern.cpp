@@ -9,15 +9,16 @@
 namespace myo::solver {
 namespace {
 
-/// Work of the dense block of one supernode: n columns, m rows.
+/// Operations of the partial factorisation of a dense block with n columns and m rows.
 double supernode_flops(double n, double m) {
-    // Column j of the block has m - j rows: one square root or division each, and their products with one another.
+    // Sum over columns j of (m - j)^2: column j has m - j rows with one division each and their mutual products.
     return n * m * m - n * n * m + n * n * n / 3.0;
 }
 
-/// Supernodes whose subtrees hold less than this part of all work are not shared out further.
+/// Subtrees with less than this share of the total work stay on one thread.
 constexpr double subtree_share = 1.0 / 32.0;
 
+/// Elimination tree with children and roots, and the cut into subtrees of one thread each.
 void cut_tree(SupernodalPattern& p) {
     const auto count = static_cast<std::size_t>(p.supernodes());
     std::vector<double> work(count);
@@ -29,6 +30,7 @@ void cut_tree(SupernodalPattern& p) {
         const double own = supernode_flops(p.columns(at), p.row_count(at));
         total += own;
         work[s] += own;
+        // Postordering makes a subtree contiguous: it ends at its root and starts at the first child's start.
         first[s] = p.children[s].empty() ? at : first[static_cast<std::size_t>(p.children[s].front())];
         if (p.parent[s] < 0)
             p.roots.push_back(at);
@@ -42,7 +44,7 @@ void cut_tree(SupernodalPattern& p) {
         if (work[s] <= subtree_share * total) p.subtree_start[s] = first[s];
 }
 
-/// Places of the rows below each supernode among its parent's rows.
+/// Positions of the rows below each supernode in the rows of its parent. Both lists are ascending: one merge pass.
 void match_parents(SupernodalPattern& p) {
     p.parent_position.assign(p.rows.size(), -1);
     for (int s = 0; s < p.supernodes(); ++s) {
@@ -59,6 +61,7 @@ void match_parents(SupernodalPattern& p) {
     }
 }
 
+/// Position in the factor's values for each stored entry of the lower triangle of A.
 void place_entries(const SymmetricSparse& lower, SupernodalPattern& p) {
     assert(p.value_count() <= std::numeric_limits<std::uint32_t>::max());
     const auto n = static_cast<std::size_t>(p.size());
@@ -71,6 +74,7 @@ void place_entries(const SymmetricSparse& lower, SupernodalPattern& p) {
     std::size_t k = 0;
     for (int j = 0; j < lower.outerSize(); ++j)
         for (SymmetricSparse::InnerIterator it(lower, j); it; ++it, ++k) {
+            // The permutation can move an entry above the diagonal. min and max return it to the lower triangle.
             const auto [column, row] = std::minmax(
                 {place[static_cast<std::size_t>(it.row())], place[static_cast<std::size_t>(j)]});
             const auto s = static_cast<std::size_t>(supernode[static_cast<std::size_t>(column)]);
@@ -97,6 +101,7 @@ SupernodalPattern analyse_pattern(const SymmetricSparse& lower) {
     const auto* rows = static_cast<const int*>(factor->s);
     p.permutation.assign(permutation, permutation + factor->n);
     p.first_column.assign(columns, columns + factor->nsuper + 1);
+    // Row lists are padded to whole cache lines, see row_stride().
     p.first_row.assign(1, 0);
     for (std::size_t s = 0; s < factor->nsuper; ++s) {
         constexpr int unit = SupernodalPattern::stride_unit;
@@ -114,6 +119,7 @@ SupernodalPattern analyse_pattern(const SymmetricSparse& lower) {
     for (int s = 0; s < p.supernodes(); ++s) {
         p.first_value.push_back(p.first_value.back() + static_cast<long>(p.columns(s)) * p.row_stride(s));
         if (p.row_count(s) == p.columns(s)) continue;
+        // The parent is the supernode of the first row below the own columns.
         const long first_below = p.first_row[static_cast<std::size_t>(s)] + p.columns(s);
         p.parent[static_cast<std::size_t>(s)] = supernode[static_cast<std::size_t>(
             p.rows[static_cast<std::size_t>(first_below)])];

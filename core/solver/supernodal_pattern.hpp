@@ -7,48 +7,54 @@
 
 namespace myo::solver {
 
-/// What is known of the Cholesky factor of P A P' before its values: the columns in groups with the same rows below,
-/// the supernodes, each a dense block; the tree of their dependence; and where the entries of A go.
+/// Symbolic Cholesky factor of P A P': supernodes, their elimination tree and the position of each entry of A.
 ///
-/// The tree is cut into subtrees that one thread takes each and the nodes above them. The cut depends on the pattern
-/// alone, so that sums are taken in the same order on any number of threads. Source: Davis 2006, ch. 4; Liu 1992 (the
-/// multifrontal method).
+/// A supernode is a group of consecutive columns with the same rows below, stored as one dense block. The tree is cut
+/// into subtrees, each processed by one thread, and the supernodes above them. The cut depends on the pattern alone, so
+/// the order of summation is the same on any number of threads.
+/// Source: Davis 2006, ch. 4; Liu 1992 (the multifrontal method).
 struct SupernodalPattern {
-    static constexpr int stride_unit = 16;  // of row_stride(): 64 bytes
+    static constexpr int stride_unit = 16;  // unit of row_stride(): 16 single-precision numbers are 64 bytes
 
-    std::vector<int> permutation;   // n: row k of P A P' is row permutation[k] of A
-    std::vector<int> first_column;  // per supernode, and n
-    std::vector<int> row_counts;    // per supernode
-    std::vector<long> first_row;    // per supernode, into `rows`, and its end
-    std::vector<long> first_value;  // per supernode, into the values, and their end
-    std::vector<int> rows;          // of each supernode, ascending, its own columns first; filled up to row_stride()
-    std::vector<int>
-        parent_position;      // beside `rows`: for rows below the own columns, their place among the parent's rows
-    std::vector<int> parent;  // per supernode, -1 at roots; parents come after their children
-    std::vector<std::uint32_t> entry;  // per stored entry of A: its place among the values
+    std::vector<int> permutation;      // n: row k of P A P' is row permutation[k] of A
+    std::vector<int> first_column;     // per supernode, plus n at the end
+    std::vector<int> row_counts;       // per supernode, own columns included
+    std::vector<long> first_row;       // per supernode: start in `rows`, plus the end
+    std::vector<long> first_value;     // per supernode: start in the factor's values, plus the end
+    std::vector<int> rows;             // per supernode, ascending, own columns first; padded to row_stride()
+    std::vector<int> parent_position;  // parallel to `rows`: index in the parent's rows, -1 for own columns
+    std::vector<int> parent;           // per supernode; -1 at roots. A parent has a larger index than its children
+    std::vector<std::uint32_t> entry;  // per stored entry of A: its index in the factor's values
 
     std::vector<std::vector<int>> children;  // per supernode, ascending
-    std::vector<int> subtree_start;          // per supernode: at the root of a subtree its first supernode, else -1
-    std::vector<int> roots;                  // of the tree
+    std::vector<int> subtree_start;          // per supernode: first supernode of its subtree if on one thread, else -1
+    std::vector<int> roots;                  // roots of the elimination forest
 
+    /// Rows of A.
     int size() const { return static_cast<int>(permutation.size()); }
+    /// Number of supernodes.
     int supernodes() const { return static_cast<int>(parent.size()); }
+    /// Columns that supernode s owns.
     int columns(int s) const {
         return first_column[static_cast<std::size_t>(s) + 1] - first_column[static_cast<std::size_t>(s)];
     }
+    /// Rows of the dense block of supernode s, own columns included.
     int row_count(int s) const { return row_counts[static_cast<std::size_t>(s)]; }
-    /// Rows that a column of the supernode's block takes: whole cache lines of single precision, so that no pass over
-    /// it needs an end of its own.
+    /// Leading dimension of the block: rows rounded up to whole cache lines of single precision, so that SIMD loops
+    /// need no remainder.
     int row_stride(int s) const {
         return static_cast<int>(first_row[static_cast<std::size_t>(s) + 1] - first_row[static_cast<std::size_t>(s)]);
     }
+    /// Stored entries of the factor, padding included.
     long value_count() const { return first_value.empty() ? 0 : first_value.back(); }
 };
 
-/// Analyses the pattern of the lower triangle of a symmetric matrix: CHOLMOD's, with METIS ordering.
+/// Symbolic analysis by CHOLMOD with METIS ordering.
+/// @param lower  lower triangle of a symmetric matrix, compressed
+/// @return       size() == 0 if memory runs out
 SupernodalPattern analyse_pattern(const SymmetricSparse& lower);
 
-/// Floating-point operations of a factorisation.
+/// Floating-point operations of one numeric factorisation.
 double factor_flops(const SupernodalPattern& pattern);
 
 }  // namespace myo::solver

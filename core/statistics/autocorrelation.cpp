@@ -6,13 +6,13 @@
 namespace myo::statistics {
 namespace {
 
-// Lags that the inflation sums, and their triangular weights, which keep the estimate of the variance from going
-// negative.
+// Lags of the variance inflation and their triangular weights. The triangular window keeps the estimated variance from
+// becoming negative.
 int window_lags(Eigen::Index length) { return static_cast<int>(length / 3); }
 
 double window_weight(Eigen::Index lag, int lags) { return 1.0 - static_cast<double>(lag) / (lags + 1.0); }
 
-// Variance of sum r s for independent r and s, and what it would be for white r.
+// Variance of sum r s for independent r and s, and its value for white r.
 struct Inflated {
     double variance = 0.0;
     double white = 0.0;
@@ -29,7 +29,7 @@ Inflated inflated(const GriddedSeries& r, const GriddedSeries& s) {
     result.variance = result.white;
     for (Eigen::Index lag = 1; lag < of_r.sums.size(); ++lag) {
         if (!(of_r.pairs(lag) > 0.0)) continue;
-        // The estimate that divides by all samples: it varies less where pairs are few.
+        // Biased estimate (division by all samples): smaller variance at lags with few pairs.
         const double covariance = of_r.sums(lag) / of_r.pairs(lag) *
                                   (1.0 - static_cast<double>(lag) / static_cast<double>(r.values.size()));
         result.variance += 2.0 * window_weight(lag, lags) * covariance * of_s.sums(lag);
@@ -55,6 +55,7 @@ Autocovariance autocovariance(const GriddedSeries& series, int lags) {
     Autocovariance result{Eigen::VectorXd::Zero(count), Eigen::VectorXd::Zero(count)};
     if (length == 0) return result;
     const bool complete = series.seen.minCoeff() == 1.0;
+    // Unseen samples are zero, so they drop out of the sums. Only the pair count needs the mask.
     for (Eigen::Index lag = 0; lag < count; ++lag) {
         const Eigen::Index both = length - lag;
         result.sums(lag) = series.values.head(both).dot(series.values.tail(both));
@@ -106,7 +107,8 @@ double effective_samples(const Eigen::VectorXd& r, const ResidualLayout& layout)
                 by_chance += window_weight(lag, lags) / covariance.pairs(lag);
             }
         const double n = static_cast<double>(series.size());
-        // An estimated rho has the variance V / pairs, V = 1 + 2 sum rho^2 itself: V = 1 + 2 squares - 2 V by_chance.
+        // An estimated rho has variance V / pairs with V = 1 + 2 sum rho^2. Hence V = 1 + 2 squares - 2 V by_chance,
+        // solved for V.
         const double inflation = (1.0 + 2.0 * squares) / (1.0 + 2.0 * by_chance);
         total += std::max(1.0, n / std::max(1.0, inflation));
     }

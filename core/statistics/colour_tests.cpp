@@ -11,28 +11,30 @@
 namespace myo::statistics {
 namespace {
 
-// With fewer samples the distributions below are no good, and colour cannot be seen anyway.
+// Shorter series: the reference distributions are inaccurate, and autocorrelation is not detectable.
 constexpr Eigen::Index least_samples = 8;
 
+// 1 / (duration of the grid): the grid of L samples lasts L sample intervals.
 double frequency_step_Hz(const ResidualLayout& layout, const ResidualSeries& series) {
     const auto first = static_cast<std::size_t>(series.begin), last = static_cast<std::size_t>(series.end - 1);
     const double steps = layout.sample[last] - layout.sample[first];
     return steps / ((layout.time_s[last] - layout.time_s[first]) * (steps + 1.0));
 }
 
-// Ljung and Box's sum for one series, again and again with other signs.
+// Ljung-Box sum of one series, evaluated repeatedly with flipped signs. The weights do not depend on signs.
 struct Portmanteau {
-    Eigen::VectorXd weights;  // of the squared sum of products per lag, from lag 1
+    Eigen::VectorXd weights;  // per lag, from lag 1, of the squared sum of products
     double lags = 0.0;
 
     Portmanteau(const GriddedSeries& grid, int most) {
         const Autocovariance covariance = autocovariance(grid, most);
         weights.setZero(covariance.sums.size() - 1);
         if (!(covariance.sums(0) > 0.0)) return;
-        // White Gaussian series about zero: the square of sums(lag) / sums(0) has expectation pairs / (n (n + 2)).
+        // For a white Gaussian series about zero, the square of sums(lag) / sums(0) has expectation pairs / (n (n +
+        // 2)).
         const double n = covariance.pairs(0);
         for (Eigen::Index lag = 1; lag < covariance.sums.size(); ++lag) {
-            if (covariance.pairs(lag) < 4.0) continue;  // too few products to tell of a lag
+            if (covariance.pairs(lag) < 4.0) continue;  // too few products for an estimate
             weights(lag - 1) = n * (n + 2.0) / (covariance.pairs(lag) * covariance.sums(0) * covariance.sums(0));
             lags += 1.0;
         }
@@ -64,6 +66,8 @@ LjungBoxTest ljung_box_test(const Eigen::VectorXd& r, const ResidualLayout& layo
         if (portmanteau.lags == 0.0) continue;
         test.statistic += portmanteau.of(grid.values);
         test.lags += portmanteau.lags;
+        // The null statistic is summed over series as the statistic itself: entry d of `null` uses draw d of every
+        // series.
         for (double& statistic : null) {
             random.flip(grid.values);
             statistic += portmanteau.of(grid.values);
@@ -72,7 +76,7 @@ LjungBoxTest ljung_box_test(const Eigen::VectorXd& r, const ResidualLayout& layo
     if (test.lags == 0.0) return test;
     const double mean = null.mean();
     const double variance = (null - mean).square().sum() / (draws - 1);
-    // mean and variance of c chi^2 with f degrees of freedom: c f and 2 c^2 f.
+    // Moment matching with c chi^2(f): mean c f, variance 2 c^2 f.
     if (variance > 0.0) test.p = chi_squared_tail(test.statistic * 2.0 * mean / variance, 2.0 * mean * mean / variance);
     return test;
 }
@@ -87,11 +91,11 @@ PeriodicityTest periodicity_test(const Eigen::VectorXd& r, const ResidualLayout&
         if (series.size() < least_samples) continue;
         const Eigen::VectorXd shares = energy_shares(gridded(r, layout, series));
         const double n = static_cast<double>(series.size());
-        // With gaps only so many frequencies are independent, but the largest is sought among all.
+        // With gaps fewer frequencies are independent, but the maximum is taken over all of them: a conservative count.
         tried += static_cast<double>(shares.size());
         for (Eigen::Index k = 0; k < shares.size(); ++k) {
             const double rest = std::max(0.0, 1.0 - shares(k));
-            // The share of one direction is that of Student's t, of two directions (1 - x)^((n - 2) / 2).
+            // Share of one direction: Student's t. Share of two directions (cosine and sine): (1 - x)^((n - 2) / 2).
             const double p = k == 0
                                  ? student_two_sided(std::sqrt(shares(0) * (n - 1.0) / std::max(rest, 1e-300)), n - 1.0)
                                  : std::pow(rest, 0.5 * (n - 2.0));

@@ -10,7 +10,7 @@
 namespace myo::statistics {
 namespace {
 
-// Less its mean over the samples that are known; what is left of a constant is rounding and counts as zero.
+// Removes the mean over the known samples. The remainder of a constant is rounding and is set to zero.
 GriddedSeries centred(GriddedSeries series) {
     const double before = series.values.norm();
     series.values -= series.seen * (series.values.sum() / std::max(1.0, series.seen.sum()));
@@ -23,6 +23,7 @@ Correlate correlate(const Eigen::VectorXd& amplitude, const Regressor& regressor
     Correlate result;
     result.name = regressor.name;
     GriddedSeries a = gridded(amplitude), b = gridded(regressor.values);
+    // Samples known to both only.
     a.seen = b.seen = a.seen.cwiseProduct(b.seen);
     a.values = a.values.cwiseProduct(a.seen);
     b.values = b.values.cwiseProduct(b.seen);
@@ -33,6 +34,7 @@ Correlate correlate(const Eigen::VectorXd& amplitude, const Regressor& regressor
     if (!(lengths > 0.0)) return result;
     result.correlation = std::clamp(a.values.dot(b.values) / lengths, -1.0, 1.0);
     result.effective_samples /= variance_inflation(a, b);
+    // Two degrees of freedom are used by the mean and the slope.
     const double freedom = std::max(1.0, result.effective_samples - 2.0);
     const double rest = 1.0 - result.correlation * result.correlation;
     result.p = rest > 0.0 ? student_two_sided(result.correlation * std::sqrt(freedom / rest), freedom) : 0.0;

@@ -16,7 +16,7 @@ using boost::math::cdf;
 using boost::math::complement;
 using boost::math::quantile;
 
-// ln Gamma(a, z) by Legendre's continued fraction (modified Lentz), for z well above a.
+// ln Gamma(a, z) by the Legendre continued fraction (modified Lentz algorithm), for z well above a.
 // Source: Press et al. 2007, ch. 6.2.
 double log_upper_gamma(double a, double z) {
     constexpr double tiny = 1e-300;
@@ -49,6 +49,7 @@ double chi_squared_tail(double x, double freedom) {
 
 double log_chi_squared_tail(double x, double freedom) {
     const double tail = chi_squared_tail(x, freedom);
+    // Below 1e-280 the tail approaches the denormal range, where its logarithm is inaccurate.
     if (tail > 1e-280 || std::isinf(x)) return std::log(tail);
     return log_upper_gamma(0.5 * freedom, 0.5 * x) - std::lgamma(0.5 * freedom);
 }
@@ -81,7 +82,7 @@ double normal_upper_quantile(double tail) {
 double shifted_gamma_tail(double x, double mean, double deviation, double skewness) {
     assert(skewness > 0.0);
     if (!(deviation > 0.0)) return x > mean ? 0.0 : 1.0;
-    const double shape = 4.0 / (skewness * skewness);  // of a gamma variable, whose skewness is 2 / sqrt(shape)
+    const double shape = 4.0 / (skewness * skewness);  // shape of a gamma variable with this skewness, 2 / sqrt(shape)
     const double scaled = shape + std::sqrt(shape) * (x - mean) / deviation;
     if (!(scaled > 0.0)) return 1.0;
     return cdf(complement(boost::math::gamma_distribution<>(shape, 1.0), scaled));

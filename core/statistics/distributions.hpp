@@ -2,29 +2,31 @@
 
 namespace myo::statistics {
 
-/// Tails and quantiles of the distributions that the tests refer to; thin over Boost.Math. Tails are clamped to [0, 1],
-/// and arguments below the support give 1.
+// Tails and quantiles of the reference distributions, implemented with Boost.Math. Tails are clamped to [0, 1];
+// arguments below the support give 1.
 
 /// P(X > x) for chi^2 with `freedom` > 0 degrees of freedom.
 double chi_squared_tail(double x, double freedom);
 
-/// ln P(X > x), also where the tail itself is below the smallest number.
+/// ln P(X > x) for chi^2; also valid if the tail underflows double precision.
 double log_chi_squared_tail(double x, double freedom);
 
-/// x with P(X > x) = tail, 0 < tail < 1.
+/// Quantile x with P(X > x) = tail for chi^2, 0 < tail < 1.
 double chi_squared_upper_quantile(double tail, double freedom);
 
 /// P(X > x) for Fisher's F with `above` and `below` > 0 degrees of freedom.
 double fisher_f_tail(double x, double above, double below);
 
-/// P(|X| > |t|) for Student's t.
+/// P(|X| > |t|) for Student's t with `freedom` > 0.
 double student_two_sided(double t, double freedom);
 
-/// P(X > x) for the standard normal distribution, and its inverse.
+/// P(X > x) for the standard normal distribution.
 double normal_tail(double x);
+/// Quantile x with P(X > x) = tail for the standard normal distribution, 0 < tail < 1.
 double normal_upper_quantile(double tail);
 
-/// P(X > x) for the gamma distribution of given mean, deviation and (positive) skewness, shifted accordingly.
+/// P(X > x) for a shifted gamma distribution with the given mean, standard deviation and (positive) skewness. A
+/// deviation of 0 gives a step at the mean.
 double shifted_gamma_tail(double x, double mean, double deviation, double skewness);
 
 }  // namespace myo::statistics

@@ -8,12 +8,12 @@
 namespace myo::statistics {
 namespace {
 
-// Mean of -ln(weight of the truth).
+// Mean negative log weight of the true model (cross entropy).
 double surprise(const std::vector<JudgedComparison>& comparisons, double temperature) {
     double sum = 0.0;
     for (const JudgedComparison& comparison : comparisons) {
         assert(comparison.truth < comparison.criteria.size());
-        // From the criteria rather than from the weight, which may be 0 in floating point.
+        // Computed from the criteria, because the weight may underflow to 0.
         const double best = *std::min_element(comparison.criteria.begin(), comparison.criteria.end());
         double total = 0.0;
         for (const double criterion : comparison.criteria) total += std::exp(-0.5 * (criterion - best) / temperature);
@@ -54,9 +54,9 @@ std::vector<double> evidence_weights(const std::vector<double>& criteria, double
 
 double calibrated_temperature(const std::vector<JudgedComparison>& comparisons) {
     if (comparisons.empty()) return 1.0;
-    // The mean surprise is convex in 1 / temperature: golden section.
+    // The cross entropy is convex in 1 / temperature: golden-section search.
     constexpr double golden = 0.6180339887498949;
-    double low = 1.0 / 1000.0, high = 1.0 / 0.05;
+    double low = 1.0 / 1000.0, high = 1.0 / 0.05;  // bounds of 1 / temperature
     double left = high - golden * (high - low), right = low + golden * (high - low);
     double at_left = surprise(comparisons, 1.0 / left), at_right = surprise(comparisons, 1.0 / right);
     while (high - low > 1e-6 * high) {

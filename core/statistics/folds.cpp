@@ -8,7 +8,7 @@
 namespace myo::statistics {
 namespace {
 
-// Folds without entries are taken out, the others keep their order.
+// Removes folds without entries and renumbers the others in order.
 Folds without_empty(Folds folds) {
     std::set<int> used(folds.of_entry.begin(), folds.of_entry.end());
     used.erase(-1);
@@ -18,6 +18,7 @@ Folds without_empty(Folds folds) {
     return folds;
 }
 
+// One fold per trial.
 Folds by_trial(const ResidualLayout& layout, const std::vector<int>& trials) {
     Folds folds{static_cast<int>(trials.size()), std::vector<int>(layout.sample.size()), true};
     for (const ResidualSeries& series : layout.series) {

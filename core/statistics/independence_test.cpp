@@ -18,8 +18,9 @@ namespace {
 
 using Eigen::Index;
 
-constexpr std::size_t least_markers = 3;
+constexpr std::size_t least_markers = 3;  // fewer markers share no pattern that could be compared with chance
 
+// Square of the largest singular value.
 double strongest(const Eigen::MatrixXd& values) {
     const Eigen::MatrixXd gram = smaller_gram(values);
     return symmetric_eigenvalues(gram)(gram.rows() - 1);
@@ -33,7 +34,7 @@ std::map<int, std::vector<Index>> rows_of_markers(const GriddedTrial& grid, cons
     return rows;
 }
 
-/// Chance of as strong a pattern, were the markers' courses independent; none where that cannot be told.
+/// p-value of the strongest pattern under independent marker courses; empty if the trial cannot be tested.
 std::optional<double> chance(const GriddedTrial& grid, const ResidualLayout& layout, int draws,
                              std::mt19937_64& random) {
     const std::map<int, std::vector<Index>> rows = rows_of_markers(grid, layout);
@@ -42,6 +43,7 @@ std::optional<double> chance(const GriddedTrial& grid, const ResidualLayout& lay
     Eigen::ArrayXd drawn(draws);
     Eigen::MatrixXd shifted(grid.values.rows(), samples);
     for (double& value : drawn) {
+        // Circular shift: keeps the autocorrelation of a marker, removes its synchronisation with the others.
         for (const auto& [marker, own] : rows) {
             const auto by = static_cast<Index>(random() % static_cast<std::uint64_t>(samples));
             for (const Index row : own) {
@@ -53,11 +55,12 @@ std::optional<double> chance(const GriddedTrial& grid, const ResidualLayout& lay
     }
     const double mean = drawn.mean(), deviation = std::sqrt((drawn - mean).square().sum() / (draws - 1));
     if (!(deviation > 0.0)) return std::nullopt;
+    // The sample skewness of few draws is noisy; the bounds keep the gamma tail well defined.
     const double skewness = std::clamp((drawn - mean).cube().mean() / std::pow(deviation, 3), 0.1, 2.0);
     return shifted_gamma_tail(strongest(grid.values), mean, deviation, skewness);
 }
 
-/// What is systematic in one marker alone.
+/// Systematic mean square of one marker: systematic_rms() on its series only.
 double systematic_square(const Eigen::VectorXd& r, const ResidualLayout& layout, int marker) {
     ResidualLayout own;
     std::vector<Index> entries;
@@ -76,6 +79,7 @@ double systematic_square(const Eigen::VectorXd& r, const ResidualLayout& layout,
     return systematic_rms(r(entries), own).mean_square;
 }
 
+// Median over markers divided by the mean. The lower median is used for an even number.
 double typical_share(const Eigen::VectorXd& r, const ResidualLayout& layout) {
     std::map<int, double> squares;
     for (const ResidualSeries& series : layout.series) squares.emplace(series.marker, 0.0);
@@ -90,6 +94,7 @@ double typical_share(const Eigen::VectorXd& r, const ResidualLayout& layout) {
     return sorted[(sorted.size() - 1) / 2] * static_cast<double>(sorted.size()) / sum;
 }
 
+// Mean of each series at all its entries.
 Eigen::VectorXd means(const Eigen::VectorXd& r, const ResidualLayout& layout) {
     Eigen::VectorXd result(r.size());
     for (const ResidualSeries& series : layout.series)

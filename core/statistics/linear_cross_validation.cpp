@@ -10,18 +10,20 @@
 namespace myo::statistics {
 namespace {
 
-// Of the normal equations with unit diagonal: squares of directions of J, so 1e-6 of its length.
+// On squares of the directions of J, with unit diagonal: 1e-6 of the length of a direction.
 constexpr double relative_tolerance = 1e-12;
-// Of the information that all data have on a direction: derivatives are not exact, and a step of many deviations is
-// beyond what is linear.
+// Smallest information of the remaining folds, relative to all data. Derivatives are not exact, and a step of many
+// standard deviations leaves the linear range.
 constexpr double least_information = 1e-3;
 
+/// Gauss-Newton normal equations J'J d = J'r of a subset of the data.
 struct NormalEquations {
     Eigen::MatrixXd matrix;  // J'J
     Eigen::VectorXd right;   // J'r
 };
 
-// Columns: directions that the equations determine, each with unit information.
+// Columns: directions determined by all data, scaled to unit information (whitening). Eigenvalues of a subset in this
+// basis are shares of the total information.
 Eigen::MatrixXd unit_directions(const Eigen::MatrixXd& matrix) {
     const Eigen::VectorXd diagonal = matrix.diagonal();
     const Eigen::VectorXd scale = (diagonal.array() > 0.0).select(diagonal.cwiseSqrt().cwiseInverse(), 0.0);
@@ -34,12 +36,13 @@ Eigen::MatrixXd unit_directions(const Eigen::MatrixXd& matrix) {
            values.tail(known).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
+/// Solution of the normal equations.
 struct Step {
-    Eigen::VectorXd change;
-    int undetermined = 0;
+    Eigen::VectorXd change;  // p
+    int undetermined = 0;    // directions left at zero
 };
 
-// Least squares; directions on which there is little of the information that all data have stay.
+// Least squares in the whitened basis. Directions with less than least_information are not changed.
 Step solved(const NormalEquations& equations, const Eigen::MatrixXd& directions) {
     const Eigen::Index p = equations.right.size(), known = directions.cols();
     Step step{Eigen::VectorXd::Zero(p), static_cast<int>(p - known)};
@@ -56,6 +59,7 @@ Step solved(const NormalEquations& equations, const Eigen::MatrixXd& directions)
     return step;
 }
 
+// Entries of each fold.
 std::vector<std::vector<Eigen::Index>> entries_of(const Folds& folds) {
     std::vector<std::vector<Eigen::Index>> entries(static_cast<std::size_t>(folds.count));
     for (std::size_t k = 0; k < folds.of_entry.size(); ++k)
@@ -87,7 +91,8 @@ LinearCrossValidation linear_cross_validation(const Eigen::VectorXd& r, const Ei
     LinearCrossValidation result;
     result.residual.setConstant(r.size(), std::numeric_limits<double>::quiet_NaN());
     for (std::size_t f = 0; f < entries.size(); ++f) {
-        // Summed anew rather than subtracted from all: what only this fold determines leaves no rounding behind.
+        // Summed from the other parts instead of subtracted from the total: cancellation would leave rounding in
+        // directions that only this fold determines.
         NormalEquations others = nothing;
         for (std::size_t g = 0; g < parts.size(); ++g) {
             if (g == f) continue;

@@ -7,7 +7,7 @@
 namespace myo::statistics {
 
 NuisanceSpace::NuisanceSpace(const Eigen::MatrixXd& J, double relative_tolerance) {
-    Eigen::MatrixXd scaled = J;  // columns of different units
+    Eigen::MatrixXd scaled = J;  // columns have different units
     for (Eigen::Index j = 0; j < J.cols(); ++j) {
         const double length = J.col(j).norm();
         if (length > 0.0) scaled.col(j) /= length;
@@ -22,7 +22,7 @@ NuisanceSpace::NuisanceSpace(const Eigen::MatrixXd& J, double relative_tolerance
 Eigen::MatrixXd NuisanceSpace::outside(const Eigen::MatrixXd& X) const {
     assert(X.rows() == basis_.rows());
     Eigen::MatrixXd rest = X;
-    // Twice: the second pass takes out what rounding of the first left where nearly all of X is absorbed.
+    // Two passes: rounding of the first pass is significant if nearly all of X is absorbed.
     for (int pass = 0; pass < 2; ++pass) rest -= basis_ * (basis_.transpose() * rest);
     return rest;
 }

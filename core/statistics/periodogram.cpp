@@ -30,12 +30,13 @@ Eigen::VectorXd energy_shares(const GriddedSeries& series) {
     const Eigen::VectorXcd of_values = transform(series.values);
     const Eigen::VectorXcd of_seen = transform(series.seen);
     for (Eigen::Index k = 1; k < shares.size(); ++k) {
-        // Normal equations of a cos + b sin over the seen samples: sums of cos^2, sin^2 and sin cos are the mask's at 2
-        // k.
+        // Normal equations of a cos + b sin over the seen samples. The sums of cos^2, sin^2 and sin cos follow from the
+        // transform of the mask at 2 k.
         const std::complex<double> twice = of_seen(2 * k % length);
         const double c = of_values(k).real(), s = -of_values(k).imag();
         const double cc = 0.5 * (n + twice.real()), ss = 0.5 * (n - twice.real()), cs = -0.5 * twice.imag();
         const double determinant = cc * ss - cs * cs;
+        // Near-singular: the gaps make cosine and sine indistinguishable at this frequency.
         if (determinant > 1e-9 * n * n)
             shares(k) = (c * c * ss - 2.0 * c * s * cs + s * s * cc) / (determinant * energy);
     }
@@ -47,6 +48,7 @@ Spectrum mean_spectrum(const Eigen::VectorXd& r, const ResidualLayout& layout, i
     const GriddedTrial grid = gridded_trial(r, layout, trial);
     const Eigen::Index length = grid.values.cols();
     if (length < 3) return spectrum;
+    // L samples last L sample intervals, one more than between the first and the last sample.
     const double duration = (grid.time_s(length - 1) - grid.time_s(0)) * static_cast<double>(length) /
                             static_cast<double>(length - 1);
     const Eigen::Index count = frequencies_of(length);

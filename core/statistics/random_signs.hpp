@@ -5,12 +5,13 @@
 
 namespace myo::statistics {
 
-/// Signs for draws of the null distribution "independent and symmetric, of any size each". The same on every machine,
-/// which the distributions of the standard library are not.
+/// Random sign flips, for the null hypothesis of independent symmetric entries of arbitrary size. Portable: the
+/// distributions of the standard library differ between implementations.
 class RandomSigns {
 public:
     explicit RandomSigns(unsigned seed) : random_(seed) {}
 
+    /// Flips the sign of each value with probability 1/2.
     template <class Values>
     void flip(Values&& values) {
         for (double& value : values)
@@ -18,6 +19,7 @@ public:
     }
 
 private:
+    /// One random bit; 64 are drawn at a time.
     bool next() {
         if (left_ == 0) {
             bits_ = random_();

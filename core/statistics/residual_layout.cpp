@@ -17,7 +17,7 @@ int last_sample(const ResidualLayout& layout, const ResidualSeries& series) {
     return layout.sample[static_cast<std::size_t>(series.end - 1)];
 }
 
-// Straight lines between known values; NaN before the first and after the last cannot occur where both ends are known.
+// Linear interpolation over NaN gaps; the first and the last value are known.
 void fill_between(Eigen::VectorXd& values) {
     Eigen::Index known = 0;
     for (Eigen::Index t = 1; t < values.size(); ++t) {
@@ -32,6 +32,7 @@ void fill_between(Eigen::VectorXd& values) {
 
 bool is_consistent(const ResidualLayout& layout) {
     if (layout.time_s.size() != layout.sample.size()) return false;
+    // Each series must begin where the previous one ended.
     Eigen::Index next = 0;
     for (const ResidualSeries& series : layout.series) {
         if (series.begin != next || series.end < series.begin || series.end > layout.size()) return false;

@@ -30,7 +30,9 @@ ResidualPatterns patterns_of(const GriddedTrial& grid, const ResidualLayout& lay
         Eigen::VectorXd left = svd.left.col(k);
         Eigen::Index largest = 0;
         left.cwiseAbs().maxCoeff(&largest);
+        // The sign of a singular vector is arbitrary: the largest entry is made positive, for reproducible reports.
         const double sign = left(largest) < 0.0 ? -1.0 : 1.0;
+        // Root mean square 1 over the rows; the course then has the units of the residual.
         left *= sign * std::sqrt(rows);
         ResidualMode mode;
         mode.share = size * size / energy;

@@ -8,21 +8,25 @@
 
 namespace myo::statistics {
 
-/// One pattern over the markers times one course over time.
+/// One spatial pattern times one time course.
 struct ResidualMode {
-    double share = 0.0;        // of the trial's energy
-    Eigen::Matrix3Xd pattern;  // 3 x markers, root mean square 1 over the series; largest entry positive
-    Eigen::VectorXd course;    // T, in units of the noise
+    double share = 0.0;  // of the trial's energy
+    // 3 x markers, root mean square 1 over the series, sign such that the largest entry is positive
+    Eigen::Matrix3Xd pattern;
+    Eigen::VectorXd course;  // T: amplitude in units of the noise
 };
 
+/// Leading modes of one trial.
 struct ResidualPatterns {
     int trial = 0;
-    std::vector<int> markers;         // columns of the patterns
+    std::vector<int> markers;         // marker of each pattern column
     Eigen::VectorXd time_s;           // T
-    std::vector<ResidualMode> modes;  // largest share first
+    std::vector<ResidualMode> modes;  // by decreasing share
 };
 
-/// Singular modes of the residual of each trial, for reports. Samples that were not seen count as zero.
+/// Singular modes of the residual of each trial, for reports. Unseen samples count as zero.
+/// @param r      N, see ResidualLayout
+/// @param modes  upper limit per trial
 std::vector<ResidualPatterns> residual_patterns(const Eigen::VectorXd& r, const ResidualLayout& layout, int modes = 3);
 
 }  // namespace myo::statistics

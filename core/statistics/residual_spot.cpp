@@ -9,11 +9,11 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double most = 0.8, short_time = 0.25;
-/// Of the squares in that time, what the named markers make.
+constexpr double most = 0.8, short_time = 0.25;  // share of all squares; largest duration relative to the trial
+/// Share of the squares in the interval that the listed markers must reach.
 constexpr double nearly_all = 0.9;
 
-/// Calls see(series, entry) for the entries of a trial.
+/// Calls see(series, entry) for all entries of a trial.
 template <class See>
 void for_entries(const ResidualLayout& layout, int trial, const See& see) {
     for (const ResidualSeries& series : layout.series)
@@ -21,7 +21,7 @@ void for_entries(const ResidualLayout& layout, int trial, const See& see) {
             for (Index k = series.begin; k < series.end; ++k) see(series, k);
 }
 
-/// Squares of a trial at its times.
+/// Sum of squares at each time of a trial.
 std::map<double, double> squares_over_time(const Eigen::VectorXd& r, const ResidualLayout& layout, int trial) {
     std::map<double, double> squares;
     for_entries(layout, trial, [&](const ResidualSeries&, Index k) {
@@ -30,7 +30,7 @@ std::map<double, double> squares_over_time(const Eigen::VectorXd& r, const Resid
     return squares;
 }
 
-/// The markers with the largest squares from `spot.from_s` to `spot.to_s` that together make nearly all of them.
+/// Smallest set of markers with nearly all squares between `spot.from_s` and `spot.to_s`.
 std::vector<int> loudest_markers(const Eigen::VectorXd& r, const ResidualLayout& layout, const ResidualSpot& spot) {
     std::map<int, double> squares;
     double all = 0.0;
@@ -62,6 +62,7 @@ std::optional<ResidualSpot> residual_spot(const Eigen::VectorXd& r, const Residu
         const double longest = short_time * (squares.rbegin()->first - squares.begin()->first);
         std::optional<ResidualSpot> spot;
         double within = 0.0;
+        // Two-pointer sweep: for each end, the latest start that still holds the required share.
         for (auto first = squares.begin(), last = squares.begin(); last != squares.end(); ++last) {
             within += last->second;
             for (; within - first->second >= most * all; ++first) within -= first->second;

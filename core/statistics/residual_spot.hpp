@@ -9,17 +9,21 @@
 
 namespace myo::statistics {
 
-/// A short time of one trial that holds most of a residual.
+/// Short interval of one trial that holds most of the squared residual.
 struct ResidualSpot {
     int trial = 0;
-    std::vector<int> markers;  // that make nearly all of it there, rising
-    double from_s = 0.0, to_s = 0.0;
-    double share = 0.0;  // of the squares of all trials
+    std::vector<int> markers;         // markers with nearly all of the squares in the interval, ascending
+    double from_s = 0.0, to_s = 0.0;  // interval
+    double share = 0.0;               // of the squares of all trials
 };
 
-/// The shortest time of a trial that holds four fifths of the squares of all trials, where it is at most a quarter of
-/// that trial. Faults of the data gather so (markers taken for each other or touched), and what acts once; a law that
-/// the model lacks acts as long as the body moves.
+/// Shortest interval of a trial with four fifths of the squares of all trials, if it is at most a quarter of that
+/// trial.
+///
+/// Localised residuals point to data faults (swapped or touched markers) or to a single event. A missing force law acts
+/// as long as the body moves.
+/// @param r  N, see ResidualLayout
+/// @return   empty if the residual is not localised
 std::optional<ResidualSpot> residual_spot(const Eigen::VectorXd& r, const ResidualLayout& layout);
 
 }  // namespace myo::statistics

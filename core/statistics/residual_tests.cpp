@@ -12,17 +12,17 @@ SystematicRms systematic_rms(const Eigen::VectorXd& r, const ResidualLayout& lay
     SystematicRms result;
     const Autocovariance pooled = pooled_autocovariance(r, layout, 2);
     if (!(pooled.pairs(1) > 0.0 && pooled.pairs(2) > 0.0)) return result;
-    // c(k) = a - b k^2 through k = 1 and 2 has a = (4 c1 - c2) / 3.
+    // The parabola c(k) = a - b k^2 through k = 1 and 2 has a = (4 c1 - c2) / 3.
     result.mean_square = (4.0 * pooled.sums(1) / pooled.pairs(1) - pooled.sums(2) / pooled.pairs(2)) / 3.0;
     result.rms = std::sqrt(std::max(0.0, result.mean_square));
-    // Products of white noise w scatter with w^2, those with a smooth signal s with (2 s)^2 w^2 more: both lags move
-    // together there.
+    // Variance of the estimate: products of white noise w contribute w^2 per pair; products of w with a smooth signal s
+    // contribute 4 s^2 w^2 and are common to both lags.
     const double total = pooled.sums(0) / pooled.pairs(0);
     const double smooth = std::min(result.rms * result.rms, total);
     const double white = total - smooth;
     result.mean_square_deviation = std::sqrt((16.0 / pooled.pairs(1) + 1.0 / pooled.pairs(2)) / 9.0 * white * white +
                                              4.0 * smooth * white / pooled.pairs(0));
-    // Delta method, which fails near zero: there the deviation of the square bounds the rms.
+    // Delta method. It fails near zero, where the square root of the deviation of the square bounds the rms.
     if (result.mean_square_deviation > 0.0)
         result.deviation = result.mean_square_deviation /
                            (2.0 * std::max(result.rms, std::sqrt(result.mean_square_deviation)));

@@ -15,14 +15,14 @@
 namespace myo::statistics {
 namespace {
 
-// Mean over the directions of S~: their scores add up in the statistic with equal weight.
+// Mean over the basis of S~, because all directions enter the statistic with equal weight.
 double mean_inflation(const ProjectedCandidate& candidate, const Eigen::VectorXd& r, const ResidualLayout& layout) {
     double sum = 0.0;
     for (Eigen::Index k = 0; k < candidate.rank(); ++k) sum += variance_inflation(r, candidate.basis.col(k), layout);
     return sum / static_cast<double>(candidate.rank());
 }
 
-// p of the share that `rank` directions explain of n independent samples.
+// F-test p-value of the share explained by `rank` directions of n independent samples.
 double share_tail(double share, double rank, double n) {
     const double below = std::max(1.0, n - rank);
     return fisher_f_tail(share / rank / ((1.0 - share) / below), rank, below);
@@ -42,15 +42,18 @@ ProjectedCandidate project_candidate(const NuisanceSpace& nuisance, const Eigen:
     candidate.to_step.resize(q, 0);
     if (q == 0 || S.rows() == 0) return candidate;
 
-    // In units of |S_j|, so that one tolerance serves parameters of all units.
+    // Columns scaled by |S_j|, so that one tolerance serves parameters of all units.
     const Eigen::VectorXd scale = (candidate.length.array() > 0.0).select(candidate.length, 1.0);
     const Eigen::MatrixXd rest = nuisance.outside(S * scale.cwiseInverse().asDiagonal());
     candidate.kept = rest.colwise().norm();
+    // Column pivoting sorts the directions by independence; the first `rank` pivots are determined, the others get step
+    // 0.
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(rest);
     Eigen::Index rank = 0;
     while (rank < std::min(q, S.rows()) && std::abs(qr.matrixQR()(rank, rank)) > relative_tolerance) ++rank;
     if (rank == 0) return candidate;
 
+    // S~ = Q R on the pivoted columns, hence step = R^-1 Q' r in scaled units.
     candidate.basis = qr.householderQ() * Eigen::MatrixXd::Identity(S.rows(), rank);
     const Eigen::MatrixXd inverse = qr.matrixQR()
                                         .topLeftCorner(rank, rank)
@@ -95,7 +98,7 @@ double principal_cosine(const ProjectedCandidate& a, const ProjectedCandidate& b
     assert(a.basis.rows() == b.basis.rows());
     if (a.rank() == 0 || b.rank() == 0) return 0.0;
     const Eigen::MatrixXd product = a.basis.transpose() * b.basis;
-    // A single direction's basis may point against its tangent; to_step tells.
+    // The sign of a single basis vector relative to its tangent is that of to_step.
     if (a.parameters() == 1 && b.parameters() == 1)
         return std::clamp(product(0, 0) * (a.to_step(0, 0) * b.to_step(0, 0) < 0.0 ? -1.0 : 1.0), -1.0, 1.0);
     return std::min(1.0, std::sqrt(symmetric_eigenvalues(smaller_gram(product)).maxCoeff()));
@@ -118,6 +121,7 @@ std::vector<double> holm_adjusted(const std::vector<double>& p) {
     std::vector<double> adjusted(p.size());
     double largest = 0.0;
     for (std::size_t k = 0; k < order.size(); ++k) {
+        // Step-down with enforced monotonicity: no adjusted p below that of a smaller p.
         largest = std::max(largest, std::min(1.0, p[order[k]] * static_cast<double>(p.size() - k)));
         adjusted[order[k]] = largest;
     }

@@ -10,14 +10,14 @@
 namespace myo::statistics {
 namespace {
 
-// Of the largest eigenvalue of a real Wishart matrix (Tracy-Widom law of order 1).
+// Skewness of the largest eigenvalue of a real Wishart matrix (Tracy-Widom law of order 1).
 constexpr double tracy_widom_skewness = 0.2935;
 
 double largest_eigenvalue(const Eigen::MatrixXd& symmetric) {
     return symmetric_eigenvalues(symmetric)(symmetric.rows() - 1);
 }
 
-// Left singular vector of the largest singular value, its largest entry positive.
+// Left singular vector of the largest singular value, sign such that its largest entry is positive.
 Eigen::VectorXd first_pattern(const Eigen::MatrixXd& values) {
     const Eigen::VectorXd pattern = leading_svd(values, 1).left.col(0);
     Eigen::Index largest = 0;
@@ -43,9 +43,9 @@ SpaceTest::Trial test_trial(const GriddedTrial& grid, int draws, RandomSigns& ra
     }
     test.expected_share = shares.mean();
     const double deviation = std::sqrt((shares - shares.mean()).square().sum() / (draws - 1));
-    // One series alone has no space: its share is 1, flipped or not, up to rounding.
+    // A single series has share 1 with or without flips, up to rounding: no test possible.
     if (deviation > 1e-12) {
-        // Few series carry most of the energy: more skew than in the limit of many.
+        // If few series carry most of the energy, the skewness exceeds its limit for large matrices.
         const double skewness = std::clamp((shares - shares.mean()).cube().mean() / std::pow(deviation, 3),
                                            tracy_widom_skewness, 2.0);
         test.p = shifted_gamma_tail(test.share, test.expected_share, deviation, skewness);

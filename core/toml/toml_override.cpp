@@ -17,7 +17,7 @@ struct KeyPart {
     std::vector<std::size_t> indices;  // name[1][2]
 };
 
-// "a.b[2].\"c.d\"" in its parts; empty when malformed.
+// Parts of a key "a.b[2].\"c.d\""; empty if malformed.
 std::optional<std::vector<KeyPart>> split_key(const std::string& key) {
     std::vector<KeyPart> parts;
     std::size_t at = 0;
@@ -34,6 +34,7 @@ std::optional<std::vector<KeyPart>> split_key(const std::string& key) {
             at = end;
         }
         if (part.name.empty()) return std::nullopt;
+        // Any number of indices may follow a name.
         while (at < key.size() && key[at] == '[') {
             std::size_t index = 0;
             const char* const last = key.data() + key.size();
@@ -49,6 +50,7 @@ std::optional<std::vector<KeyPart>> split_key(const std::string& key) {
     }
 }
 
+/// New value with the location "--set".
 TomlValue empty(TomlValue::Kind kind) {
     TomlValue value;
     value.kind = kind;
@@ -56,6 +58,7 @@ TomlValue empty(TomlValue::Kind kind) {
     return value;
 }
 
+/// Entry of a table; created with the given type if absent.
 TomlValue& entry(TomlValue& table, const std::string& key, TomlValue::Kind kind_when_new) {
     if (TomlValue* found = table.find(key)) return *found;
     table.keys.push_back(key);
@@ -63,7 +66,7 @@ TomlValue& entry(TomlValue& table, const std::string& key, TomlValue::Kind kind_
     return table.items.back();
 }
 
-// The element of an array of tables whose `name` (or `id`) is the given one.
+// Element of an array of tables with the given `name` or `id`. Collects the names it passes, for the error message.
 TomlValue* element_by_name(TomlValue& array, const std::string& name, std::vector<std::string>& names) {
     for (TomlValue& item : array.items) {
         for (const char* identifier : {"name", "id"}) {
@@ -89,6 +92,7 @@ Result<void> override_toml(TomlValue& document, const std::string& key, const st
     TomlValue* at = &document;
     std::string path;
     for (const KeyPart& part : *parts) {
+        // After an array without index, the next part of the key is the name of an element.
         if (at->kind == Kind::array) {
             std::vector<std::string> names;
             TomlValue* element = element_by_name(*at, part.name, names);
@@ -99,6 +103,7 @@ Result<void> override_toml(TomlValue& document, const std::string& key, const st
             }
             at = element;
         } else if (at->kind == Kind::table) {
+            // The last part is created as a table too; its value replaces it below.
             at = &entry(*at, part.name, part.indices.empty() ? Kind::table : Kind::array);
         } else {
             return fail(path + " is " + kind_name(at->kind) + ", so it has no " + part.name);

@@ -39,7 +39,7 @@ NumberRange strictly_between(double lowest, double highest) {
 std::string suggest(const std::string& word, const std::vector<std::string>& known) {
     if (known.empty()) return "none is known here";
     std::string near = closest_word(word, known);
-    // "gravity" is far from "gravity_m_s2" by letters, yet plainly meant.
+    // Edit distance misses abbreviations: "gravity" for "gravity_m_s2". Substrings are accepted from three letters on.
     for (std::size_t i = 0; near.empty() && word.size() >= 3 && i < known.size(); ++i)
         if (known[i].find(word) != std::string::npos ||
             (known[i].size() >= 3 && word.find(known[i]) != std::string::npos))
@@ -89,6 +89,7 @@ bool TomlReader::is_array(const std::string& key) const { return has(key) && val
 
 double TomlReader::number(const std::string& key, const NumberRange& range) const {
     const double found = value(key, TomlKind::number).number;
+    // An open range also excludes infinite bounds.
     if (!range.contains(found) || (range.open && !std::isfinite(found)))
         fail(key, "must be " + range.text + ", not " + format_number(found));
     return found;
@@ -191,6 +192,7 @@ Eigen::Matrix3Xd TomlReader::points(const std::string& key) const {
 std::filesystem::path TomlReader::file(const std::string& key, const std::filesystem::path& folder) const {
     const std::string found = text(key);
     if (found.empty() || found.find('\0') != std::string::npos) fail(key, "must be a file name");
+    // Absolute file names replace the folder in operator/.
     const std::filesystem::path path = (folder / found).lexically_normal();
     std::error_code code;
     if (!std::filesystem::exists(path, code)) fail(key, "file not found: " + path.string());
@@ -222,6 +224,7 @@ std::vector<TomlReader> TomlReader::tables_of_names(const std::string& key) cons
 
 std::vector<TomlReader> TomlReader::tables(const std::string& key, const std::vector<std::string>& known_keys) const {
     std::vector<TomlReader> readers = tables_of_names(key);
+    // Keys are checked after the type of all elements, so that a wrong type is reported first.
     for (TomlReader& reader : readers) reader = reader.with_known_keys(known_keys);
     return readers;
 }
@@ -232,6 +235,7 @@ TomlReader TomlReader::with_known_keys(std::vector<std::string> known_keys) cons
 
 namespace {
 
+/// Depth-first collection of locations.
 void collect(const TomlValue& value, const std::string& path, std::map<std::string, std::string>& found) {
     if (!path.empty()) found.emplace(path, value.where);
     for (std::size_t i = 0; i < value.items.size(); ++i) {

@@ -9,7 +9,8 @@ std::string toml_number(double value) {
     char text[40];
     const auto [end, code] = std::to_chars(text, text + sizeof text, value);
     std::string result(text, end);
-    return result.find_first_of(".en") == std::string::npos ? result + ".0" : result;  // TOML tells 3 from 3.0
+    return result.find_first_of(".en") == std::string::npos ? result + ".0"
+                                                            : result;  // TOML distinguishes the integer 3 from 3.0
 }
 
 std::string toml_text(const std::string& text) {

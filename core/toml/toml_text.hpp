@@ -6,15 +6,19 @@
 
 namespace myo::toml {
 
-// Values as they are written into TOML files.
+// Formatting of values for TOML files.
 
-/// The shortest text that reads as the same number.
+/// Shortest decimal text that parses to the same double.
+///
+/// @return  always with a decimal point or exponent, so that it is read as a float
 std::string toml_number(double value);
 
-/// In quotes; control characters are escaped.
+/// Quoted string; quotes, backslashes and control characters are escaped.
 std::string toml_text(const std::string& text);
 
-/// "[a, b, c]" of what `text` makes of each item.
+/// TOML array "[a, b, c]".
+///
+/// @param text  formats one item
 template <class Items, class Text>
 std::string toml_list(const Items& items, const Text& text) {
     std::string result;
@@ -22,7 +26,7 @@ std::string toml_list(const Items& items, const Text& text) {
     return "[" + result + "]";
 }
 
-/// "[x, y, z]"
+/// TOML array "[x, y, z]".
 std::string toml_vector(const Eigen::Vector3d& v);
 
 }  // namespace myo::toml

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t largest_document = 16u << 20;
 
-// Turns the library's nodes into ours; `file` is empty for a value from the command line, whose `where` is fixed.
+// Converts the library's nodes. `file` is empty for a value from the command line, whose location is fixed_where.
 struct Converter {
     std::string file;
     std::string fixed_where;
@@ -23,6 +23,7 @@ struct Converter {
     }
 
     TomlValue table(const ::toml::table& source) const {
+        // The library sorts by key; sorting by position restores the file order.
         std::vector<std::pair<const ::toml::key*, const ::toml::node*>> entries;
         for (auto&& [key, node] : source) entries.emplace_back(&key, &node);
         const auto position = [](const auto& entry) {
@@ -66,6 +67,7 @@ struct Converter {
     }
 };
 
+/// Letters, digits and characters of file names only, with at least one letter: "1e5x" is a word, "1e5" is a number.
 bool is_bare_word(std::string_view text) {
     const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
     const auto allowed = [&](char c) {
@@ -98,7 +100,7 @@ std::string kind_name(TomlValue::Kind kind) {
 
 Result<TomlValue> read_toml(const std::filesystem::path& path) {
     std::error_code code;
-    // Size first: a device or pipe in place of the file would be read without end.
+    // Size check first: reading a device or pipe would not end.
     if (std::filesystem::exists(path, code) && !std::filesystem::is_directory(path, code)) {
         if (!std::filesystem::is_regular_file(path, code)) return Error{"is not a regular file", path.string()};
         if (std::filesystem::file_size(path, code) > largest_document)
@@ -120,7 +122,7 @@ Result<TomlValue> read_toml(const std::filesystem::path& path) {
 Result<TomlValue> parse_toml_value(std::string_view text, const std::string& where) {
     try {
         const ::toml::table document = ::toml::parse("value = " + std::string(text));
-        // A line break in the text could smuggle in further keys.
+        // A line break in the text could add further keys.
         if (document.size() == 1) return Converter{{}, where}.value(*document.get("value"));
     } catch (const ::toml::parse_error&) {
         if (is_bare_word(text)) {
