@@ -12,7 +12,7 @@
 #include "results/output_json.hpp"
 #include "setup/setup.hpp"
 
-// What the commands on an experiment folder have in common.
+// Common part of the commands on an experiment folder: options, opening, messages.
 
 namespace myo::app {
 

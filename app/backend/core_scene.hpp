@@ -9,8 +9,8 @@
 #include "experiment/experiment.hpp"
 #include "setup/setup.hpp"
 
-// Experiments and meshes of the core as scenes of the workbench, and settings of the workbench as declarations of the
-// core.
+// Conversion between the core and the workbench: experiments and meshes become scenes, settings of the window become
+// declarations.
 
 namespace myo::backend {
 

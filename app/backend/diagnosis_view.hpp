@@ -3,7 +3,7 @@
 #include "commands/diagnosis_view.hpp"
 #include "diagnosis/diagnosis.hpp"
 
-// A diagnosis as the workbench shows it.
+// Conversion of a diagnosis to the form that the workbench displays.
 
 namespace myo::backend {
 

@@ -2,7 +2,7 @@
 
 #include "commands/backend.hpp"
 
-// The part of the core's backend that makes trials of recordings. Each function is the one of Backend of its name.
+// Part of the backend that turns recordings into trials. Each function implements the method of Backend of its name.
 
 namespace myo::backend {
 

@@ -6,7 +6,7 @@
 #include "base/result.hpp"
 #include "commands/preferences.hpp"
 
-// What belongs to the person and not to a project: preferences, and unsaved work that is kept for recovery.
+// Files of the user that belong to no project: preferences, and unsaved work kept for recovery.
 
 namespace myo::backend {
 

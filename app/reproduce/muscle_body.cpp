@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Of the published scripts.
+// Value of the published scripts.
 constexpr double muscle_stiffness_Pa = 2e5;
 
 /// Binding of a material point, the mean of several points on or inside a mesh of axis-aligned hexahedra. Markers bind

@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t step_count = std::size(paper_steps_s);
 constexpr std::size_t ten_ms = 3;
 
-/// Of the published scripts [kg/s], for paper_steps_s: Lambda fitted to the real envelope, and Lambda of constant
+/// Values of the published scripts [kg/s] for paper_steps_s: Lambda fitted to the real envelope, and Lambda of constant
 /// amplitude.
 constexpr double published_fitted[] = {-0.0124e-3, 0.848e-3, 1.728e-3, 2.569e-3,
                                        3.364e-3,   4.145e-3, 4.939e-3, 5.577e-3};

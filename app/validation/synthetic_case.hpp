@@ -103,8 +103,8 @@ struct SyntheticCase {
 
 /// Case `number` of a validation; independent of count, order and number of processes.
 ///
-/// Of six consecutive cases the first has no effect and the fourth a deleted one; the effects of the others, and of the
-/// deleted ones, cycle through the catalogue in a random order.
+/// Among six consecutive cases the first has no effect and the fourth a deleted one; the effects of the others, and of
+/// the deleted ones, cycle through the catalogue in a random order.
 ///
 /// @param attempt  another draw of the same kind and effect, for a case whose effect is not visible enough
 SyntheticCase drawn_case(const CaseChoice& choice, int number, int attempt = 0);

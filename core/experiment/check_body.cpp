@@ -17,6 +17,7 @@
 namespace myo::experiment {
 namespace {
 
+// Corners of a triangle as columns [m].
 Eigen::Matrix3d corners(const mesh::SurfaceMesh& surface, Eigen::Index triangle) {
     Eigen::Matrix3d X;
     for (int i = 0; i < 3; ++i) X.col(i) = surface.vertices.col(surface.triangles(i, triangle));
@@ -80,6 +81,7 @@ public:
     double tolerance() const { return tolerance_; }
 
 private:
+    // Part of a triangle inside a box; empty if they do not meet.
     mesh::Polygon part_in(const Box& box, Eigen::Index triangle) const {
         const Eigen::Matrix3d X = corners(body_, triangle);
         return mesh::clip_to_box({X.col(0), X.col(1), X.col(2)}, box, tolerance_);
@@ -124,6 +126,7 @@ Result<void> check_on_body(const Experiment& experiment, const mesh::SurfaceMesh
     const BodyCheck check(body);
     if (!check.holds_material(experiment.clamp_box_m))
         return declaration_error(experiment, "clamp.box_m", "the box contains no material of the body");
+    // A clamp without free material is caught here, before any meshing, with the likely cause (a wrong unit).
     if (check.lies_in(experiment.clamp_box_m)) return holds_whole_body(experiment);
     for (std::size_t i = 0; i < experiment.muscles.size(); ++i) {
         const auto* box = std::get_if<MuscleBox>(&experiment.muscles[i].part);
@@ -139,6 +142,7 @@ Result<void> check_on_body(const Experiment& experiment, const mesh::SurfaceMesh
     // Fixed markers are not checked: they are attached to the surroundings.
     const double allowed = experiment.markers.max_standoff_m;
     for (const MarkerDeclaration& marker : experiment.markers.on_body) {
+        // Markers are glued on: a small standoff is normal, a large one means a wrong unit, frame or rest position.
         const double distance = check.distance_to_surface(marker.rest_m);
         if (distance > allowed + check.tolerance())
             return declaration_error(experiment, "markers.rest_m." + marker.name,

@@ -24,6 +24,7 @@ std::string one_line(std::string text) {
     return text;
 }
 
+/// Declaration of the trial as TOML; start_s = 0 because its samples are already in trial time.
 std::string trial_text(const NewTrial& trial) {
     return "\n# " + one_line(trial.origin) + "\n[[trial]]\nname = " + toml::toml_text(trial.name) +
            "\nrole = " + (trial.role == TrialRole::fit ? "\"fit\"" : "\"validate\"") +
@@ -55,6 +56,7 @@ Result<void> put(const fs::path& folder, const std::string& text, const NewTrial
     return {};
 }
 
+// The name becomes a file in the folder and must not lead out of it.
 bool is_file_name(const std::string& name) {
     return !name.empty() && name != "." && name != ".." && name.find_first_of("/\\") == std::string::npos;
 }
@@ -103,6 +105,7 @@ Result<void> write_experiment(const fs::path& folder, const Experiment& declared
     if (written) written = put(folder, text, trial);
     if (written) return {};
     fs::remove(folder / "body.stl", code);
+    // A folder that existed before stays, even if it was empty.
     if (made) fs::remove(folder, code);
     return written.error();
 }

@@ -21,6 +21,7 @@ Experiment read_document(const toml::TomlValue& root, const fs::path& folder) {
         throw toml::TomlFailure{
             Error{"schema: unknown schema \"" + schema->text + "\"; this program reads \"" + current_schema + "\"",
                   schema->where}};
+    // Unknown keys are errors: a misspelt key would otherwise silently select a default.
     const toml::TomlReader document(root, "",
                                     {"schema", "name", "description", "geometry", "clamp", "material", "environment",
                                      "muscle", "registration", "markers", "trial", "effect"});
@@ -58,6 +59,7 @@ Experiment read_document(const toml::TomlValue& root, const fs::path& folder) {
 Result<Experiment> read_experiment(const fs::path& folder,
                                    const std::vector<std::pair<std::string, std::string>>& overrides) {
     std::error_code code;
+    // Tools pass either the folder or the file; both resolve relative paths against the folder.
     const bool names_the_file = fs::is_regular_file(folder, code);
     if (!fs::exists(folder, code)) return Error{"experiment folder not found", folder.string()};
     const fs::path file = names_the_file ? folder : folder / "experiment.toml";
@@ -65,6 +67,7 @@ Result<Experiment> read_experiment(const fs::path& folder,
     if (!document) return document.error();
     for (const auto& [key, value] : overrides)
         if (Result<void> set = toml::override_toml(*document, key, value); !set) return set.error();
+    // The table readers throw on the first error; it becomes a value here, at the boundary of this module.
     try {
         return read_document(*document, file.parent_path());
     } catch (const toml::TomlFailure& failure) {

@@ -11,6 +11,7 @@
 namespace myo::experiment {
 namespace {
 
+/// Ends the reading with an error at the location of a key.
 [[noreturn]] void fail(const Experiment& experiment, const std::string& key, const std::string& sentence) {
     throw toml::TomlFailure{declaration_error(experiment, key, sentence)};
 }
@@ -107,6 +108,7 @@ void check_columns(const Experiment& experiment, const std::string& trial_path, 
     }
     for (const std::string& name : names)
         if (!contains(columns.labels, name)) fail(experiment, key, "the declared marker \"" + name + "\" is missing");
+    // All names are declared and all declared names occur, so equal counts exclude duplicates.
     std::set<std::string> unique(columns.labels.begin(), columns.labels.end());
     if (unique.size() != columns.labels.size()) fail(experiment, key, "names a marker twice");
 }
@@ -127,6 +129,7 @@ void check_actuation(const Experiment& experiment, const std::string& trial_path
     }
 }
 
+// A free level has neither a number nor a recording.
 bool has_free_level(const TrialDeclaration& trial, const std::string& muscle) {
     return std::any_of(trial.actuation_steps.begin(), trial.actuation_steps.end(),
                        [&](const ActuationStep& step) { return step.muscle == muscle && !step.level; });
@@ -171,6 +174,7 @@ void check_trials(Experiment& experiment) {
         for (const ActuationStep& step : trial.actuation_steps) any_free = any_free || !step.level;
     }
     check_unique(experiment, names, paths);
+    // Without a fit trial there is nothing to calibrate, and validation trials have no model to test.
     if (!any_fit) fail(experiment, "trial[0].role", "all trials are \"validate\"; at least one needs role = \"fit\"");
     if (!any_free && contains(experiment.material.calibrate, "actuation_level"))
         experiment.warnings.push_back(

@@ -15,6 +15,7 @@ toml::NumberRange range_of(const effect::EffectParameterEntry& entry) {
     return range;
 }
 
+/// Value of one parameter, checked against its kind and range in the effect catalogue.
 effect::EffectParameter read_parameter(const toml::TomlReader& effect, const effect::EffectParameterEntry& entry) {
     const std::string& key = entry.name;
     switch (entry.kind) {
@@ -55,6 +56,7 @@ std::vector<effect::EffectDeclaration> read_effects(const toml::TomlReader& docu
         effect::EffectDeclaration effect;
         effect.id = table.text("id");
         const effect::Effect* const entry = effect::find_effect(effect.id);
+        // These ids exist in the output of the diagnosis and are easily copied from there.
         if (effect.id == "none" || effect.id == "unknown")
             table.fail("id", "\"" + effect.id + "\" is a verdict, not an effect the model can have");
         if (entry == nullptr)

@@ -14,6 +14,7 @@ BoxGeometry read_box(const toml::TomlReader& geometry) {
     box.size_m = geometry.vector3("size_m");
     if (geometry.has("origin_m")) box.origin_m = geometry.vector3("origin_m");
     if ((box.size_m.array() <= 0.0).any()) geometry.fail("size_m", "all three lengths must be positive");
+    // A body outside 1 mm ... 10 m is almost certainly declared in the wrong unit.
     const double extent = box.size_m.maxCoeff();
     if (extent > 10.0 || extent < 1e-3)
         geometry.fail("size_m",
@@ -28,6 +29,7 @@ Eigen::Matrix3d read_rotation(const toml::TomlReader& geometry) {
     const Eigen::Matrix3d R = geometry.matrix3("rotation");
     const double deviation = (R.transpose() * R - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
     if (!(deviation < 1e-3)) geometry.fail("rotation", "is not a rotation: its rows are not orthogonal unit vectors");
+    // A reflection satisfies the orthogonality check but would turn the triangles inward.
     if (R.determinant() < 0.0) geometry.fail("rotation", "is left-handed: it mirrors the body");
     // Matrices of zeros and ones keep their exact values, so the vertices do not change in the last bit.
     return deviation < 1e-15 ? R : material::polar_rotation(R);
@@ -36,6 +38,7 @@ Eigen::Matrix3d read_rotation(const toml::TomlReader& geometry) {
 StlGeometry read_stl_declaration(const toml::TomlReader& geometry, const std::filesystem::path& folder) {
     for (const char* key : {"size_m", "origin_m"}) geometry.reject(key, "belongs to kind = \"box\", not to \"stl\"");
     StlGeometry stl;
+    // STL files carry no unit; a default could be wrong by a factor of 1000.
     if (!geometry.has("unit"))
         geometry.fail("unit", "required for kind = \"stl\": \"m\" or \"mm\"; there is no default");
     stl.metres_per_unit = geometry.choice<double>("unit", {{"m", 1.0}, {"mm", 1e-3}});

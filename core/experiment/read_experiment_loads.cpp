@@ -12,6 +12,7 @@ std::vector<LoadDeclaration> read_loads(const toml::TomlReader& trial) {
         load.box_m = table.box("box_m");
         if (load.kind == LoadKind::mass) {
             table.reject("force_N", "belongs to kind = \"force\", not to \"mass\"");
+            // A mass belongs to the mass matrix, which is constant during a trial.
             for (const char* key : {"from_s", "until_s"})
                 table.reject(key, "belongs to kind = \"force\": a mass is fixed to the body for the whole trial");
             load.mass_kg = table.number("mass_kg", toml::not_negative());

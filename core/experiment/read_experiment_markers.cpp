@@ -15,6 +15,7 @@ std::vector<MarkerDeclaration> read_positions(const toml::TomlReader& markers, c
     return declared;
 }
 
+// Labels are the names in the recording, where they differ from the declared ones.
 void read_labels(const toml::TomlReader& markers, MarkersDeclaration& declared) {
     const toml::TomlReader table = markers.table_of_names("labels");
     std::vector<std::string> names;

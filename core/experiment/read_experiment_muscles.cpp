@@ -30,6 +30,7 @@ MuscleLine read_line(const toml::TomlReader& table) {
     return muscle;
 }
 
+/// Location of a muscle: exactly one of box_m, mask and line_m.
 std::variant<MuscleBox, MuscleMask, MuscleLine> read_part(const toml::TomlReader& table,
                                                           const std::filesystem::path& folder) {
     std::vector<std::string> given;

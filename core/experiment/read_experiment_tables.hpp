@@ -10,9 +10,6 @@
 
 namespace myo::experiment {
 
-// One function per table of the schema; each reads its own table from the document and fails by TomlFailure.
-// What depends on two tables is looked at by check_declarations() once all are read.
-
 // One function per table of the schema. Each reads its table from the document, returns SI values and throws
 // toml::TomlFailure (key, sentence, line) on the first error. Conditions on two tables are checked by
 // check_declarations() after all tables have been read.

@@ -6,6 +6,7 @@
 namespace myo::experiment {
 namespace {
 
+/// Levels after a step at t = 0: a number, or "free" for a fitted one.
 std::vector<ActuationStep> read_steps(const toml::TomlReader& trial) {
     std::vector<ActuationStep> steps;
     const toml::TomlReader table = trial.table_of_names("actuation_step");
@@ -52,6 +53,7 @@ TrialDeclaration read_trial(const toml::TomlReader& table, const std::filesystem
     if (table.has("actuation_step")) trial.actuation_steps = read_steps(table);
     trial.start_s = table.optional_number("start_s");
     trial.end_s = table.optional_number("end_s");
+    // Only the order is checked here; whether the window meets the recording is known after reading the trace.
     if (trial.start_s && trial.end_s && *trial.start_s >= *trial.end_s)
         table.fail("end_s", "lies before start_s (" + format_number(*trial.start_s) +
                                 " >= " + format_number(*trial.end_s) + ")");

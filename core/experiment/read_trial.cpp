@@ -27,6 +27,7 @@ std::size_t find_track(const std::vector<std::string>& labels, const MarkerDecla
     return static_cast<std::size_t>(found - labels.begin());
 }
 
+// A sample counts as occluded if any coordinate is missing.
 Eigen::Index occluded_samples(const Eigen::Matrix3Xd& track) {
     Eigen::Index count = 0;
     for (Eigen::Index t = 0; t < track.cols(); ++t) count += track.col(t).array().isNaN().any() ? 1 : 0;
@@ -167,6 +168,7 @@ Result<TrialRecording> read_trial(const Experiment& experiment, const TrialDecla
     if (!unused.empty()) {
         const std::string sentence = trial.trace.filename().string() +
                                      " holds markers that are not declared: " + quoted_list(unused);
+        // C3D files contain everything in view of the cameras; other formats are written for this experiment.
         if (trial.format != measurement::TraceFormat::c3d) return declaration_error(experiment, key, sentence);
         read.warnings.push_back(key + ": " + sentence + "; they are ignored");
     }
@@ -178,6 +180,7 @@ Result<TrialRecording> read_trial(const Experiment& experiment, const TrialDecla
     leave_out_excursions(experiment, key, read);
     for (std::size_t i = 0; i < read.recording.labels.size(); ++i) {
         const Eigen::Index occluded = occluded_samples(read.recording.tracks[i]);
+        // Such a marker contributes little and its gaps may hide a mislabelled interval.
         if (2 * occluded > read.recording.sample_count())
             read.warnings.push_back(key + ": marker \"" + read.recording.labels[i] + "\" is occluded in " +
                                     std::to_string(occluded) + " of " + std::to_string(read.recording.sample_count()) +
@@ -241,6 +244,7 @@ Result<measurement::ActuationTable> read_trial_actuation(const Experiment& exper
     for (const std::string& warning : recorded->warnings) table.warnings.push_back(key + ": " + warning);
     for (const std::string& column : recorded->muscles) {
         if (declared(column) || std::find(recordable.begin(), recordable.end(), column) != recordable.end()) continue;
+        // The message names the reason: an unknown, a following or a stepped muscle.
         std::string reason = "which is no declared muscle";
         for (const MuscleDeclaration& muscle : muscles)
             if (muscle.name == column)

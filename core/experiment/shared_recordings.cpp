@@ -36,6 +36,7 @@ std::vector<SharedRecording> shared_recordings(const Experiment& experiment) {
     for (std::size_t v = 0; v < trials.size(); ++v) {
         if (trials[v].role != TrialRole::validate) continue;
         for (std::size_t f = 0; f < trials.size(); ++f) {
+            // Contents are compared, not names: a copied file is the same recording.
             if (trials[f].role != TrialRole::fit || !windows_meet(trials[f], trials[v]) ||
                 !is_same_content(trials[f].trace, trials[v].trace))
                 continue;

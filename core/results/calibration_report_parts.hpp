@@ -6,7 +6,7 @@
 #include "calibration/calibrate.hpp"
 #include "report/html_report.hpp"
 
-// Sections of the page about a calibration; see calibration_report.hpp.
+// Sections of the HTML report of a calibration; see calibration_report.hpp.
 
 namespace myo::results {
 

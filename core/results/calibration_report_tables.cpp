@@ -18,8 +18,6 @@ report::Cell deviation_cell(double deviation) {
     return std::isfinite(deviation) ? report::Cell(report::readable_number(deviation, 2)) : report::Cell("–");
 }
 
-// Of a trial that did not complete: not a number, which a table shows as a dash.
-
 // NaN for a trial that did not complete; a table shows it as a dash.
 double rms_mm(const prediction::TrialScore* score) {
     return score != nullptr ? 1e3 * score->rms_m : std::numeric_limits<double>::quiet_NaN();

@@ -32,6 +32,7 @@ Result<void> check_recorded_activation(const experiment::Experiment& experiment,
     for (Eigen::Index row = 0; row < table.values.cols(); ++row)
         for (std::size_t m = 0; m < experiment.muscles.size(); ++m) {
             const double a = table.values(static_cast<Eigen::Index>(m), row);
+            // A follower's activation depends on its ratio; it is only noted, see activation_notes().
             if (experiment.muscles[m].follows || a > 0.0) continue;
             return row_error(experiment, experiment::trial_key(experiment, trial) + ".actuation",
                              trial.actuation.value_or(""), table.lines, static_cast<std::size_t>(row),

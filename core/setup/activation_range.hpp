@@ -11,12 +11,9 @@ namespace myo::setup {
 
 struct Setup;
 
-/// The activation a of a muscle is the stretch that its fibres seek: 1 is passive, below 1 they contract. At 0 they
-/// would contract to nothing; programs that count 0 as passive and 1 as active write such numbers.
-
 /// The activation a of a muscle is the stretch at which its fibres are stress-free: 1 is passive, below 1 they
-/// contract. At a = 0 they would contract to length zero. Data with 0 for passive and 1 for active is rejected by these
-/// checks.
+/// contract. At a = 0 they would contract to length zero. Programs that
+/// count 0 as passive and 1 as active write such numbers; these checks reject them.
 
 /// Checks that the recorded activations of one trial are positive.
 ///

@@ -86,6 +86,7 @@ Result<mesh::VolumeMesh> tetrahedral_mesh(const mesh::SurfaceMesh& surface, mesh
     options.edge = edge;
     if (mesh::cut_by_regions(mesh::bounding_box(surface.vertices), regions, edge)) options.regions = regions;
     Result<mesh::VolumeMesh> mesh = mesh::tetrahedralize(surface, options, progress);
+    // Without inner faces there is nothing that a plain mesh would do better.
     if (options.regions.empty() || progress.cancelled()) return mesh;
     const auto count = [](const mesh::VolumeMesh& m) { return static_cast<double>(m.cell_count()); };
     if (mesh && count(*mesh) < doubtful_growth * mesh::estimate_counts(surface, type, edge).cells) return mesh;
@@ -125,6 +126,7 @@ bool parse_voxels(const std::string& id, Voxels& voxels) { return voxel_kinds.fi
 Eigen::Vector3d point_on_mesh(const BodyMesh& mesh, const Eigen::Vector3d& declared_m) {
     if (!mesh.shrunk_from) return declared_m;
     const Box now = mesh::bounding_box(mesh.mesh.nodes);
+    // Affine map between the bounding boxes, axis by axis: truncation shrinks each direction differently.
     const Eigen::Array3d scale = now.size().array() / mesh.shrunk_from->size().array();
     return now.lowest.array() + scale * (declared_m - mesh.shrunk_from->lowest).array();
 }
@@ -161,6 +163,7 @@ Result<BodyMesh> mesh_body(const mesh::SurfaceMesh& surface, const MeshRequest& 
     if (!(result.resolution_m > 0.0)) return Error{"the edge length must be positive", "--resolution"};
     const Box bounds = mesh::bounding_box(surface.vertices);
     const double edge = result.resolution_m;
+    // Usually a length given in millimetres.
     if (edge > bounds.size().maxCoeff())
         return Error{"cells of " + format_number(1e3 * edge, 4) + " mm are larger than the body, " +
                          size_in_mm(bounds) + " mm; the number is in metres",

@@ -83,6 +83,7 @@ double plain_resolution(const mesh::SurfaceMesh& surface, mesh::CellType type) {
     return std::cbrt(mesh::enclosed_volume(surface)) / per_size;
 }
 
+// Edge length that gives the wanted number of layers across a slice.
 double layer_edge(const BodySlice& slice) {
     return slice.thickness_m() / (slice.thin_rod ? mesh_policy.rod_layers : mesh_policy.least_layers);
 }
@@ -191,6 +192,7 @@ std::vector<BodySlice> body_slices(const mesh::SurfaceMesh& surface, double edge
     const Box bounds = mesh::bounding_box(surface.vertices);
     // The edge length exceeds the body, so the grid has one block between adjacent planes.
     const mesh::GridLines grid = mesh::grid_lines(bounds, 2.0 * bounds.size().maxCoeff(), face_planes(surface, edge));
+    // A detailed rectilinear body can have more face planes than the block grid may hold; it is then meshed uniformly.
     if (grid.cells().cast<double>().prod() > mesh::most_grid_cells) return slices;
     const Blocks blocks(surface, grid);
     const double whole = mesh::enclosed_volume(surface);
@@ -228,6 +230,7 @@ double local_thickness(const mesh::SurfaceMesh& surface) {
         const Eigen::Vector3d a = surface.vertices.col(surface.triangles(0, t)),
                               b = surface.vertices.col(surface.triangles(1, t)),
                               c = surface.vertices.col(surface.triangles(2, t));
+        // The ray starts on the surface, so hits closer than `skip` are the starting triangle itself or its neighbours.
         const double length = ray_length(surface, (a + b + c) / 3.0, -(b - a).cross(c - a).normalized(), skip);
         if (std::isfinite(length)) lengths.insert(lengths.end(), static_cast<std::size_t>(rays), length);
     }
@@ -239,6 +242,7 @@ double local_thickness(const mesh::SurfaceMesh& surface) {
 }
 
 double longest_edge(const mesh::SurfaceMesh& surface, double thickness_m) {
+    // Surface times thickness over volume is about 2 for a plate and 4 for a rod (see MeshPolicy::least_rod_surface).
     const bool rod = whole_area(surface) * thickness_m > mesh_policy.least_rod_surface * mesh::enclosed_volume(surface);
     return (rod ? mesh_policy.rod_edge_over_thickness : mesh_policy.edge_over_thickness) * thickness_m;
 }

@@ -10,6 +10,7 @@ double first_vibration_rad_s(const model::Model& model) {
 }
 
 std::vector<double> slowest_vibrations_rad_s(const model::Model& model, int count) {
+    // Linearised about the rest shape: no equilibrium has to be found first.
     dynamics::StageSolver solver(model);
     const dynamics::NaturalModes modes = dynamics::natural_modes(solver, model.body->mesh.nodes, count);
     std::vector<double> omega_rad_s;

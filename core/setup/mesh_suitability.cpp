@@ -94,6 +94,7 @@ std::optional<std::string> too_few_layers(const MeshFacts& facts) {
                ": it may bend tens of percent too far and twist " + format_number(policy.layer_twist_error_percent) +
                " % too little; " + edges_up_to(fewest->slice.thickness_m() / policy.least_layers) + or_none;
     }
+    // Bodies without axis-aligned faces have no countable layers: edge length against local thickness instead.
     const double thickness = local_thickness(facts.surface);
     const double edge = has_hexahedra(facts) ? facts.mesh.resolution_m : mesh::mean_edge_length(facts.mesh.mesh);
     const double most = has_hexahedra(facts) ? 1.0 / policy.least_layers : mesh_policy.edge_over_thickness;
@@ -108,6 +109,7 @@ std::optional<std::string> too_few_cells_to_twist(const MeshFacts& facts) {
     if (!has_hexahedra(facts)) {
         const double thickness = local_thickness(facts.surface), edge = mesh::mean_edge_length(facts.mesh.mesh);
         const double best = longest_edge(facts.surface, thickness);
+        // `best` exceeds the thickness for plates, whose torsion is resolved by cells across their width.
         if (best > thickness || edge < policy.rod_edge_over_thickness * thickness) return std::nullopt;
         return "edges of " + in_mm(edge) + " leave one layer of tetrahedra across a rod of " + in_mm(thickness) +
                ": its torsion may be off by " + format_number(policy.tetrahedral_rod_twist_error_percent) + " %; " +

@@ -31,6 +31,7 @@ struct GroupOf {
         if (!mask) return mask.error();
         doubts = fibre::contradictions(*mask);
         mask->centroids_m = points_on_mesh(mesh, std::move(mask->centroids_m));
+        // Paint outside the body is usually a mask in another unit or frame.
         const Eigen::Index off = fibre::elements_off_mesh(mesh.mesh, *mask),
                            painted = (mask->weights.array() > 0.0).count();
         if (off > 0)
@@ -62,6 +63,7 @@ Result<std::vector<fibre::FibreGroup>> muscle_groups(const experiment::Experimen
                                          : nullptr;
         const bool nowhere = painted &&
                              (*painted)->count() == 0;  // an empty mask is valid while a muscle is being painted
+        // A muscle without material would have no effect, and a fit of its level no influence.
         if (group->points.empty() && mask && !nowhere)
             return experiment::declaration_error(experiment, table + "mask",
                                                  "no element of the mesh lies where the mask is painted; is it of this "

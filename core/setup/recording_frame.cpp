@@ -22,6 +22,7 @@ struct ClockPolicy {
 };
 constexpr ClockPolicy clock_policy;
 
+// The trace begins many sampling intervals after t = 0.
 bool begins_late(const measurement::Recording& recording) {
     return recording.rate_Hz > 0.0 && recording.time_s(0) * recording.rate_Hz > clock_policy.late_intervals;
 }
@@ -56,6 +57,7 @@ Result<void> find_start(const experiment::Experiment& experiment, const experime
     const measurement::StartOfMotion start = measurement::find_motion_start(recording, body_markers);
     trial.start_message = start.message;
     trial.start_s = start.time_s;
+    // The start remains uncertain by a few frames; the fit may shift it, see free_parameters().
     trial.start_found = start.found;
     if (!start.found && start.last_still < 0 && start.movers.empty())
         return experiment::declaration_error(
@@ -121,6 +123,7 @@ Result<void> place_recording(const experiment::Experiment& experiment, const exp
         if (displacement)
             for (std::size_t m = 0; m < experiment.markers.on_body.size(); ++m) {
                 const Eigen::Vector3d mean = camera_to_mesh.apply(pose->positions_m.col(static_cast<Eigen::Index>(m)));
+                // Without a reference position the marker has no displacement.
                 if (!mean.allFinite())
                     return experiment::declaration_error(
                         experiment, key + ".trace",

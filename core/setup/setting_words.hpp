@@ -1,6 +1,7 @@
 #pragma once
 
-// Where settings are chosen, in words that hold on the command line and in the window.
+// Names of settings for messages: the option of the command line and the place in the window, so that a message is
+// valid for both.
 
 namespace myo::setup {
 

@@ -101,6 +101,7 @@ Result<PreparedTrial> prepare_trial(const Setup& setup, const model::Model& mode
                                                                                 : dynamics::StartKind::equilibrium;
     trial.options.integrator = setup.settings.scheme();
     trial.options.solver.strategy = setup.settings.strategy;
+    // Provisional step of half a sampling interval; choose_steps() may replace it.
     const Eigen::VectorXd& times = trial.measured.time_s;
     const double interval = sampling_interval_s(trial);
     trial.recorded_activation = trial.model.activation;
@@ -221,6 +222,7 @@ void declare_activation(const experiment::Experiment& experiment, std::vector<fi
     for (std::size_t m = 0; m < leaders.size(); ++m) {
         const std::optional<fibre::Signal>& signal = experiment.muscles[leaders[m].leader].signal;
         if (!signal) continue;
+        // Followers of a declared signal follow it as well, whatever was recorded for their leader.
         activation[m] = *signal;
         for (double& a : activation[m].values) a = 1.0 + leaders[m].factor * (a - 1.0);
     }
@@ -261,6 +263,7 @@ Setup with_fine_element(Setup setup) {
     setup.settings.fine_element = true;
     const fem::ElementKind fine = fem::fine_element(setup.body->kind);
     if (fine == setup.body->kind) return setup;
+    // Same nodes and clamp, more quadrature points: meshes, markers and loads remain valid.
     setup.body = effect::of_kind(*setup.body, fine);
     for (PreparedTrial& trial : setup.trials) trial.model.body = setup.body;
     return setup;
@@ -271,6 +274,7 @@ Result<Setup> prepare_setup(const experiment::Experiment& experiment, const Setu
     Setup setup;
     setup.experiment = experiment;
     setup.settings = settings;
+    // Order of the steps below: geometry and mesh, clamp, markers, model, then the trials, which share body and fibres.
     setup.warnings = experiment.warnings;
     Result<mesh::SurfaceMesh> surface = experiment::read_body_surface(experiment);
     if (!surface) return surface.error();
@@ -280,6 +284,7 @@ Result<Setup> prepare_setup(const experiment::Experiment& experiment, const Setu
     if (!settings.as_published)
         if (const Result<void> positive = check_declared_activation(experiment); !positive) return positive.error();
 
+    // The command line may replace the declared law, e.g. for the published formulation.
     const std::string law = settings.material.value_or(experiment.material.model);
     const material::MaterialPointer material = material::find_material(law);
     if (!material) return experiment::declaration_error(experiment, "material.model", "no material law '" + law + "'");

@@ -17,6 +17,7 @@ double range_of(const std::vector<double>& values) {
 /// Whether a signal has rows inside the trial, or changes over the trial by more than a small part of its range.
 bool meets(const fibre::Signal& signal, double end_s, const SignalSpanPolicy& policy) {
     const double range = range_of(signal.values);
+    // A constant signal cannot miss its trial.
     if (!(range > 0.0)) return true;
     for (const double t : signal.times_s)
         if (t > 0.0 && t < end_s) return true;

@@ -49,6 +49,7 @@ std::vector<EffectNumber> effect_numbers(const effect::EffectDeclaration& effect
     std::vector<EffectNumber> numbers;
     for (const effect::EffectParameterEntry& parameter : entry->parameters) {
         const auto found = effect.parameters.find(parameter.name);
+        // Optional parameters that are absent, and those without a scale, are not fitted.
         if (found == effect.parameters.end() || !(parameter.scale > 0.0)) continue;
         const std::string name = "effect." + effect.id + "." + parameter.name;
         const auto* const v = std::get_if<Eigen::VectorXd>(&found->second);
