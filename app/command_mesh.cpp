@@ -88,7 +88,7 @@ Result<void> check_surface_call(const MeshCall& call, const mesh::SurfaceMesh& s
     if (!call.resolution_m && !call.max_volume_m3) return Error{"state the edge length in metres", "--resolution"};
     const double edge = call.resolution_m.value_or(mesh::tet_edge_for_volume(call.max_volume_m3.value_or(1.0)));
     const double cells = mesh::estimate_counts(surface, *call.type, edge).cells;
-    if (cells > mesh::most_grid_cells)
+    if (cells > mesh::box_mesh_policy.most_grid_cells)
         return Error{"this would make about " + format_number(cells, 2) + " elements; the limit is 2 million",
                      call.resolution_m ? "--resolution" : "--max-volume"};
     return {};

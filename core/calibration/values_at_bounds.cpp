@@ -7,8 +7,11 @@
 namespace myo::calibration {
 namespace {
 
-/// Distance to a bound relative to the scale, as closely as the fit's internal variables reach bounds.
-constexpr double nearly = 1e-6;
+struct ValuesAtBoundsPolicy {
+    /// Distance to a bound relative to the scale, as closely as the fit's internal variables reach bounds.
+    double nearly = 1e-6;
+};
+constexpr ValuesAtBoundsPolicy values_at_bounds_policy;
 
 bool has_no_influence(const Calibration& calibration, std::size_t parameter) {
     const std::vector<inverse::Undetermined>& all = calibration.fit.undetermined;
@@ -23,7 +26,8 @@ std::vector<ValueAtBound> values_at_bounds(const Calibration& calibration) {
     std::vector<ValueAtBound> found;
     for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
         const inverse::Parameter& p = calibration.parameters[i].parameter;
-        const double value = calibration.fit.values(static_cast<Eigen::Index>(i)), near = nearly * p.scale;
+        const double value = calibration.fit.values(static_cast<Eigen::Index>(i)),
+                     near = values_at_bounds_policy.nearly * p.scale;
         if (has_no_influence(calibration, i)) continue;
         if (value >= p.upper - near)
             found.push_back({i, value, p.upper, true});

@@ -12,8 +12,11 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-/// Number of states that are checked: an inverted cell remains inverted for more than a hundredth of a run.
-constexpr std::size_t most_states = 100;
+struct InsideOutPolicy {
+    /// Number of states that are checked: an inverted cell remains inverted for more than a hundredth of a run.
+    std::size_t most_states = 100;
+};
+constexpr InsideOutPolicy inside_out_policy;
 
 template <class Shape>
 /// Whether det(dx/dxi) <= 0 at one of the given reference points of a cell.
@@ -47,7 +50,7 @@ std::vector<Finding> check_inside_out(const CheckedJob& job) {
     for (std::size_t t = 0; t < job.setup.trials.size(); ++t) {
         const dynamics::Trace& trace = job.run->predictions[t].trace;
         if (trace.positions.empty()) continue;
-        const std::size_t last = trace.positions.size() - 1, stride = last / most_states + 1;
+        const std::size_t last = trace.positions.size() - 1, stride = last / inside_out_policy.most_states + 1;
         int most = 0;
         double since_s = 0.0;
         for (std::size_t i = 0; i <= last; i += stride) {

@@ -9,11 +9,15 @@
 namespace myo::check {
 namespace {
 
-/// Residual rms over expected rms. A complete model leaves 1, apart from numerical errors; the noise itself is known to
-/// some tens of percent.
-constexpr double doubtful_ratio = 1.5, wrong_ratio = 10.0;
-/// Numerical errors that raise the expected residual by less than this factor are not mentioned.
-constexpr double least_told_rise = 1.1;
+struct ResidualPolicy {
+    /// Residual rms over expected rms. A complete model leaves 1, apart from numerical errors; the noise itself is
+    /// known to some tens of percent.
+    double doubtful_ratio = 1.5;
+    double wrong_ratio = 10.0;
+    /// Numerical errors that raise the expected residual by less than this factor are not mentioned.
+    double least_told_rise = 1.1;
+};
+constexpr ResidualPolicy residual_policy;
 
 /// Earlier violated or doubtful findings that can cause a residual, worst first.
 std::vector<Finding> suspects(const std::vector<Finding>& earlier) {
@@ -39,9 +43,9 @@ std::string suspect_names(const std::vector<Finding>& earlier) {
 Finding judged_residual(const std::string& sentence, double ratio, double expected) {
     Finding finding = fine_finding("", sentence);
     finding.figure = ratio;
-    finding.threshold = doubtful_ratio * expected;
+    finding.threshold = residual_policy.doubtful_ratio * expected;
     if (ratio > finding.threshold)
-        finding.level = ratio > wrong_ratio * expected ? CheckLevel::wrong : CheckLevel::doubtful;
+        finding.level = ratio > residual_policy.wrong_ratio * expected ? CheckLevel::wrong : CheckLevel::doubtful;
     return finding;
 }
 
@@ -80,7 +84,8 @@ std::vector<Finding> of_fit(const CheckedJob& job) {
     // Noise and numerical errors are independent, so the expected residual is the root of the sum of squares.
     const double numerical = job.calibration->numerical.motion_noise_levels, expected = std::hypot(1.0, numerical);
     std::string sentence = "what the model leaves of the fit trials, " + beside_noise(job.run->fit_rms_m, ratio);
-    if (expected > least_told_rise) sentence += ", of which mesh and step make about " + format_number(numerical, 2);
+    if (expected > residual_policy.least_told_rise)
+        sentence += ", of which mesh and step make about " + format_number(numerical, 2);
     Finding finding = judged_residual(sentence, ratio, expected);
     if (finding.level == CheckLevel::fine) return {finding};
     const std::string names = suspect_names(*job.earlier);

@@ -11,9 +11,13 @@
 namespace myo::check {
 namespace {
 
-/// Relative frequency errors: the target of choose_steps() with a margin for values that a fit has moved
-/// (ShorterStepsPolicy), and an error that changes a fitted modulus by 2 %.
-constexpr double doubtful_error = 1.5 * prediction::step_policy.most_frequency_error, wrong_error = 1e-2;
+struct StepPolicy {
+    /// Relative frequency errors: the target of choose_steps() with a margin for values that a fit has moved
+    /// (ShorterStepsPolicy), and an error that changes a fitted modulus by 2 %.
+    double doubtful_error = 1.5 * prediction::step_policy.most_frequency_error;
+    double wrong_error = 1e-2;
+};
+constexpr StepPolicy step_policy;
 
 std::string step_words(const setup::PreparedTrial& trial) {
     return "trial " + trial.name + ": steps of " + format_number(1e3 * trial.options.h_s, 3) + " ms";
@@ -25,7 +29,7 @@ Finding of_vibration(const setup::PreparedTrial& trial, double frequency_Hz, dou
                                                    format_number(frequency_Hz, 3) + " Hz " +
                                                    format_number(100.0 * error, 2) + " % too slow");
     finding.figure = error;
-    finding.threshold = doubtful_error;
+    finding.threshold = step_policy.doubtful_error;
     finding.level = step_level(error);
     if (finding.level == CheckLevel::fine) return finding;
     finding.sentence += ", so that a modulus fitted on it is " + format_number(200.0 * error, 2) + " % too high";
@@ -75,8 +79,8 @@ Finding of_choice(const setup::PreparedTrial& trial, const setup::TrialStep& ste
 }  // namespace
 
 CheckLevel step_level(double frequency_error) {
-    if (frequency_error <= doubtful_error) return CheckLevel::fine;
-    return frequency_error > wrong_error ? CheckLevel::wrong : CheckLevel::doubtful;
+    if (frequency_error <= step_policy.doubtful_error) return CheckLevel::fine;
+    return frequency_error > step_policy.wrong_error ? CheckLevel::wrong : CheckLevel::doubtful;
 }
 
 std::vector<Finding> check_step(const CheckedJob& job) {

@@ -24,8 +24,11 @@ std::string where_it_failed(double t, double h, const std::string& reason) {
            smaller_step_advice;
 }
 
-/// A failing step is halved down to this fraction of its length.
-constexpr double most_parts = 4.0;
+struct SimulatePolicy {
+    /// A failing step is halved down to this fraction of its length.
+    double most_parts = 4.0;
+};
+constexpr SimulatePolicy simulate_policy;
 
 /// Whether the energy gained in a step exceeds what loads, muscles and velocity force supply by more than 2 % of the
 /// energy that is in motion. Only checked if these are constant over the step. Softening dissipates between steps;
@@ -69,7 +72,7 @@ public:
         while (point_.step < std::min(ends.size(), part_.until_step)) {
             const double end = ends[point_.step];
             std::vector<double> goals{end};  // stack of targets, the next one last; halving a step pushes its midpoint
-            for (const double least = (end - point_.time_s) / most_parts; !goals.empty();) {
+            for (const double least = (end - point_.time_s) / simulate_policy.most_parts; !goals.empty();) {
                 if (progress.cancelled())
                     return ended(RunStatus::cancelled, "stopped at t = " + std::to_string(point_.time_s) + " s");
                 if (trace_.newton_iterations > options_.most_iterations)

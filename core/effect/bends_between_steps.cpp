@@ -31,8 +31,11 @@ private:
     std::vector<double> at_knots_;
 };
 
-/// The means and their second difference extend this many steps to each side.
-constexpr double reach = 1.5;
+struct BendsBetweenStepsPolicy {
+    /// The means and their second difference extend this many steps to each side.
+    double reach = 1.5;
+};
+constexpr BendsBetweenStepsPolicy bends_between_steps_policy;
 
 /// Jump of a signal by `change`.
 struct Jump {
@@ -78,7 +81,7 @@ bool is_constant(const fibre::Signal& signal) {
 
 fibre::Signal with_bends_between_steps(const fibre::Signal& signal, double h_s, double end_s) {
     fibre::Signal rest = signal;
-    const std::vector<Jump> kept = take_jumps(rest, reach * h_s);
+    const std::vector<Jump> kept = take_jumps(rest, bends_between_steps_policy.reach * h_s);
     if (is_constant(rest)) return signal;
     const Integral integral(rest);
     const auto mean = [&](double t) { return (integral.to(t + 0.5 * h_s) - integral.to(t - 0.5 * h_s)) / h_s; };

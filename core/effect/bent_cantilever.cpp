@@ -12,9 +12,6 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector4d;  // rotation, curvature, along, across
 
-/// Intervals along the beam: error of 1e-8 of the length at the largest deflection.
-constexpr int parts = 128;
-
 /// Right-hand side of the differential equation along the arc length.
 Vector4d slope(const Vector4d& y, double load, double shear) {
     const double c = std::cos(y(0)), s = std::sin(y(0)), g = load * shear * c;
@@ -31,7 +28,8 @@ Vector4d after(const Vector4d& y, double h, double load, double shear) {
 /// State at the free end for given curvature at the clamp and load.
 Vector4d end_of(const Vector2d& curvature_and_load, double shear) {
     Vector4d y(0.0, curvature_and_load(0), 0.0, 0.0);
-    for (int k = 0; k < parts; ++k) y = after(y, 1.0 / parts, curvature_and_load(1), shear);
+    for (int k = 0; k < bent_cantilever_policy.parts; ++k)
+        y = after(y, 1.0 / bent_cantilever_policy.parts, curvature_and_load(1), shear);
     return y;
 }
 
@@ -62,16 +60,16 @@ BeamSection section(const Vector4d& y) { return {y(0), y(1), y(2), y(3)}; }
 }  // namespace
 
 BeamSection BentCantilever::at(double s) const {
-    assert(s >= 0.0 && sections.size() == parts + 1);
-    const int before = std::clamp(static_cast<int>(s * parts), 0, parts);
+    assert(s >= 0.0 && sections.size() == bent_cantilever_policy.parts + 1);
+    const int before = std::clamp(static_cast<int>(s * bent_cantilever_policy.parts), 0, bent_cantilever_policy.parts);
     const BeamSection& from = sections[static_cast<std::size_t>(before)];
     return section(after({from.turn_rad, from.curvature, from.along, from.across},
-                         s - static_cast<double>(before) / parts, load, shear));
+                         s - static_cast<double>(before) / bent_cantilever_policy.parts, load, shear));
 }
 
 BentCantilever bent_cantilever(double deflection, double shear) {
     assert(deflection >= 0.0 && shear >= 0.0);
-    const double wanted = std::min(deflection, most_deflection);
+    const double wanted = std::min(deflection, bent_cantilever_policy.most_deflection);
     // Small deflections: bending contributes load / 3, shear contributes load times shear. Larger deflections are
     // reached by continuation.
     Vector2d at = Vector2d::Constant(std::min(wanted, 0.1) / (1.0 / 3.0 + shear));
@@ -81,9 +79,9 @@ BentCantilever bent_cantilever(double deflection, double shear) {
     }
     BentCantilever result{at(1), shear, {}};
     Vector4d y(0.0, at(0), 0.0, 0.0);
-    for (int k = 0; k <= parts; ++k) {
+    for (int k = 0; k <= bent_cantilever_policy.parts; ++k) {
         result.sections.push_back(section(y));
-        y = after(y, 1.0 / parts, at(1), shear);
+        y = after(y, 1.0 / bent_cantilever_policy.parts, at(1), shear);
     }
     return result;
 }

@@ -26,7 +26,11 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
                                                                anchor, number(parameters, "stiffness_N_m")));
 }
 
-constexpr double probed_stiffness_N_m = 0.2, least_share = 0.1;
+struct CableTugPolicy {
+    double probed_stiffness_N_m = 0.2;
+    double least_share = 0.1;
+};
+constexpr CableTugPolicy cable_tug_policy;
 
 /// To first order a spring of direction d acts by its tensor k d d'. The tensors of these six directions span all
 /// symmetric tensors.
@@ -54,7 +58,8 @@ EffectParameters joined(const std::vector<EffectParameters>& columns, const Eige
     const double length = span_of(result).norm();
     result["anchor_m"] = Eigen::VectorXd(vector(result, "position_m") +
                                          (along.dot(outwards) < 0.0 ? -length : length) * along);
-    result["stiffness_N_m"] = probed_stiffness_N_m * std::max(eigen.eigenvalues()(2), least_share);
+    result["stiffness_N_m"] = cable_tug_policy.probed_stiffness_N_m *
+                              std::max(eigen.eigenvalues()(2), cable_tug_policy.least_share);
     return result;
 }
 
@@ -68,7 +73,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
         const SurfacePlace place = surface_place(*site.body, point);
         for (const Vector3d& d : directions()) {
             const Vector3d anchor = place.point + (d.dot(place.normal) < 0.0 ? -1.0 : 1.0) * body_length(site) * d;
-            probe.columns.push_back({{"stiffness_N_m", probed_stiffness_N_m},
+            probe.columns.push_back({{"stiffness_N_m", cable_tug_policy.probed_stiffness_N_m},
                                      {"position_m", Eigen::VectorXd(place.point)},
                                      {"anchor_m", Eigen::VectorXd(anchor)}});
         }

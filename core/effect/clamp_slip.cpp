@@ -12,13 +12,20 @@ namespace {
 
 constexpr const char* length = "free_length_m";
 
-/// The cells absorb the free length over at most this fraction of the body length.
-constexpr double farthest = 0.5;
+struct ClampSlipPolicy {
+    /// The cells absorb the free length over at most this fraction of the body length.
+    double farthest = 0.5;
+    /// The shift is distributed over at least this fraction of the clamp depth, more for a long slip; and this fraction
+    /// of the depth always remains clamped.
+    double least_taken_up = 0.5;
+    double left_of_depth = 0.05;
+};
+constexpr ClampSlipPolicy clamp_slip_policy;
 
 /// Distance from the clamp to the first node that carries a marker or a muscle [m].
 double first_load(const EffectSite& site, const model::Model& model, const ClampAxis& clamp) {
     const mesh::VolumeMesh& mesh = model.body->mesh;
-    double first = farthest * clamp.length_m;
+    double first = clamp_slip_policy.farthest * clamp.length_m;
     const auto at = [&](int node) { first = std::min(first, clamp.ahead(mesh.nodes.col(node))); };
     for (const measurement::MarkerBinding& marker : site.markers)
         std::for_each(marker.nodes.begin(), marker.nodes.end(), at);
@@ -27,10 +34,6 @@ double first_load(const EffectSite& site, const model::Model& model, const Clamp
             for (const int node : mesh.cells.col(point.cell)) at(node);
     return first;
 }
-
-/// The shift is distributed over at least this fraction of the clamp depth, more for a long slip; and this fraction of
-/// the depth always remains clamped.
-constexpr double least_taken_up = 0.5, left_of_depth = 0.05;
 
 /// Keeps mid-edge nodes at the middle of their edges: if such a node stayed behind while the end of its edge moved by
 /// half the length, the cell would become singular.
@@ -51,8 +54,8 @@ void straighten(const mesh::VolumeMesh& mesh, Eigen::Matrix3Xd& shift) {
 Eigen::Matrix3Xd set_back(const EffectSite& site, const model::Model& model, const ClampAxis& clamp, double free_m) {
     const Eigen::Matrix3Xd& X = model.body->mesh.nodes;
     const double reach = first_load(site, model, clamp),
-                 taken_up_m = std::clamp(free_m / (1.0 - 2.0 * left_of_depth), least_taken_up * clamp.held_m,
-                                         clamp.held_m);
+                 taken_up_m = std::clamp(free_m / (1.0 - 2.0 * clamp_slip_policy.left_of_depth),
+                                         clamp_slip_policy.least_taken_up * clamp.held_m, clamp.held_m);
     Eigen::Matrix3Xd shift = Eigen::Matrix3Xd::Zero(3, X.cols());
     for (Eigen::Index i = 0; i < X.cols(); ++i) {
         const double ahead = clamp.ahead(X.col(i));
@@ -70,7 +73,7 @@ Eigen::Matrix3Xd set_back(const EffectSite& site, const model::Model& model, con
 
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
     const ClampAxis clamp = clamp_axis(site);
-    const double free_m = std::min(number(parameters, length), (1.0 - left_of_depth) * clamp.held_m);
+    const double free_m = std::min(number(parameters, length), (1.0 - clamp_slip_policy.left_of_depth) * clamp.held_m);
     if (!(free_m > 0.0)) return;
     model::Model& model = affected.model;
     const mesh::VolumeMesh declared = model.body->mesh;

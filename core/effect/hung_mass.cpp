@@ -7,7 +7,10 @@ namespace myo::effect {
 namespace {
 
 constexpr const char* ratio = "inertia_ratio";
-constexpr double standard_gravity_m_s2 = 9.80665;
+struct HungMassConstants {
+    double standard_gravity_m_s2 = 9.80665;
+};
+constexpr HungMassConstants hung_mass_constants;
 
 /// Whether the force acts during the run. A weight released at t = 0 contributes no inertia.
 bool hangs(const model::DeadForce& force, double end_s) {
@@ -19,7 +22,7 @@ bool hangs(const model::DeadForce& force, double end_s) {
 void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
     // Without gravity in the model the weight is converted with standard gravity.
     const double g = affected.model.gravity_m_s2.norm() > 0.0 ? affected.model.gravity_m_s2.norm()
-                                                              : standard_gravity_m_s2;
+                                                              : hung_mass_constants.standard_gravity_m_s2;
     for (const model::DeadForce& force : affected.model.forces) {
         if (!hangs(force, affected.options.end_s)) continue;
         // Ratio 1 is the mass whose weight is the declared force.

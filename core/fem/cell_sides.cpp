@@ -9,6 +9,11 @@
 namespace myo::fem {
 namespace {
 
+struct CellSidesPolicy {
+    double most = -0.5;  // cosine: opposite sides of a wall, not the faces at an edge of a box
+};
+constexpr CellSidesPolicy cell_sides_policy;
+
 /// A side counts as held if all its nodes are clamped, otherwise as open if no cell is behind it.
 CellSurroundings around_hexahedra(const mesh::VolumeMesh& mesh, const std::vector<bool>& clamped) {
     const mesh::FaceTable faces = mesh::face_table(mesh);
@@ -38,10 +43,9 @@ CellSurroundings around_hexahedra(const mesh::VolumeMesh& mesh, const std::vecto
 using Normals = std::vector<Eigen::Vector3d>;
 
 bool opposite(const Normals& normals) {
-    constexpr double most = -0.5;  // cosine: opposite sides of a wall, not the faces at an edge of a box
     for (std::size_t i = 0; i < normals.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-            if (normals[i].dot(normals[j]) < most) return true;
+            if (normals[i].dot(normals[j]) < cell_sides_policy.most) return true;
     return false;
 }
 

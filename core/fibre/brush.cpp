@@ -15,9 +15,12 @@ using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Cells whose centre is up to this many edges above the surface still count as surface cells: a voxel surface differs
-/// from the body's.
-constexpr double above_surface = 0.5;
+struct BrushPolicy {
+    /// Cells whose centre is up to this many edges above the surface still count as surface cells: a voxel surface
+    /// differs from the body's.
+    double above_surface = 0.5;
+};
+constexpr BrushPolicy brush_policy;
 
 /// Reflection of a vector.
 Vector3d mirrored(const Vector3d& v, const Vector3d& normal) { return v - 2.0 * v.dot(normal) * normal; }
@@ -73,7 +76,7 @@ void Stroke::press(const Point& from, const Point& to) {
     // Fibres lie in the tangent plane: the normal part of the path is removed.
     const Vector3d along = way - way.dot(outward) * outward;
     const Vector3d tangent = along.norm() > 1e-9 * length ? along.normalized() : Vector3d::Zero();
-    const double above = above_surface * places_.edge_m;
+    const double above = brush_policy.above_surface * places_.edge_m;
     const double reach = brush_.radius_m + std::max(above, std::isfinite(brush_.depth_m) ? brush_.depth_m : 0.0) +
                          length;
     // Closest point on the segment, clamped to its ends; then height and radius relative to the mean surface normal.

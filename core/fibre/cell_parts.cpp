@@ -17,8 +17,11 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// Depth at which samples are merged: a quarter of an edge.
-constexpr int block_depth = 2;
+struct CellPartsPolicy {
+    /// Depth at which samples are merged: a quarter of an edge.
+    int block_depth = 2;
+};
+constexpr CellPartsPolicy cell_parts_policy;
 
 /// Calls visit with the shape functions of a cell type.
 template <class Visit>
@@ -65,7 +68,9 @@ CellPart whole_cell(mesh::CellType type) {
 std::vector<CellPart> cut_in_eight(const CellPart& part) {
     std::vector<CellPart> children;
     const auto add = [&](const auto& corners) {
-        const int block = part.depth < block_depth ? 8 * part.block + static_cast<int>(children.size()) : part.block;
+        const int block = part.depth < cell_parts_policy.block_depth
+                              ? 8 * part.block + static_cast<int>(children.size())
+                              : part.block;
         children.push_back({corners, part.depth + 1, block});
     };
     // Eight bricks, or four corner tetrahedra, scaled by 1/2 towards each corner.

@@ -69,8 +69,11 @@ void add_cut_cell(const mesh::VolumeMesh& mesh, int cell, const Box& box, const 
     for (int k = 0; k < 4; ++k) add(points.col(k), 0.25 * part.volume_m3);
 }
 
-/// Above this fraction a cell counts as whole and uses its own quadrature points.
-constexpr double uncut = 1.0 - 1e-6;
+struct FibreGroupPolicy {
+    /// Above this fraction a cell counts as whole and uses its own quadrature points.
+    double uncut = 1.0 - 1e-6;
+};
+constexpr FibreGroupPolicy fibre_group_policy;
 
 }  // namespace
 
@@ -89,7 +92,7 @@ FibreGroup fibres_in_box(const mesh::VolumeMesh& mesh, const Box& box, const Eig
         Box cell_box;
         if (mesh.type == mesh::CellType::hex8 && axis_aligned(mesh, c, cell_box))
             add_box_cell(mesh, c, cell_box, box, direction, group);
-        else if (fraction(c) < uncut)
+        else if (fraction(c) < fibre_group_policy.uncut)
             add_cut_cell(mesh, c, box, direction, group);
         else
             add_whole_cell(

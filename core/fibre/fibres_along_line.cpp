@@ -14,12 +14,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Edge of the smallest parts over the radius. A round wall resolved by parts of edge w encloses 1 + (w/r)^2 / 12 of
-/// its volume.
-constexpr double finest_part = 1.0 / 6.0;
-/// Maximum number of subdivisions: 2^9 parts along each axis. A tube thinner than a hundredth of a cell is not resolved
-/// further.
-constexpr int most_cuts = 9;
+struct FibresAlongLinePolicy {
+    /// Edge of the smallest parts over the radius. A round wall resolved by parts of edge w encloses 1 + (w/r)^2 / 12
+    /// of its volume.
+    double finest_part = 1.0 / 6.0;
+    /// Maximum number of subdivisions: 2^9 parts along each axis. A tube thinner than a hundredth of a cell is not
+    /// resolved further.
+    int most_cuts = 9;
+};
+constexpr FibresAlongLinePolicy fibres_along_line_policy;
 
 /// Share of a part behind a flat wall, from the depth of its centre and its width across the wall. Exact for a brick
 /// parallel to the wall.
@@ -44,8 +47,9 @@ public:
             return;
         }
         // At least two levels, the resolution of a block; then until the part is small compared with the radius.
-        const bool fine = part.depth >= 2 && (inside || std::cbrt(place.volume_m3) <= finest_part * radius_);
-        if (!fine && part.depth < most_cuts) {
+        const bool fine = part.depth >= 2 &&
+                          (inside || std::cbrt(place.volume_m3) <= fibres_along_line_policy.finest_part * radius_);
+        if (!fine && part.depth < fibres_along_line_policy.most_cuts) {
             for (const CellPart& child : cut_in_eight(part)) collect(child);
             return;
         }

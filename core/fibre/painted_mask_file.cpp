@@ -14,20 +14,23 @@ namespace {
 
 constexpr std::string_view header = "x_m,y_m,z_m,weight,fibre_x,fibre_y,fibre_z";
 constexpr std::string_view size_words = "# cell_size_m,";
-constexpr std::size_t columns = 7;
+struct PaintedMaskFileFormat {
+    std::size_t columns = 7;
+};
+constexpr PaintedMaskFileFormat painted_mask_file_format;
 
-using Row = std::array<double, columns>;
+using Row = std::array<double, painted_mask_file_format.columns>;
 
 /// Parses and validates one row; the direction is normalised exactly.
 Result<Row> read_row(std::string_view line, const std::string& where) {
     Row row{};
     std::size_t count = 1;
     for (const char c : line) count += c == ',' ? 1u : 0u;
-    if (count != columns)
-        return Error{"has " + std::to_string(count) + " fields, expected " + std::to_string(columns) + " (" +
-                         std::string(header) + ")",
+    if (count != painted_mask_file_format.columns)
+        return Error{"has " + std::to_string(count) + " fields, expected " +
+                         std::to_string(painted_mask_file_format.columns) + " (" + std::string(header) + ")",
                      where};
-    for (std::size_t i = 0; i < columns; ++i) {
+    for (std::size_t i = 0; i < painted_mask_file_format.columns; ++i) {
         const std::size_t comma = std::min(line.find(','), line.size());
         if (!parse_number(line.substr(0, comma), row[i]) || !std::isfinite(row[i]))
             return Error{"field " + std::to_string(i + 1) + " is '" + std::string(line.substr(0, comma)) +
@@ -40,7 +43,7 @@ Result<Row> read_row(std::string_view line, const std::string& where) {
     const double length = std::hypot(row[4], row[5], row[6]);
     if (row[3] > 0.0 && !(std::abs(length - 1.0) <= 0.01))
         return Error{"the fibre must be a unit vector, not one of length " + format_number(length, 4), where};
-    for (std::size_t i = 4; i < columns; ++i) row[i] = row[3] > 0.0 ? row[i] / length : 0.0;
+    for (std::size_t i = 4; i < painted_mask_file_format.columns; ++i) row[i] = row[3] > 0.0 ? row[i] / length : 0.0;
     return row;
 }
 
@@ -65,7 +68,8 @@ Result<void> write_painted_mask(const std::filesystem::path& path, const Painted
     for (Eigen::Index i = 0; i < mask.count(); ++i) {
         const Eigen::Vector3d x = mask.centroids_m.col(i), m = mask.directions.col(i);
         const Row row{x(0), x(1), x(2), mask.weights(i), m(0), m(1), m(2)};
-        for (std::size_t k = 0; k < columns; ++k) text += (k > 0 ? "," : "") + format_number(row[k], 17);
+        for (std::size_t k = 0; k < painted_mask_file_format.columns; ++k)
+            text += (k > 0 ? "," : "") + format_number(row[k], 17);
         text += '\n';
     }
     return write_file(path, text);

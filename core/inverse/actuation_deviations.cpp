@@ -19,12 +19,6 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Relative eigenvalue below which a direction is not determined at all.
-constexpr double not_seen = 1e-12;
-
-/// Values with less information from the target are interpolated by the smoothness rather than measured.
-constexpr double measured_share = 0.5;
-
 /// Tangents of the model with respect to each value (signal index fastest). The activations are affine in the values,
 /// so that differences from zero values are exact.
 std::vector<sensitivity::ModelTangent> value_tangents(const SoughtSignals& sought, const MatrixXd& values) {
@@ -100,7 +94,7 @@ struct Weighing {
 Weighing weigh(const MatrixXd& precision) {
     const Index n = precision.rows();
     const SymmetricEigen eigen = symmetric_eigen(precision);
-    const double least = not_seen * eigen.values(n - 1);
+    const double least = actuation_deviations_policy.not_seen * eigen.values(n - 1);
     Weighing weighed{MatrixXd::Zero(n, n), {}};
     VectorXd share = VectorXd::Zero(n);
     for (Index i = 0; i < n; ++i) {
@@ -127,7 +121,7 @@ std::vector<std::string> undetermined_words(const SoughtSignals& sought, const W
         for (Index k = 0; k < knots; ++k) {
             if (weighed.open(k * signals + s))
                 ++unknown;
-            else if (found.from_target(s, k) < measured_share)
+            else if (found.from_target(s, k) < actuation_deviations_policy.measured_share)
                 ++smooth;
         }
         const Index wide = (found.deviations.row(s).array() > 0.5 * (signal.upper - signal.lower)).count();
@@ -172,7 +166,8 @@ VectorXd own_rates(const SoughtSignals& sought, const MatrixXd& values, const Ve
         double seen = 1.0;
         for (Index i = 0; i < D.cols(); ++i)
             if (D(r, i) != 0.0) seen = std::min(seen, from_target(i));
-        if (seen >= measured_share) largest(r % signals) = std::max(largest(r % signals), std::abs(rates(r)));
+        if (seen >= actuation_deviations_policy.measured_share)
+            largest(r % signals) = std::max(largest(r % signals), std::abs(rates(r)));
     }
     return largest;
 }
@@ -209,7 +204,7 @@ void set_deviations(const ActuationProblem& problem, const NormalEquations& equa
     const VectorXd hidden = (w * inverse * D.transpose()).cwiseAbs() * rates.replicate(D.rows() / rows, 1);
     VectorXd deviation = (by_noise.cwiseAbs2() + hidden.cwiseAbs2()).cwiseSqrt();
     for (Index i = 0; i < n; ++i)
-        if (weighed.open(i) || !(deviation(i) > 0.0) || from_target(i) < measured_share)
+        if (weighed.open(i) || !(deviation(i) > 0.0) || from_target(i) < actuation_deviations_policy.measured_share)
             deviation(i) = std::numeric_limits<double>::quiet_NaN();
     found.deviations = deviation.reshaped(rows, columns);
     found.from_target = from_target.reshaped(rows, columns);
@@ -224,9 +219,9 @@ ActuationDeviations actuation_deviations(const ActuationProblem& problem, const 
     assert(values.size() > 0 && noise_m >= 0.0);
     const Stopwatch watch;
     ActuationDeviations result;
-    if (values.size() > most_deviations) {
+    if (values.size() > actuation_deviations_policy.most_deviations) {
         result.reason = "not looked for: " + std::to_string(values.size()) + " values are more than " +
-                        std::to_string(most_deviations);
+                        std::to_string(actuation_deviations_policy.most_deviations);
         return result;
     }
     model::Model model = problem.model;

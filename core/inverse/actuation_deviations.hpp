@@ -26,8 +26,15 @@ struct ActuationDeviations {
     std::vector<std::string> warnings;  // values and signals that the markers do not separate
 };
 
-/// Largest number of values for which deviations are computed. A tangent costs about an eighth of a run.
-inline constexpr Eigen::Index most_deviations = 200;
+struct ActuationDeviationsPolicy {
+    /// Largest number of values for which deviations are computed. A tangent costs about an eighth of a run.
+    Eigen::Index most_deviations = 200;
+    /// Relative eigenvalue below which a direction is not determined at all.
+    double not_seen = 1e-12;
+    /// Values with less information from the target are interpolated by the smoothness rather than measured.
+    double measured_share = 0.5;
+};
+inline constexpr ActuationDeviationsPolicy actuation_deviations_policy;
 
 /// Standard deviations at the end of a fit, from the Gauss-Newton Hessian of the loss.
 ///

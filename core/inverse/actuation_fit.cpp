@@ -17,8 +17,11 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-/// Unit of the optimiser's variables: a tenth of a signal's unit keeps its first update moderate.
-constexpr double value_unit = 0.1;
+struct ActuationFitPolicy {
+    /// Unit of the optimiser's variables: a tenth of a signal's unit keeps its first update moderate.
+    double value_unit = 0.1;
+};
+constexpr ActuationFitPolicy actuation_fit_policy;
 
 /// Objective function of the optimiser: loss relative to the start, values in their unit. Logs every evaluation.
 class Search {
@@ -44,7 +47,8 @@ public:
         }
         const double scale = fit_.first.loss_m2 > 0.0 ? fit_.first.loss_m2 : 1.0;
         if (gradient != nullptr)
-            Eigen::Map<MatrixXd>(gradient, values.rows(), values.cols()) = (value_unit / scale) * slope;
+            Eigen::Map<MatrixXd>(gradient, values.rows(), values.cols()) = (actuation_fit_policy.value_unit / scale) *
+                                                                           slope;
         return value / scale;
     }
 
@@ -139,16 +143,17 @@ struct Objective {
 /// Callback of NLopt.
 double objective(unsigned, const double* x, double* gradient, void* data) {
     const Objective& o = *static_cast<Objective*>(data);
-    return o.search.at(
-        o.bounds.inside(value_unit * Eigen::Map<const MatrixXd>(x, o.bounds.lower.rows(), o.bounds.lower.cols())),
-        gradient);
+    return o.search.at(o.bounds.inside(actuation_fit_policy.value_unit *
+                                       Eigen::Map<const MatrixXd>(x, o.bounds.lower.rows(), o.bounds.lower.cols())),
+                       gradient);
 }
 
 using Optimiser = std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)>;
 
 Optimiser bounded_optimiser(const Bounds& bounds, const ActuationFitOptions& options) {
     Optimiser optimiser(nlopt_create(NLOPT_LD_LBFGS, static_cast<unsigned>(bounds.lower.size())), nlopt_destroy);
-    const MatrixXd lower = bounds.lower / value_unit, upper = bounds.upper / value_unit;
+    const MatrixXd lower = bounds.lower / actuation_fit_policy.value_unit,
+                   upper = bounds.upper / actuation_fit_policy.value_unit;
     nlopt_set_lower_bounds(optimiser.get(), lower.data());
     nlopt_set_upper_bounds(optimiser.get(), upper.data());
     nlopt_set_ftol_rel(optimiser.get(), options.relative_decrease);
@@ -222,7 +227,7 @@ ActuationFit fit_actuation(const ActuationProblem& problem, const MatrixXd& star
         Objective data{search, bounds};
         search.stop_with(optimiser.get());
         nlopt_set_min_objective(optimiser.get(), objective, &data);
-        MatrixXd x = fit.start / value_unit;
+        MatrixXd x = fit.start / actuation_fit_policy.value_unit;
         double least = 0.0;
         set_ending(options, progress, nlopt_optimize(optimiser.get(), x.data(), &least), fit);
     } else {

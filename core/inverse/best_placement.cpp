@@ -12,9 +12,12 @@ using Eigen::VectorXd;
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;
 
-/// Small rotations converge quadratically: three iterations reach rounding.
-constexpr int most_steps = 8;
-constexpr double converged = 1e-12;  // norm of a change relative to the bounds
+struct BestPlacementPolicy {
+    /// Small rotations converge quadratically: three iterations reach rounding.
+    int most_steps = 8;
+    double converged = 1e-12;  // norm of a change relative to the bounds
+};
+constexpr BestPlacementPolicy best_placement_policy;
 
 /// Placement as (translation, rotation).
 Vector6d as_vector(const MarkerPlacement& placement) {
@@ -44,7 +47,7 @@ MarkerPlacement best_placement(const MarkerTarget& target, const sensitivity::No
     const VectorXd times = target.times_s.array() - target.placement.start_shift_s;
     const std::vector<Eigen::Matrix3Xd> markers = measurement::observe(motion, target.markers, times).positions;
     const Vector6d most = as_vector(bounds);
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < best_placement_policy.most_steps; ++step) {
         const std::vector<Eigen::Matrix3Xd> residuals = target_residuals(placed, motion);
         MatrixXd A(target.coordinates(), 6);
         VectorXd r(target.coordinates());
@@ -66,7 +69,7 @@ MarkerPlacement best_placement(const MarkerTarget& target, const sensitivity::No
         const Vector6d next = here + unit.cwiseProduct(change);
         placed.placement.translation_m = next.head<3>();
         placed.placement.rotation_rad = next.tail<3>();
-        if (change.norm() < converged) break;
+        if (change.norm() < best_placement_policy.converged) break;
     }
     return placed.placement;
 }

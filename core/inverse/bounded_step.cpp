@@ -10,9 +10,12 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Nearly parallel columns need many rounds; a round costs n^2 operations only.
-constexpr int most_rounds = 20000;
-constexpr double least_change = 1e-10;  // relative to the norm of the residual
+struct BoundedStepPolicy {
+    /// Nearly parallel columns need many rounds; a round costs n^2 operations only.
+    int most_rounds = 20000;
+    double least_change = 1e-10;  // relative to the norm of the residual
+};
+constexpr BoundedStepPolicy bounded_step_policy;
 
 }  // namespace
 
@@ -21,8 +24,8 @@ VectorXd bounded_step(const MatrixXd& A, const VectorXd& r, const VectorXd& lowe
     const MatrixXd H = A.transpose() * A;
     VectorXd slope = A.transpose() * r;
     VectorXd x = VectorXd::Zero(A.cols());
-    const double enough = least_change * r.norm();
-    for (int round = 0; round < most_rounds; ++round) {
+    const double enough = bounded_step_policy.least_change * r.norm();
+    for (int round = 0; round < bounded_step_policy.most_rounds; ++round) {
         double most = 0.0;
         for (Index i = 0; i < x.size(); ++i) {
             if (H(i, i) == 0.0) continue;

@@ -12,8 +12,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Largest change of ln(1 + value / scale) at once: a factor of e squared.
-constexpr double most_decades = 2.0;
+struct FitEvaluationsPolicy {
+    /// Largest change of ln(1 + value / scale) at once: a factor of e squared.
+    double most_decades = 2.0;
+};
+constexpr FitEvaluationsPolicy fit_evaluations_policy;
 
 /// Quality of an evaluation for the progress message.
 std::string quality_words(const ResidualEvaluation& evaluation) {
@@ -54,7 +57,8 @@ StepBounds internal_step_bounds(const std::vector<Parameter>& parameters, const 
     StepBounds bounds{VectorXd(internal.size()), VectorXd(internal.size())};
     for (Index i = 0; i < internal.size(); ++i) {
         const Parameter& p = parameters[static_cast<std::size_t>(i)];
-        const double most = p.over_decades ? most_decades : std::numeric_limits<double>::infinity();
+        const double most = p.over_decades ? fit_evaluations_policy.most_decades
+                                           : std::numeric_limits<double>::infinity();
         const auto room = [&](double bound) {
             return std::isfinite(bound) ? internal_value(p, bound) - internal(i) : bound;
         };

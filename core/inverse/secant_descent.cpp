@@ -13,9 +13,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Limits of the prediction error: a larger error of an update requests a new Jacobian; at the end, a larger error of
-/// the last requested (or given) Jacobian over the way from there requests one.
-constexpr double bad_secant = 0.5, trusted_end = 0.1;
+struct SecantDescentPolicy {
+    /// Limits of the prediction error: a larger error of an update requests a new Jacobian; at the end, a larger error
+    /// of the last requested (or given) Jacobian over the way from there requests one.
+    double bad_secant = 0.5;
+    double trusted_end = 0.1;
+};
+constexpr SecantDescentPolicy secant_descent_policy;
 
 /// Residuals with their Jacobian at a point, with respect to internal values.
 struct Linear {
@@ -90,7 +94,8 @@ private:
 
     /// Whether a given or requested Jacobian is valid at the present point, so that convergence can be accepted.
     bool knows_the_end() const {
-        return !may_ask() || is_exact() || (anchor_.u != here_.u && surprise(anchor_, here_.u, here_.r) < trusted_end);
+        return !may_ask() || is_exact() ||
+               (anchor_.u != here_.u && surprise(anchor_, here_.u, here_.r) < secant_descent_policy.trusted_end);
     }
 
     /// Step that minimises the linearised residual within bounds and radius, and the predicted squared residual `left`.
@@ -164,7 +169,7 @@ private:
                 continue;
             }
             const double now = there.residuals.squaredNorm(), gain = (squares - now) / (squares - left);
-            const bool bad = surprise(here_, u, there.residuals) > bad_secant;
+            const bool bad = surprise(here_, u, there.residuals) > secant_descent_policy.bad_secant;
             if (now < squares) {
                 if (gain < 0.25)
                     radius_ = 0.5 * length;

@@ -13,9 +13,12 @@
 namespace myo::measurement {
 namespace {
 
-constexpr std::size_t block_size = 512;
-// Ten kilometres: beyond any capture volume, but easily reached in a damaged file.
-constexpr double largest_coordinate_m = 1e4;
+struct C3dReaderFormat {
+    std::size_t block_size = 512;
+    /// Ten kilometres: beyond any capture volume, but easily reached in a damaged file.
+    double largest_coordinate_m = 1e4;
+};
+constexpr C3dReaderFormat c3d_reader_format;
 
 // Position and encoding of the samples in the file.
 struct Layout {
@@ -109,7 +112,7 @@ double Reader::analog_rate_ratio(double rate_Hz) const {
 
 // Whether the samples end within the last block of the file, as they do if the counts are right.
 bool Reader::fills_file(const Layout& layout) const {
-    return layout.end() <= words_.size() && words_.size() - layout.end() < block_size;
+    return layout.end() <= words_.size() && words_.size() - layout.end() < c3d_reader_format.block_size;
 }
 
 // Point and analog counts are stored in the parameters and in the header. The parameters take precedence; if the two
@@ -165,7 +168,7 @@ Result<Layout> Reader::layout(std::optional<double> unit_override) const {
     double start = parameters_.number("POINT:DATA_START").value_or(header_start);
     if (!(start >= 2.0)) start = header_start;
     if (!(start >= 2.0)) return failure("POINT:DATA_START is no block behind the header");
-    layout.data_offset = (static_cast<std::size_t>(std::min(start, 65535.0)) - 1) * block_size;
+    layout.data_offset = (static_cast<std::size_t>(std::min(start, 65535.0)) - 1) * c3d_reader_format.block_size;
 
     if (Result<void> counts = choose_counts(layout); !counts) return counts.error();
     if (layout.points == 0) return failure("holds no 3D points (POINT:USED is 0)");
@@ -222,7 +225,7 @@ Result<Recording> Reader::samples(const Layout& layout) const {
             // See read_c3d() for the occlusion rules.
             const bool occluded = !(fourth >= 0.0) || position.hasNaN() || (fourth == 0.0 && position.isZero(0.0));
             position *= layout.metres_per_unit;
-            if (!occluded && !(position.cwiseAbs().maxCoeff() <= largest_coordinate_m)) {
+            if (!occluded && !(position.cwiseAbs().maxCoeff() <= c3d_reader_format.largest_coordinate_m)) {
                 return failure("'" + recording.labels[i] + "' is more than 10 km away in frame " +
                                std::to_string(t + 1) + " (byte " + std::to_string(at) +
                                "); the file is damaged or its unit wrong");
@@ -249,7 +252,7 @@ Result<Recording> read_c3d(const std::filesystem::path& path, std::optional<doub
     const Result<std::string> content = read_file(path);
     if (!content) return content.error();
     const std::string_view bytes = *content;
-    if (bytes.size() < block_size) {
+    if (bytes.size() < c3d_reader_format.block_size) {
         return Error{"is no C3D file: " + std::to_string(bytes.size()) + " bytes are too few for its header of 512",
                      file};
     }
@@ -260,7 +263,7 @@ Result<Recording> read_c3d(const std::filesystem::path& path, std::optional<doub
     }
     const std::size_t parameters_block = byte_at(0);
     if (parameters_block < 2) return Error{"is damaged: byte 0 of the header points to no parameter section", file};
-    const std::size_t parameters_start = (parameters_block - 1) * block_size;
+    const std::size_t parameters_start = (parameters_block - 1) * c3d_reader_format.block_size;
     if (parameters_start + 4 > bytes.size()) {
         return Error{"is cut off: the parameter section should start at byte " + std::to_string(parameters_start) +
                          ", the file ends at byte " + std::to_string(bytes.size()),

@@ -14,8 +14,11 @@ using Eigen::Index;
 using Eigen::Vector3d;
 using Names = std::vector<std::size_t>;  // the label that each marker carries
 
-/// Largest ratio of the distance to the new label and to the own label for a move.
-constexpr double much_nearer = 0.25;
+struct ExchangesPolicy {
+    /// Largest ratio of the distance to the new label and to the own label for a move.
+    double much_nearer = 0.25;
+};
+constexpr ExchangesPolicy exchanges_policy;
 
 /// The last two visible samples of a marker.
 struct Past {
@@ -66,7 +69,7 @@ private:
         for (std::size_t l = 1; l < names_.size(); ++l)
             if (distance(marker, l, at) < distance(marker, label, at)) label = l;
         const double there = distance(marker, label, at);
-        if (label == names_[marker] || !(there < much_nearer * own)) return std::nullopt;
+        if (label == names_[marker] || !(there < exchanges_policy.much_nearer * own)) return std::nullopt;
         // Mutual: no other marker may be closer to that label.
         for (std::size_t other = 0; other < names_.size(); ++other)
             if (other != marker && distance(other, label, at) <= there) return std::nullopt;
@@ -79,7 +82,7 @@ private:
         if (!is_seen(tracks_[names_[i]], at) || !is_seen(tracks_[names_[j]], at)) return false;
         const Vector3d before = past_[j].last - past_[i].last,
                        now = tracks_[names_[j]].col(at) - tracks_[names_[i]].col(at);
-        return (now + before).norm() < much_nearer * (now - before).norm();
+        return (now + before).norm() < exchanges_policy.much_nearer * (now - before).norm();
     }
 
     /// Determines the moves at a sample and applies those that form closed cycles.

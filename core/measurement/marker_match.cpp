@@ -17,7 +17,10 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Triple = std::array<Index, 3>;
 
-constexpr std::size_t base_triples = 24;  // searched triples; at least one is visible unless most markers are hidden
+struct MarkerMatchPolicy {
+    std::size_t base_triples = 24;  // searched triples; at least one is visible unless most markers are hidden
+};
+constexpr MarkerMatchPolicy marker_match_policy;
 
 /// Columns of the visible points.
 std::vector<Index> usable(const Matrix3Xd& places) {
@@ -38,7 +41,7 @@ std::vector<Triple> wide_triples(const Matrix3Xd& rest_m, double tolerance_m) {
         for (Index j = i + 1; j < rest_m.cols(); ++j)
             for (Index k = j + 1; k < rest_m.cols(); ++k)
                 if (area(rest_m, {i, j, k}) > tolerance_m * tolerance_m) triples.push_back({i, j, k});
-    const auto count = std::min(triples.size(), base_triples);
+    const auto count = std::min(triples.size(), marker_match_policy.base_triples);
     std::partial_sort(triples.begin(), triples.begin() + static_cast<std::ptrdiff_t>(count), triples.end(),
                       [&](const Triple& a, const Triple& b) { return area(rest_m, a) > area(rest_m, b); });
     triples.resize(count);

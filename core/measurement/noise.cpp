@@ -11,17 +11,22 @@
 namespace myo::measurement {
 namespace {
 
-// Sixth differences pass 1e-4 of a 6 Hz vibration at 100 Hz, fifth ones 5 times as much. Higher orders would respond
-// only to noise near half the frame rate, where cameras have less of it.
-constexpr Eigen::Index order = 6;
-constexpr std::array<double, order + 1> binomials{1.0, -6.0, 15.0, -20.0, 15.0, -6.0, 1.0};
-constexpr double white_gain = 924.0;  // sum of the squared binomial coefficients
-// Windows in samples: short enough to find still intervals, long enough for a stable mean square.
-constexpr Eigen::Index longest_window = 21;
-constexpr Eigen::Index shortest_window = 6;
-// The iteration starts from this quantile of the windows and keeps windows up to the still quantile of chance.
-constexpr double start_quantile = 0.1;
-constexpr double still_quantile = 0.98;
+struct NoisePolicy {
+    /// Sixth differences pass 1e-4 of a 6 Hz vibration at 100 Hz, fifth ones 5 times as much. Higher orders would
+    /// respond only to noise near half the frame rate, where cameras have less of it.
+    Eigen::Index order = 6;
+    double white_gain = 924.0;  // sum of the squared binomial coefficients
+    /// Windows in samples: short enough to find still intervals, long enough for a stable mean square.
+    Eigen::Index longest_window = 21;
+    Eigen::Index shortest_window = 6;
+    /// The iteration starts from this quantile of the windows and keeps windows up to the still quantile of chance.
+    double start_quantile = 0.1;
+    double still_quantile = 0.98;
+    int least_changes = 20;
+    double exact = 1e-6;  // relative to a unit: decimal text is not exact in binary
+};
+constexpr NoisePolicy noise_policy;
+constexpr std::array<double, noise_policy.order + 1> binomials{1.0, -6.0, 15.0, -20.0, 15.0, -6.0, 1.0};
 
 // Quantile of chi^2 / degrees of freedom by the approximation of Wilson and Hilferty 1931 (cube of a normal variable).
 double mean_square_quantile(double probability, double freedom) {
@@ -38,14 +43,14 @@ double mean_square_quantile(double probability, double freedom) {
 // differences are correlated because they share samples.
 double degrees_of_freedom(Eigen::Index window) {
     double squares = 1.0;
-    for (Eigen::Index lag = 1; lag <= std::min<Eigen::Index>(order, window - 1); ++lag) {
+    for (Eigen::Index lag = 1; lag <= std::min<Eigen::Index>(noise_policy.order, window - 1); ++lag) {
         double covariance = 0.0;
-        for (Eigen::Index k = 0; k + lag <= order; ++k) {
+        for (Eigen::Index k = 0; k + lag <= noise_policy.order; ++k) {
             covariance += binomials[static_cast<std::size_t>(k)] * binomials[static_cast<std::size_t>(k + lag)];
         }
         // Variance of a mean of correlated terms: sum of squared correlations, weighted by the number of pairs at each
         // lag.
-        const double correlation = covariance / white_gain;
+        const double correlation = covariance / noise_policy.white_gain;
         squares += 2.0 * (1.0 - static_cast<double>(lag) / static_cast<double>(window)) * correlation * correlation;
     }
     return 3.0 * static_cast<double>(window) / squares;
@@ -56,7 +61,7 @@ std::vector<Eigen::Matrix3Xd> runs_of(const Eigen::Matrix3Xd& track, const std::
     std::vector<Eigen::Matrix3Xd> runs;
     std::vector<Eigen::Index> run;
     const auto close = [&] {
-        if (run.size() > static_cast<std::size_t>(order)) runs.emplace_back(track(Eigen::all, run));
+        if (run.size() > static_cast<std::size_t>(noise_policy.order)) runs.emplace_back(track(Eigen::all, run));
         run.clear();
     };
     for (Eigen::Index t = 0; t < track.cols(); ++t) {
@@ -71,11 +76,12 @@ std::vector<Eigen::Matrix3Xd> runs_of(const Eigen::Matrix3Xd& track, const std::
 
 // Squared norm of the differences per coordinate, scaled to unit gain for white noise.
 Eigen::VectorXd squared_differences(const Eigen::Matrix3Xd& run) {
-    Eigen::VectorXd squares(run.cols() - order);
+    Eigen::VectorXd squares(run.cols() - noise_policy.order);
     for (Eigen::Index t = 0; t < squares.size(); ++t) {
         Eigen::Vector3d difference = Eigen::Vector3d::Zero();
-        for (Eigen::Index k = 0; k <= order; ++k) difference += binomials[static_cast<std::size_t>(k)] * run.col(t + k);
-        squares(t) = difference.squaredNorm() / (3.0 * white_gain);
+        for (Eigen::Index k = 0; k <= noise_policy.order; ++k)
+            difference += binomials[static_cast<std::size_t>(k)] * run.col(t + k);
+        squares(t) = difference.squaredNorm() / (3.0 * noise_policy.white_gain);
     }
     return squares;
 }
@@ -103,16 +109,17 @@ double smallest_step(const Eigen::Matrix3Xd& track) {
 // variance on the windows below the limit.
 double still_variance(std::vector<double> means, double freedom) {
     std::sort(means.begin(), means.end());
-    const auto low = static_cast<std::size_t>(start_quantile * static_cast<double>(means.size()));
+    const auto low = static_cast<std::size_t>(noise_policy.start_quantile * static_cast<double>(means.size()));
     // Start from a low quantile of the windows, which is unaffected if at least that fraction is still.
     double variance = means[low] /
-                      mean_square_quantile(std::max(start_quantile, 0.5 / static_cast<double>(means.size())), freedom);
+                      mean_square_quantile(
+                          std::max(noise_policy.start_quantile, 0.5 / static_cast<double>(means.size())), freedom);
     double kept_mean = 0.0;  // mean of chi^2 / freedom below the still quantile: corrects the truncation
     constexpr int steps = 200;
     for (int k = 0; k < steps; ++k)
-        kept_mean += mean_square_quantile(still_quantile * (k + 0.5) / steps, freedom) / steps;
+        kept_mean += mean_square_quantile(noise_policy.still_quantile * (k + 0.5) / steps, freedom) / steps;
     for (int pass = 0; pass < 100; ++pass) {
-        const double limit = variance * mean_square_quantile(still_quantile, freedom);
+        const double limit = variance * mean_square_quantile(noise_policy.still_quantile, freedom);
         const auto end = std::upper_bound(means.begin(), means.end(), limit);
         if (end == means.begin()) break;
         const double next = std::accumulate(means.begin(), end, 0.0) / static_cast<double>(end - means.begin()) /
@@ -131,8 +138,8 @@ NoiseEstimate estimate(const Eigen::Matrix3Xd& track, const std::vector<Eigen::I
         squares.push_back(squared_differences(run));
         longest = std::max(longest, squares.back().size());
     }
-    const Eigen::Index window = std::min(longest, longest_window);
-    if (window < shortest_window) return result;
+    const Eigen::Index window = std::min(longest, noise_policy.longest_window);
+    if (window < noise_policy.shortest_window) return result;
 
     std::vector<double> means;
     // Windows overlap by half.
@@ -143,7 +150,7 @@ NoiseEstimate estimate(const Eigen::Matrix3Xd& track, const std::vector<Eigen::I
     }
     const double freedom = degrees_of_freedom(window);
     const double variance = still_variance(means, freedom);
-    const double limit = variance * mean_square_quantile(still_quantile, freedom);
+    const double limit = variance * mean_square_quantile(noise_policy.still_quantile, freedom);
     const auto still = std::count_if(means.begin(), means.end(), [&](double mean) { return mean <= limit; });
     result.found = true;
     result.quantum_m = smallest_step(track);
@@ -174,18 +181,16 @@ NoiseEstimate estimate_track_noise(const Eigen::Matrix3Xd& track) {
 
 double rounding_step(const std::vector<Eigen::Matrix3Xd>& tracks) {
     constexpr std::array<double, 12> per_metre{2e2, 5e2, 1e3, 2e3, 5e3, 1e4, 2e4, 5e4, 1e5, 2e5, 5e5, 1e6};
-    constexpr int least_changes = 20;
-    constexpr double exact = 1e-6;  // relative to a unit: decimal text is not exact in binary
     int changes = 0;
     for (const Eigen::Matrix3Xd& track : tracks)
         for (Eigen::Index t = 1; t < track.cols(); ++t)
             if (is_seen(track, t - 1) && is_seen(track, t))
                 changes += static_cast<int>((track.col(t).array() != track.col(t - 1).array()).count());
-    if (changes < least_changes) return 0.0;
+    if (changes < noise_policy.least_changes) return 0.0;
     const auto all_are_multiples = [&](double steps) {
         return std::all_of(tracks.begin(), tracks.end(), [&](const Eigen::Matrix3Xd& track) {
             return std::all_of(track.reshaped().begin(), track.reshaped().end(), [&](double x) {
-                return !std::isfinite(x) || std::abs(x * steps - std::round(x * steps)) < exact;
+                return !std::isfinite(x) || std::abs(x * steps - std::round(x * steps)) < noise_policy.exact;
             });
         });
     };

@@ -11,15 +11,18 @@
 namespace myo::measurement {
 namespace {
 
-// Below this ratio of width to length the rotation about the line is determined by noise.
-constexpr double line_ratio = 1e-4;
+struct RegistrationPolicy {
+    /// Below this ratio of width to length the rotation about the line is determined by noise.
+    double line_ratio = 1e-4;
+};
+constexpr RegistrationPolicy registration_policy;
 
 /// Whether centred points are collinear, by the second-largest extent.
 bool on_a_line(const Eigen::Matrix3Xd& centred, const Eigen::VectorXd& weights) {
     const Eigen::Matrix3Xd scaled = centred * weights.cwiseSqrt().asDiagonal();
     // Eigenvalues of the second moments are squared extents.
     const Eigen::Vector3d squares = material::signed_svd(scaled * scaled.transpose()).sigma;
-    return !(squares(1) > line_ratio * line_ratio * squares(0));
+    return !(squares(1) > registration_policy.line_ratio * registration_policy.line_ratio * squares(0));
 }
 
 }  // namespace

@@ -7,7 +7,10 @@
 namespace myo::mesh {
 namespace {
 
-constexpr int leaf_size = 4;  // items per leaf
+struct BoxTreePolicy {
+    int leaf_size = 4;  // items per leaf
+};
+constexpr BoxTreePolicy box_tree_policy;
 
 /// True if the boxes overlap or touch after growing by `margin`.
 bool overlap(const Box& a, const Box& b, double margin) {
@@ -37,7 +40,7 @@ int BoxTree::build(int first, int count) {
         box.highest = box.highest.cwiseMax(items_[static_cast<std::size_t>(*i)].highest);
     }
     nodes_[static_cast<std::size_t>(self)].box = box;
-    if (count <= leaf_size) {
+    if (count <= box_tree_policy.leaf_size) {
         std::sort(begin, end);
         nodes_[static_cast<std::size_t>(self)].first = first;
         nodes_[static_cast<std::size_t>(self)].count = count;

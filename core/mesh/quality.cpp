@@ -17,6 +17,12 @@ namespace {
 
 using Vector3 = Eigen::Vector3d;
 
+struct QualityPolicy {
+    /// Relative error of mass and, in thin parts, of stiffness.
+    double most_volume_error = 0.01;
+};
+constexpr QualityPolicy quality_policy;
+
 // Neighbours of each corner of a hexahedron along its three edges, right-handed.
 constexpr std::array<std::array<int, 3>, 8> hexahedron_neighbours{
     {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
@@ -151,9 +157,7 @@ QualityReport mesh_quality(const VolumeMesh& mesh, const SurfaceMesh* surface) {
     if (report.least <= 0.0) {
         report.messages.push_back("cell " + std::to_string(report.worst_cell).append(" is turned inside out"));
     }
-    // Relative error of mass and, in thin parts, of stiffness.
-    constexpr double most_volume_error = 0.01;
-    if (report.volume_error && std::abs(*report.volume_error) > most_volume_error) {
+    if (report.volume_error && std::abs(*report.volume_error) > quality_policy.most_volume_error) {
         report.messages.push_back("the mesh's volume differs from the surface's by " +
                                   format_number(100.0 * *report.volume_error, 3) +
                                   " %, more than 1 %: choose shorter edges or tetrahedra");

@@ -8,7 +8,11 @@
 namespace myo::mesh {
 namespace {
 
-constexpr std::size_t stl_header_bytes = 84, triangle_bytes = 50;
+struct StlReaderFormat {
+    std::size_t stl_header_bytes = 84;
+    std::size_t triangle_bytes = 50;
+};
+constexpr StlReaderFormat stl_reader_format;
 
 // Little-endian as specified; all supported platforms are little-endian.
 PolygonSoup read_binary(const std::string& content, std::uint32_t count) {
@@ -16,7 +20,9 @@ PolygonSoup read_binary(const std::string& content, std::uint32_t count) {
     soup.vertices.reserve(std::size_t{count} * 3);
     for (std::uint32_t t = 0; t < count; ++t) {
         float corners[9];
-        std::memcpy(corners, content.data() + stl_header_bytes + t * triangle_bytes + 12, sizeof corners);
+        std::memcpy(corners,
+                    content.data() + stl_reader_format.stl_header_bytes + t * stl_reader_format.triangle_bytes + 12,
+                    sizeof corners);
         for (int i = 0; i < 3; ++i) {
             soup.vertices.emplace_back(double{corners[3 * i]}, double{corners[3 * i + 1]}, double{corners[3 * i + 2]});
         }
@@ -83,15 +89,18 @@ Result<PolygonSoup> read_stl(const std::filesystem::path& path) {
     if (content->empty()) return Error{"the file is empty", path.string()};
     // The header of a binary file may also begin with "solid", so the file size is checked first.
     std::uint32_t count = 0;
-    if (content->size() >= stl_header_bytes) std::memcpy(&count, content->data() + 80, sizeof count);
+    if (content->size() >= stl_reader_format.stl_header_bytes) std::memcpy(&count, content->data() + 80, sizeof count);
     // 80 bytes of header, a 32-bit count, then 50 bytes per triangle.
-    const std::size_t expected = stl_header_bytes + std::size_t{count} * triangle_bytes;
-    if (content->size() >= stl_header_bytes && content->size() == expected) return read_binary(*content, count);
+    const std::size_t expected = stl_reader_format.stl_header_bytes +
+                                 std::size_t{count} * stl_reader_format.triangle_bytes;
+    if (content->size() >= stl_reader_format.stl_header_bytes && content->size() == expected)
+        return read_binary(*content, count);
 
     TextScanner text(*content, path.string());
     const bool has_zero = content->substr(0, 512).find('\0') != std::string::npos;
     if (is(text.word(), "solid") && !has_zero) return read_ascii(*content, path.string());
-    if (content->size() < stl_header_bytes) return Error{"the file is too short for an STL", path.string()};
+    if (content->size() < stl_reader_format.stl_header_bytes)
+        return Error{"the file is too short for an STL", path.string()};
     // Neither text nor a binary file of the right size: the message says which defect is likely.
     if (content->size() < expected) {
         return Error{"the STL is truncated: " + std::to_string(count).append(" triangles need ") +

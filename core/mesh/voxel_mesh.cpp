@@ -12,7 +12,10 @@
 namespace myo::mesh {
 namespace {
 
-constexpr int rays_per_axis = 4;  // 16 rays per column of cells
+struct VoxelMeshPolicy {
+    int rays_per_axis = 4;  // 16 rays per column of cells
+};
+constexpr VoxelMeshPolicy voxel_mesh_policy;
 
 /// Intersection of a ray with the surface.
 struct Crossing {
@@ -25,8 +28,9 @@ struct Crossing {
 std::vector<double> ray_positions(const std::vector<double>& lines, double shift) {
     std::vector<double> positions;
     for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
-        for (int s = 0; s < rays_per_axis; ++s) {
-            positions.push_back(lines[i] + (lines[i + 1] - lines[i]) * ((s + 0.5) / rays_per_axis + shift));
+        for (int s = 0; s < voxel_mesh_policy.rays_per_axis; ++s) {
+            positions.push_back(lines[i] +
+                                (lines[i + 1] - lines[i]) * ((s + 0.5) / voxel_mesh_policy.rays_per_axis + shift));
         }
     }
     return positions;
@@ -138,14 +142,17 @@ Result<VolumeMesh> voxelize(const SurfaceMesh& surface, const VoxelOptions& opti
         progress.report({"voxel mesh", double(j), double(n[1]), "rows", ""});
         for (int i = 0; i < n[0]; ++i) {
             inside.assign(static_cast<std::size_t>(n[2]), 0.0);
-            for (int ray = 0; ray < rays_per_axis * rays_per_axis; ++ray) {
-                const auto ri = static_cast<std::size_t>(i * rays_per_axis + ray % rays_per_axis);
-                const auto rj = static_cast<std::size_t>(j * rays_per_axis + ray / rays_per_axis);
+            for (int ray = 0; ray < voxel_mesh_policy.rays_per_axis * voxel_mesh_policy.rays_per_axis; ++ray) {
+                const auto ri = static_cast<std::size_t>(i * voxel_mesh_policy.rays_per_axis +
+                                                         ray % voxel_mesh_policy.rays_per_axis);
+                const auto rj = static_cast<std::size_t>(j * voxel_mesh_policy.rays_per_axis +
+                                                         ray / voxel_mesh_policy.rays_per_axis);
                 add_lengths(rays.intervals(ri, rj, topology.oriented), grid.axis[2], inside);
             }
             for (int k = 0; k < n[2]; ++k) {
                 // 1e-5: the shift of the rays must not decide about a cell that is cut exactly in half.
-                const double fraction = inside[static_cast<std::size_t>(k)] / (rays_per_axis * rays_per_axis);
+                const double fraction = inside[static_cast<std::size_t>(k)] /
+                                        (voxel_mesh_policy.rays_per_axis * voxel_mesh_policy.rays_per_axis);
                 if (fraction >= options.solid_fraction - 1e-5) solid.push_back((Eigen::Index{k} * n[1] + j) * n[0] + i);
             }
         }

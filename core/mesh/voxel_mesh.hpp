@@ -16,7 +16,7 @@ struct VoxelOptions {
     GridPlanes planes{};  // [m] coordinates that must be grid planes, for example faces of a clamp
     std::optional<GridLines> grid{};     // [m] grid instead of edge and planes
     double solid_fraction = 0.5;         // a cell is kept if at least this fraction of it lies inside
-    double max_cells = most_grid_cells;  // limit for the complete grid
+    double max_cells = box_mesh_policy.most_grid_cells;  // limit for the complete grid
 };
 
 /// Axis-aligned hex8 mesh of the interior of a closed surface.

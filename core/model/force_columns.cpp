@@ -17,7 +17,11 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int packs_per_thread = 16;
+struct ForceColumnsPolicy {
+    int packs_per_thread = 16;
+    Index at_once = 8;  // columns per sweep; more would evict the forces from the cache
+};
+constexpr ForceColumnsPolicy force_columns_policy;
 
 /// Adds the viscous forces of a given strain rate.
 template <class Geometry>
@@ -53,7 +57,7 @@ UnitForces unit_forces_of(const PackedCells<Geometry>& cells, const Model& model
     UnitForces forces{std::vector<Pack>(size), std::vector<Pack>(size), std::vector<Pack>(rate.size() > 0 ? size : 0)};
     // Softening multiplies the elastic moduli only; viscous moduli keep the model's factors.
     const VectorXd elastic_factors = times_factors(model.point_factors, softening);
-    parallel_ranges(cells.pack_count(), packs_per_thread, [&](int first, int end) {
+    parallel_ranges(cells.pack_count(), force_columns_policy.packs_per_thread, [&](int first, int end) {
         PackOutput<N> out;
         for (int pack = first; pack < end; ++pack) {
             const auto xe = nodes_of_pack(cells, pack, x);
@@ -144,14 +148,13 @@ NodalColumns gradients_of(const PackedCells<Geometry>& cells, const Model& model
                           const UnitForces& forces, const GradientChanges& changes) {
     constexpr int N = Geometry::nodes;
     const auto columns = static_cast<Index>(changes.stiffness.size());
-    constexpr Index at_once = 8;  // columns per sweep; more would evict the forces from the cache
     const auto field = static_cast<std::size_t>(cells.pack_count()) * 3 * N;
-    std::vector<Pack> nodal(field * static_cast<std::size_t>(std::min(at_once, columns)));
+    std::vector<Pack> nodal(field * static_cast<std::size_t>(std::min(force_columns_policy.at_once, columns)));
     NodalColumns result = NodalColumns::Zero(3 * columns, x.cols());
     // Groups of columns: each pack's kinematics serve all columns of a group.
-    for (Index start = 0; start < columns; start += at_once) {
-        const Index count = std::min(at_once, columns - start);
-        parallel_ranges(cells.pack_count(), packs_per_thread, [&](int first, int end) {
+    for (Index start = 0; start < columns; start += force_columns_policy.at_once) {
+        const Index count = std::min(force_columns_policy.at_once, columns - start);
+        parallel_ranges(cells.pack_count(), force_columns_policy.packs_per_thread, [&](int first, int end) {
             PackOutput<N> out;
             for (int pack = first; pack < end; ++pack) {
                 const auto xe = nodes_of_pack(cells, pack, x);
@@ -208,7 +211,7 @@ MatrixXd strain_tangents_of(const PackedCells<Geometry>& cells, const Model& mod
     constexpr int N = Geometry::nodes;
     const int per_cell = cells.strains_per_cell();
     MatrixXd result(cells.pack_count() * per_cell * pack_width, dx.rows() / 3);
-    parallel_ranges(cells.pack_count(), packs_per_thread, [&](int first, int end) {
+    parallel_ranges(cells.pack_count(), force_columns_policy.packs_per_thread, [&](int first, int end) {
         std::array<material::Matrix3<Pack>, Geometry::points> F;
         for (int pack = first; pack < end; ++pack) {
             const auto xe = nodes_of_pack(cells, pack, x);

@@ -17,12 +17,15 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
-/// Smallest number of packs worth a separate task; starting a task takes a few microseconds.
-constexpr int packs_per_task = 24;
+struct InternalForcesPolicy {
+    /// Smallest number of packs worth a separate task; starting a task takes a few microseconds.
+    int packs_per_task = 24;
+};
+constexpr InternalForcesPolicy internal_forces_policy;
 
 template <class Cells, class Visit>
 void for_each_pack(const Cells& cells, const Visit& visit) {
-    parallel_ranges(cells.pack_count(), packs_per_task, [&](int first, int end) {
+    parallel_ranges(cells.pack_count(), internal_forces_policy.packs_per_task, [&](int first, int end) {
         for (int pack = first; pack < end; ++pack) visit(pack);
     });
 }
@@ -120,7 +123,7 @@ void assemble_packs(const PackedCells<Geometry>& cells, const Model& model, cons
     for (int start = 0; start < cells.pack_count(); start += packs_at_once) {
         const int count = std::min(packs_at_once, cells.pack_count() - start);
         // An eighth of the usual grain: with Hessian a pack costs several times more.
-        parallel_ranges(count, packs_per_task / 8, [&](int first, int end) {
+        parallel_ranges(count, internal_forces_policy.packs_per_task / 8, [&](int first, int end) {
             evaluate_packs<true>(
                 cells, model, x, input, start + first, start + end, forces, energies,
                 [&](int pack) -> PackOutput<N>& { return outputs[static_cast<std::size_t>(pack - start)]; });
@@ -147,7 +150,7 @@ void add_cells(const PackedCells<Geometry>& cells, const Model& model, const Mat
     force_field.resize(static_cast<std::size_t>(cells.pack_count()) * 3 * N);
     energy_field.resize(static_cast<std::size_t>(cells.pack_count()));
     if (kind == HessianKind::none)
-        parallel_ranges(cells.pack_count(), packs_per_task, [&](int first, int end) {
+        parallel_ranges(cells.pack_count(), internal_forces_policy.packs_per_task, [&](int first, int end) {
             PackOutput<N> result;
             evaluate_packs<false>(cells, model, x, input, first, end, force_field, energy_field,
                                   [&](int) -> PackOutput<N>& { return result; });

@@ -7,13 +7,17 @@
 
 namespace myo::model {
 
+struct NodeSumsPolicy {
+    int nodes_per_thread = 1000;  // smallest range worth a separate thread
+};
+inline constexpr NodeSumsPolicy node_sums_policy;
+
 /// Sums the nodal vectors of the cells at the nodes.
 /// @param field  vectors per cell and node, see NodeIncidence
 /// @param nodal  3 x n, possibly a block of a larger matrix; increased
 template <class Rows>
 void add_at_nodes(const NodeIncidence& incidence, const double* field, Rows&& nodal) {
-    constexpr int nodes_per_thread = 1000;  // smallest range worth a separate thread
-    parallel_ranges(static_cast<int>(nodal.cols()), nodes_per_thread, [&](int first, int end) {
+    parallel_ranges(static_cast<int>(nodal.cols()), node_sums_policy.nodes_per_thread, [&](int first, int end) {
         for (int i = first; i < end; ++i) {
             double x = 0.0, y = 0.0, z = 0.0;
             for (int k = incidence.start[static_cast<std::size_t>(i)];

@@ -11,16 +11,20 @@ namespace {
 
 using Kind = ModelParameter::Kind;
 
-/// Half width of the central difference, relative to the scale of the parameter: a truncation error of 1e-8 of the
-/// curvature, and four digits lost to rounding.
-constexpr double part_to_each_side = 1e-4;
+struct ParameterTangentPolicy {
+    /// Half width of the central difference, relative to the scale of the parameter: a truncation error of 1e-8 of the
+    /// curvature, and four digits lost to rounding.
+    double part_to_each_side = 1e-4;
+};
+constexpr ParameterTangentPolicy parameter_tangent_policy;
 
 /// Central difference of the whole model with effects. Effects may change any part of it, so no closed form is
 /// available.
 std::optional<sensitivity::ModelTangent> tangent_between(const setup::Setup& setup, std::size_t trial,
                                                          const ParameterValues& values,
                                                          const ModelParameter& parameter) {
-    const double value = value_of(parameter, values), step = difference_step(parameter, value, part_to_each_side);
+    const double value = value_of(parameter, values),
+                 step = difference_step(parameter, value, parameter_tangent_policy.part_to_each_side);
     const auto side = [&](double at) {
         ParameterValues changed = values;
         set_value(parameter, std::clamp(at, parameter.parameter.lower, parameter.parameter.upper), changed);

@@ -160,8 +160,16 @@ bool by_displacement(const setup::Setup& setup) {
     return setup.experiment.markers.compare == experiment::Comparison::displacement;
 }
 
-/// A time before any event that happens to markers during a trial, for the reference of displacements.
-constexpr double long_before_s = -1e30;
+struct PredictionPolicy {
+    /// A time before any event that happens to markers during a trial, for the reference of displacements.
+    double long_before_s = -1e30;
+    /// Difference steps relative to the scale of a parameter: for parameters that require another run (noise of the
+    /// solver limits the step from below), and for parameters that only change the observation.
+    double part_of_effect = 0.01;
+    double part_of_constant = 0.003;
+    double part_of_sight = 1e-4;
+};
+constexpr PredictionPolicy prediction_policy;
 
 // Displacements are compared in the mesh frame; positions are mapped to the camera frame by the fitted registration.
 SeenMotion seen_motion(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
@@ -172,8 +180,8 @@ SeenMotion seen_motion(const setup::Setup& setup, std::size_t index, const Param
     const auto samples = trial.measured.sample_count();
     SeenMotion result;
     result.positions_m = measurement::seen_tracks(seen, tracks.positions, trial.measured.time_s);
-    for (const Matrix3Xd& start :
-         measurement::seen_tracks(seen, origin.positions, Eigen::VectorXd::Constant(1, long_before_s)))
+    for (const Matrix3Xd& start : measurement::seen_tracks(
+             seen, origin.positions, Eigen::VectorXd::Constant(1, prediction_policy.long_before_s)))
         result.start_m.emplace_back(start.col(0));
     for (std::size_t m = 0; m < result.positions_m.size(); ++m) {
         const Matrix3Xd& x = result.positions_m[m];
@@ -196,10 +204,6 @@ bool is_seen_alone(const setup::Setup& setup, std::size_t index, const Parameter
     return p.kind == Kind::effect && setup::is_seen_only(values.effects[p.index]) &&
            effect::acts_on(setup::effect_site(setup, index), values.effects[p.index].parameters);
 }
-
-/// Difference steps relative to the scale of a parameter: for parameters that require another run (noise of the solver
-/// limits the step from below), and for parameters that only change the observation.
-constexpr double part_of_effect = 0.01, part_of_constant = 0.003, part_of_sight = 1e-4;
 
 }  // namespace
 
@@ -311,7 +315,9 @@ ResidualTangent residual_tangent(const setup::Setup& setup, std::size_t index, c
         // Central difference if both sides are inside the bounds, otherwise one-sided towards the inside. Runs start
         // from the path of the prediction, so both sides converge to the same branch.
         const double value = value_of(parameter, values);
-        const double part = !moves ? part_of_sight : parameter.kind == Kind::effect ? part_of_effect : part_of_constant;
+        const double part = !moves                           ? prediction_policy.part_of_sight
+                            : parameter.kind == Kind::effect ? prediction_policy.part_of_effect
+                                                             : prediction_policy.part_of_constant;
         double step = difference_step(parameter, value, part);
         if (value + step > parameter.parameter.upper) step = -step;  // towards the inside of the bounds
         const auto beside = [&](double at) {

@@ -8,8 +8,12 @@
 namespace myo::report {
 namespace {
 
-// Right margin for the last tick label, and space above a panel for its axis title [px].
-constexpr double right_margin = 22.0, title_of_panel = 24.0;
+struct BarChartLayout {
+    /// Right margin for the last tick label, and space above a panel for its axis title [px].
+    double right_margin = 22.0;
+    double title_of_panel = 24.0;
+};
+constexpr BarChartLayout bar_chart_layout;
 
 // Bar between zero and the value, in either order; empty if the value cannot be drawn.
 std::string draw_bar(const PlannedAxis& y, const Rectangle& area, double left, double width, double value,
@@ -60,7 +64,7 @@ std::string svg(const BarChart& chart) {
     // The left margin depends on the tick labels, so the axis is planned for the height first and shifted later.
     PlannedAxis y = plan_axis(axis, range, 0.06, chart.height_px, 0.0);
     const double left = std::max(30.0, label_room(y.ticks));
-    const double width = std::max(60.0, chart.width_px - left - right_margin);
+    const double width = std::max(60.0, chart.width_px - left - bar_chart_layout.right_margin);
     const double count = std::max<double>(1.0, static_cast<double>(chart.categories.size()));
     double widest = 0.0;
     for (const std::string& name : chart.categories) widest = std::max(widest, text_width(name));
@@ -70,7 +74,8 @@ std::string svg(const BarChart& chart) {
     double title_height = 0.0, legend_height = 0.0;
     std::string body = draw_title(chart.title, left, title_height);
     body += draw_legend(legend_of(chart), left, title_height + 6.0, width, legend_height);
-    const Rectangle area{left, title_height + legend_height + 6.0 + title_of_panel, width, chart.height_px};
+    const Rectangle area{left, title_height + legend_height + 6.0 + bar_chart_layout.title_of_panel, width,
+                         chart.height_px};
     y.scale.from_px += area.top;
     y.scale.to_px += area.top;
     body += draw_vertical_axis(axis, y, area);
@@ -85,7 +90,8 @@ std::string svg(const BarChart& chart) {
     body += draw_categories(chart.categories, area, turned);
     // Height of the category labels; rotated ones are cut off at 140 px.
     const double below = turned ? 22.0 + std::min(0.6 * widest, 140.0) : 26.0;
-    return open_svg(left + width + right_margin, area.bottom() + below, chart.title) + body + "</svg>\n";
+    return open_svg(left + width + bar_chart_layout.right_margin, area.bottom() + below, chart.title) + body +
+           "</svg>\n";
 }
 
 std::string svg(const Histogram& histogram) {
@@ -96,12 +102,12 @@ std::string svg(const Histogram& histogram) {
     for (const double edge : histogram.edges) values.add(edge);
     PlannedAxis y = plan_axis(count_axis, counts, 0.06, histogram.height_px, 0.0);
     const double left = std::max(30.0, label_room(y.ticks));
-    const double width = std::max(60.0, histogram.width_px - left - right_margin);
+    const double width = std::max(60.0, histogram.width_px - left - bar_chart_layout.right_margin);
     const PlannedAxis x = plan_axis(histogram.x, values, 0.0, left, left + width);
 
     double title_height = 0.0;
     std::string body = draw_title(histogram.title, left, title_height);
-    const Rectangle area{left, title_height + 6.0 + title_of_panel, width, histogram.height_px};
+    const Rectangle area{left, title_height + 6.0 + bar_chart_layout.title_of_panel, width, histogram.height_px};
     y.scale.from_px += area.top;
     y.scale.to_px += area.top;
     body += draw_vertical_axis(count_axis, y, area);
@@ -114,8 +120,9 @@ std::string svg(const Histogram& histogram) {
     }
     body += draw_horizontal_axis(histogram.x, x, area, true) +
             draw_vertical_references(histogram.vertical, x.scale, area);
-    return open_svg(left + width + right_margin, area.bottom() + horizontal_axis_height, histogram.title) + body +
-           "</svg>\n";
+    return open_svg(left + width + bar_chart_layout.right_margin, area.bottom() + frame_layout.horizontal_axis_height,
+                    histogram.title) +
+           body + "</svg>\n";
 }
 
 }  // namespace myo::report

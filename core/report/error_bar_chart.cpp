@@ -7,7 +7,10 @@
 namespace myo::report {
 namespace {
 
-constexpr double row_height = 30.0;
+struct ErrorBarChartLayout {
+    double row_height = 30.0;
+};
+constexpr ErrorBarChartLayout error_bar_chart_layout;
 
 /// Symbol of the reference value.
 std::string diamond(double x, double y) {
@@ -71,15 +74,17 @@ std::string svg(const ErrorBarChart& chart) {
         body += draw_legend(
             {{"estimate", draw_interval(0, 22, 0) + dot(11, 0)}, {chart.reference_name, diamond(11, 0)}}, left,
             title_height + 6.0, width, legend_height);
-    const Rectangle area{left, title_height + legend_height + 12.0, width,
-                         row_height * static_cast<double>(std::max<std::size_t>(1, chart.rows.size()))};
+    const Rectangle area{
+        left, title_height + legend_height + 12.0, width,
+        error_bar_chart_layout.row_height * static_cast<double>(std::max<std::size_t>(1, chart.rows.size()))};
     // Grid first, rows on top of it.
     for (const double value : x.ticks.values)
         body += svg_line(x.scale(value), area.top, x.scale(value), area.bottom(), ink::grid, 1.0);
     body += draw_horizontal_axis(chart.x, x, area, true) + draw_vertical_references(chart.vertical, x.scale, area);
     for (std::size_t i = 0; i < chart.rows.size(); ++i)
-        body += draw_row(chart.rows[i], x, area, area.top + (static_cast<double>(i) + 0.5) * row_height);
-    return open_svg(left + width + 22.0, area.bottom() + horizontal_axis_height, chart.title) + body + "</svg>\n";
+        body += draw_row(chart.rows[i], x, area,
+                         area.top + (static_cast<double>(i) + 0.5) * error_bar_chart_layout.row_height);
+    return open_svg(left + width + 22.0, area.bottom() + frame_layout.horizontal_axis_height, chart.title) + body + "</svg>\n";
 }
 
 }  // namespace myo::report

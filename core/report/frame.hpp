@@ -93,8 +93,11 @@ std::string draw_vertical_axis(const Axis& axis, const PlannedAxis& plan, const 
 
 /// Axis line and tick marks of a horizontal axis; labels and title below only if `with_labels`.
 std::string draw_horizontal_axis(const Axis& axis, const PlannedAxis& plan, const Rectangle& area, bool with_labels);
-/// Height of tick labels and title below a horizontal axis [px].
-inline constexpr double horizontal_axis_height = 40.0;
+struct FrameLayout {
+    /// Height of tick labels and title below a horizontal axis [px].
+    double horizontal_axis_height = 40.0;
+};
+inline constexpr FrameLayout frame_layout;
 
 /// Vertical lines at values of a horizontal scale over the height of the area, labels at the top. Lines outside the
 /// area are omitted.

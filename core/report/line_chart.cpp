@@ -10,6 +10,12 @@
 namespace myo::report {
 namespace {
 
+struct LineChartLayout {
+    double right_margin = 22.0;
+    double title_of_panel = 24.0;
+};
+constexpr LineChartLayout line_chart_layout;
+
 /// Appearance of a series.
 struct Look {
     std::string_view colour;
@@ -201,7 +207,6 @@ std::string svg(const LineChart& chart) {
         for ([[maybe_unused]] const Series& series : panel.series)
             assert(series.x.size() == series.y.size() &&
                    (series.half_width.empty() || series.half_width.size() == series.y.size()));
-    constexpr double right_margin = 22.0, title_of_panel = 24.0;
     // A common left margin aligns the panels: the widest labels of all y axes.
     double left = 30.0;
     std::vector<PlannedAxis> y_axes;
@@ -209,7 +214,7 @@ std::string svg(const LineChart& chart) {
         y_axes.push_back(plan_axis(panel.y, range_of_y(panel), 0.05, panel.height_px, 0.0));
         left = std::max(left, label_room(y_axes.back().ticks));
     }
-    const double width = std::max(60.0, chart.width_px - left - right_margin);
+    const double width = std::max(60.0, chart.width_px - left - line_chart_layout.right_margin);
     const PlannedAxis x = plan_axis(chart.x, range_of_x(chart), chart.x.logarithmic ? 0.03 : 0.0, left, left + width);
     const std::map<std::string, int> slots = slots_of_names(chart);
 
@@ -220,16 +225,16 @@ std::string svg(const LineChart& chart) {
     if (entries.size() > 1) body += draw_legend(entries, left, title_height + 6.0, width, legend_height);
     double top = title_height + legend_height + 6.0;
     for (std::size_t i = 0; i < chart.panels.size(); ++i) {
-        const Rectangle area{left, top + title_of_panel, width, chart.panels[i].height_px};
+        const Rectangle area{left, top + line_chart_layout.title_of_panel, width, chart.panels[i].height_px};
         PlannedAxis y = y_axes[i];
         y.scale.from_px += area.top;
         y.scale.to_px += area.top;
         const bool last = i + 1 == chart.panels.size();
         body += draw_panel(chart, chart.panels[i], area, x, y, slots, last);
         // Only the last panel needs room for the labels of the x axis.
-        top = area.bottom() + (last ? horizontal_axis_height : 8.0);
+        top = area.bottom() + (last ? frame_layout.horizontal_axis_height : 8.0);
     }
-    return open_svg(left + width + right_margin, top, chart.title) + body + "</svg>\n";
+    return open_svg(left + width + line_chart_layout.right_margin, top, chart.title) + body + "</svg>\n";
 }
 
 }  // namespace myo::report

@@ -9,6 +9,11 @@
 namespace myo::report {
 namespace {
 
+struct MarkupLayout {
+    double outside = 1e5;
+};
+constexpr MarkupLayout markup_layout;
+
 constexpr std::string_view replacement = "\xEF\xBF\xBD";  // U+FFFD
 constexpr std::string_view minus = "\xE2\x88\x92";        // U+2212
 
@@ -91,10 +96,9 @@ int character_count(std::string_view text) {
 }
 
 std::string pixel(double value) {
-    constexpr double outside = 1e5;
     // NaN would make the whole path invalid SVG.
-    if (std::isnan(value)) value = -outside;
-    std::string text = fixed_ascii(std::clamp(value, -outside, outside), 2);
+    if (std::isnan(value)) value = -markup_layout.outside;
+    std::string text = fixed_ascii(std::clamp(value, -markup_layout.outside, markup_layout.outside), 2);
     while (text.back() == '0') text.pop_back();
     if (text.back() == '.') text.pop_back();
     return text;

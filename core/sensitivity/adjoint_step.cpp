@@ -15,6 +15,13 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+struct AdjointStepPolicy {
+    /// Iterations per solve to 1e-6 on the beam with 4, 8, 12 solutions: 1.5, 1.0, 0.9 (Euler), 3.1, 2.1, 1.7
+    /// (TR-BDF2); with cubic extrapolation of four: 2.9, 3.9.
+    Eigen::Index most = 8;
+};
+constexpr AdjointStepPolicy adjoint_step_policy;
+
 /// to += factor * from; an empty field counts as zero.
 template <class Field>
 void add_to(Field& to, double factor, const Field& from) {
@@ -64,10 +71,7 @@ VectorXd AdjointFollower::Guess::next(const solver::SymmetricSparse& H, const Ve
 
 void AdjointFollower::Guess::add(const VectorXd& solution) {
     if (solution.isZero(0.0)) return;
-    // Iterations per solve to 1e-6 on the beam with 4, 8, 12 solutions: 1.5, 1.0, 0.9 (Euler), 3.1, 2.1, 1.7 (TR-BDF2);
-    // with cubic extrapolation of four: 2.9, 3.9.
-    constexpr Eigen::Index most = 8;
-    MatrixXd next(solution.size(), std::min(last_.cols() + 1, most));
+    MatrixXd next(solution.size(), std::min(last_.cols() + 1, adjoint_step_policy.most));
     next.col(0) = solution;
     next.rightCols(next.cols() - 1) = last_.leftCols(next.cols() - 1);
     last_ = std::move(next);

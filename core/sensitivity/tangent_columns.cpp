@@ -5,6 +5,14 @@
 #include "base/parallel.hpp"
 
 namespace myo::sensitivity {
+namespace {
+
+struct TangentColumnsPolicy {
+    Index entries_at_once = 2048;
+};
+constexpr TangentColumnsPolicy tangent_columns_policy;
+
+}  // namespace
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -49,9 +57,8 @@ MatrixXd sum_of(const FieldTerms& terms) {
     MatrixXd result;
     for (const auto& [factor, field] : terms)
         if (factor != 0.0 && field->size() > 0) result.resizeLike(*field);
-    constexpr Index entries_at_once = 2048;
-    for (Index start = 0; start < result.size(); start += entries_at_once) {
-        const Index count = std::min(entries_at_once, result.size() - start);
+    for (Index start = 0; start < result.size(); start += tangent_columns_policy.entries_at_once) {
+        const Index count = std::min(tangent_columns_policy.entries_at_once, result.size() - start);
         Eigen::Map<VectorXd> part(result.data() + start, count);
         part.setZero();
         for (const auto& [factor, field] : terms)

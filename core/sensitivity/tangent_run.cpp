@@ -21,11 +21,14 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int most_softening_rounds = 200;
-constexpr double softening_tolerance = 1e-9;
-/// Width of the difference quotients at the start, relative to the size of the body. Strains are nearly quadratic in
-/// the positions: the error consists of a term of width squared and of rounding over width.
-constexpr double start_difference = 1e-5;
+struct TangentRunPolicy {
+    int most_softening_rounds = 200;
+    double softening_tolerance = 1e-9;
+    /// Width of the difference quotients at the start, relative to the size of the body. Strains are nearly quadratic
+    /// in the positions: the error consists of a term of width squared and of rounding over width.
+    double start_difference = 1e-5;
+};
+constexpr TangentRunPolicy tangent_run_policy;
 
 /// Propagates d(Kinematics)/d(parameter) along a run, all parameters together. A step is linear apart from the solves
 /// of its stages (see StepCoefficients).
@@ -196,13 +199,15 @@ private:
         const model::BlockPattern& pattern = model_.body->pattern;
         const dynamics::Stage stage = dynamics::static_stage(*model_.body, 0.0);
         const solver::SymmetricSparse K = solver.hessian(stage, x);
-        for (int iteration = 0; iteration < most_softening_rounds; ++iteration) {
+        for (int iteration = 0; iteration < tangent_run_policy.most_softening_rounds; ++iteration) {
             explicit_.soften(x, nodal_[x_field], true);
             const MatrixXd B = -explicit_.residuals(solver, stage, x, state.rate, {}, {});
             const model::NodalColumns before = nodal_[x_field];
             nodal_[x_field] = scatter_columns(pattern, solver.solve_linear(K, stage, x, B));
             // Without softening one solve is exact.
-            if (!model_.softening || (nodal_[x_field] - before).norm() <= softening_tolerance * before.norm()) return;
+            if (!model_.softening ||
+                (nodal_[x_field] - before).norm() <= tangent_run_policy.softening_tolerance * before.norm())
+                return;
         }
     }
 
@@ -215,7 +220,9 @@ private:
             const Matrix3Xd moved = model::nodal_column(nodal_[x_field], column);
             const double most = moved.cwiseAbs().maxCoeff(), size = std::cbrt(model_.body->volume_m3);
             const ModelPair* const pair = explicit_.pair(p);
-            const double width = pair ? pair->width : most > 0.0 ? start_difference * size / most : 1.0;
+            const double width = pair         ? pair->width
+                                 : most > 0.0 ? tangent_run_policy.start_difference * size / most
+                                              : 1.0;
             const auto at = [&](const model::Model& model, double side) {
                 dynamics::Kinematics beside;
                 beside.x = dynamics::held_by(*model.body, state.x + 0.5 * side * width * moved);

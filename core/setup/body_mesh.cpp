@@ -15,6 +15,14 @@
 namespace myo::setup {
 namespace {
 
+struct BodyMeshPolicy {
+    /// Layers much thinner than an edge, between a face of the clamp and one of the body, can take a hundred times the
+    /// cells. The estimate only decides whether the plain mesh is made for comparison; that mesh decides.
+    double doubtful_growth = 2.5;
+    double refused_growth = 4.0;
+};
+constexpr BodyMeshPolicy body_mesh_policy;
+
 constexpr NameTable<Voxels, 2> voxel_kinds{{{
     {Voxels::fitted, "fitted"},
     {Voxels::truncated, "truncated"},
@@ -78,9 +86,6 @@ std::string not_conforming(const std::string& reason, double edge) {
 Result<mesh::VolumeMesh> tetrahedral_mesh(const mesh::SurfaceMesh& surface, mesh::CellType type, double edge,
                                           const std::vector<Box>& regions, const Progress& progress,
                                           std::vector<std::string>& warnings) {
-    // Layers much thinner than an edge, between a face of the clamp and one of the body, can take a hundred times the
-    // cells. The estimate only decides whether the plain mesh is made for comparison; that mesh decides.
-    constexpr double doubtful_growth = 2.5, refused_growth = 4.0;
     mesh::TetOptions options;
     options.type = type;
     options.edge = edge;
@@ -89,10 +94,11 @@ Result<mesh::VolumeMesh> tetrahedral_mesh(const mesh::SurfaceMesh& surface, mesh
     // Without inner faces there is nothing that a plain mesh would do better.
     if (options.regions.empty() || progress.cancelled()) return mesh;
     const auto count = [](const mesh::VolumeMesh& m) { return static_cast<double>(m.cell_count()); };
-    if (mesh && count(*mesh) < doubtful_growth * mesh::estimate_counts(surface, type, edge).cells) return mesh;
+    if (mesh && count(*mesh) < body_mesh_policy.doubtful_growth * mesh::estimate_counts(surface, type, edge).cells)
+        return mesh;
     options.regions.clear();
     Result<mesh::VolumeMesh> plain = mesh::tetrahedralize(surface, options, progress);
-    if (mesh && (!plain || count(*mesh) < refused_growth * count(*plain))) return mesh;
+    if (mesh && (!plain || count(*mesh) < body_mesh_policy.refused_growth * count(*plain))) return mesh;
     if (!plain) return plain;
     const std::string reason = mesh ? "it would take " + format_number(count(*mesh) / count(*plain), 2) +
                                           " times the cells"

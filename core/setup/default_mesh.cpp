@@ -193,7 +193,7 @@ std::vector<BodySlice> body_slices(const mesh::SurfaceMesh& surface, double edge
     // The edge length exceeds the body, so the grid has one block between adjacent planes.
     const mesh::GridLines grid = mesh::grid_lines(bounds, 2.0 * bounds.size().maxCoeff(), face_planes(surface, edge));
     // A detailed rectilinear body can have more face planes than the block grid may hold; it is then meshed uniformly.
-    if (grid.cells().cast<double>().prod() > mesh::most_grid_cells) return slices;
+    if (grid.cells().cast<double>().prod() > mesh::box_mesh_policy.most_grid_cells) return slices;
     const Blocks blocks(surface, grid);
     const double whole = mesh::enclosed_volume(surface);
     for (int axis = 0; axis < 3; ++axis) {

@@ -12,8 +12,11 @@
 namespace myo::setup {
 namespace {
 
-/// Numerical damping below this ratio is hard to see: it halves an amplitude in 22 periods.
-constexpr double visible_damping_ratio = 0.005;
+struct IntegrationCheckPolicy {
+    /// Numerical damping below this ratio is hard to see: it halves an amplitude in 22 periods.
+    double visible_damping_ratio = 0.005;
+};
+constexpr IntegrationCheckPolicy integration_check_policy;
 
 std::string step_text(double h_s) { return "h = " + format_number(1e3 * h_s, 4) + " ms"; }
 
@@ -54,7 +57,7 @@ IntegrationCheck check_integration(const model::Model& model, const dynamics::Ti
     }
     // A velocity force feeds energy back and cancels part of the numerical damping; only the remainder is lost.
     const double lost = check.numerical_damping_ratio - 0.5 * lambda / omega;
-    if (lost > visible_damping_ratio && lost > check.damping_ratio)
+    if (lost > integration_check_policy.visible_damping_ratio && lost > check.damping_ratio)
         check.warnings.push_back(
             to_string(scheme.integrator) + " at " + step_text(h_s) + " damps the first vibration (" +
             format_number(check.frequency_Hz, 3) + " Hz) by a ratio of " + format_number(lost, 3) +

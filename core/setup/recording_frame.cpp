@@ -34,8 +34,9 @@ Result<void> check_clock(const experiment::Experiment& experiment, const experim
     if (last >= 0.0 && !(begins_late(recording) && first > clock_policy.most_lead * (last - first))) return {};
     return experiment::declaration_error(
         experiment, experiment::trial_key(experiment, declaration) + ".start_s",
-        declaration.trace.filename().string() + " runs from " + format_number(first, clock_digits) + " s to " +
-            format_number(last, clock_digits) +
+        declaration.trace.filename().string() + " runs from " +
+            format_number(first, recording_frame_policy.clock_digits) + " s to " +
+            format_number(last, recording_frame_policy.clock_digits) +
             " s, far from the trial's t = 0: it was recorded by another clock; state start_s, the "
             "time in the file at which the trial starts");
 }
@@ -151,8 +152,6 @@ Result<void> place_recording(const experiment::Experiment& experiment, const exp
 }
 
 std::vector<std::string> doubtful_frames(const Setup& setup) {
-    // Registration residual over the longest extent of the body, above which a wrong label or pose is likely.
-    constexpr double far_of_body = 0.03;
     std::vector<std::string> warnings;
     const Box body = mesh::bounding_box(setup.surface.vertices);
     for (const PreparedTrial& trial : setup.trials) {
@@ -161,7 +160,7 @@ std::vector<std::string> doubtful_frames(const Setup& setup) {
                                format_number(trial.measured.time_s(0), 4) +
                                " s after the start, t = 0; if its clock began elsewhere, state start_s");
         if (trial.registration_rms_m &&
-            *trial.registration_rms_m > far_of_body * (body.highest - body.lowest).maxCoeff())
+            *trial.registration_rms_m > recording_frame_policy.far_of_body * (body.highest - body.lowest).maxCoeff())
             warnings.push_back("trial " + trial.name + ": before its start the markers are " +
                                format_number(1e3 * *trial.registration_rms_m, 3) +
                                " mm rms from their declared rest positions: was the body at rest, and was the right "

@@ -6,8 +6,13 @@
 
 namespace myo::setup {
 
-/// Significant digits for times of other clocks in messages; ten digits of a Unix time are whole seconds.
-inline constexpr int clock_digits = 12;
+struct RecordingFramePolicy {
+    /// Significant digits for times of other clocks in messages; ten digits of a Unix time are whole seconds.
+    int clock_digits = 12;
+    /// Registration residual over the longest extent of the body, above which a wrong label or pose is likely.
+    double far_of_body = 0.03;
+};
+inline constexpr RecordingFramePolicy recording_frame_policy;
 
 /// Whether a recording was made without regard to t = 0 or the mesh frame, so that it contains samples before the start
 /// (last section of the schema). Otherwise file time equals trial time.

@@ -41,7 +41,7 @@ SignalClock clock_of(const fibre::Signal& signal, const PreparedTrial& trial, do
 std::string advice(const PreparedTrial& trial, const MissedSignal& missed) {
     switch (missed.clock) {
         case SignalClock::of_the_recording:
-            return "subtract start_s, " + format_number(trial.start_s, clock_digits) +
+            return "subtract start_s, " + format_number(trial.start_s, recording_frame_policy.clock_digits) +
                    " s, from its times, which are those of the trace";
         case SignalClock::milliseconds: return "divide its times by 1000 if they are in ms";
         case SignalClock::unknown: break;
@@ -84,8 +84,9 @@ std::string missed_signal_sentence(const Setup& setup, const MissedSignal& misse
     const PreparedTrial& trial = setup.trials[missed.trial];
     const bool many = missed.muscles.size() > 1;
     return missed.key + ": the rows of " + join(missed.muscles) + " run from " +
-           format_number(missed.first_s, clock_digits) + " s to " + format_number(missed.last_s, clock_digits) +
-           " s and miss trial " + trial.name + ", which runs from 0 s to " + format_number(missed.end_s) + " s: the " +
+           format_number(missed.first_s, recording_frame_policy.clock_digits) + " s to " +
+           format_number(missed.last_s, recording_frame_policy.clock_digits) + " s and miss trial " + trial.name +
+           ", which runs from 0 s to " + format_number(missed.end_s) + " s: the " +
            (many ? "muscles do" : "muscle does") + " not move in it. Signals count from the trial's t = 0; " +
            advice(trial, missed);
 }

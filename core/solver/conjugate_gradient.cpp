@@ -12,6 +12,11 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::RowVectorXd;
 
+struct ConjugateGradientPolicy {
+    int wide = 16;
+};
+constexpr ConjugateGradientPolicy conjugate_gradient_policy;
+
 RowVectorXd column_dots(const MatrixXd& A, const MatrixXd& B) { return A.cwiseProduct(B).colwise().sum(); }
 
 /// True if all columns and rows come in aligned groups of three with equal patterns, as for nodal coordinates.
@@ -157,14 +162,16 @@ ConjugateGradientReport conjugate_gradient(const LinearOperator& A, const Linear
 
 MatrixXd symmetric_product(const SymmetricSparse& lower, const MatrixXd& X) {
     MatrixXd Y(X.rows(), X.cols());
-    constexpr int wide = 16;
     // Groups of 16 columns fill the registers; the remainder uses the smallest sufficient width.
     const Eigen::Index columns = X.cols();
-    const int groups = static_cast<int>((columns + wide - 1) / wide);
+    const int groups = static_cast<int>((columns + conjugate_gradient_policy.wide - 1) /
+                                        conjugate_gradient_policy.wide);
     const bool in_threes = has_blocks_of_three(lower);
     parallel_ranges(groups, 1, [&](int begin, int end) {
-        for (Eigen::Index first = begin * wide; first < std::min<Eigen::Index>(end * wide, columns); first += wide) {
-            const Eigen::Index count = std::min<Eigen::Index>(wide, columns - first);
+        for (Eigen::Index first = begin * conjugate_gradient_policy.wide;
+             first < std::min<Eigen::Index>(end * conjugate_gradient_policy.wide, columns);
+             first += conjugate_gradient_policy.wide) {
+            const Eigen::Index count = std::min<Eigen::Index>(conjugate_gradient_policy.wide, columns - first);
             if (count == 1)
                 product_of<1>(lower, in_threes, X, first, count, Y);
             else if (count <= 4)
@@ -172,7 +179,7 @@ MatrixXd symmetric_product(const SymmetricSparse& lower, const MatrixXd& X) {
             else if (count <= 8)
                 product_of<8>(lower, in_threes, X, first, count, Y);
             else
-                product_of<wide>(lower, in_threes, X, first, count, Y);
+                product_of<conjugate_gradient_policy.wide>(lower, in_threes, X, first, count, Y);
         }
     });
     return Y;

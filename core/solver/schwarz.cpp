@@ -15,10 +15,13 @@ namespace {
 
 using Eigen::MatrixXd;
 
-/// Target size of a part without overlap. Larger parts need fewer iterations, smaller parts less memory.
-constexpr int unknowns_per_part = 12000;
-/// Layers of neighbouring nodes added to each part.
-constexpr int overlap_layers = 2;
+struct SchwarzPolicy {
+    /// Target size of a part without overlap. Larger parts need fewer iterations, smaller parts less memory.
+    int unknowns_per_part = 12000;
+    /// Layers of neighbouring nodes added to each part.
+    int overlap_layers = 2;
+};
+constexpr SchwarzPolicy schwarz_policy;
 
 /// Adjacency of the nodes (nodes that share a cell), in compressed row format as METIS expects.
 struct NodeGraph {
@@ -76,7 +79,7 @@ std::vector<int> with_overlap(const NodeGraph& graph, const std::vector<int>& no
     std::vector<int> all = nodes;
     for (const int i : nodes) inside[static_cast<std::size_t>(i)] = 1;
     std::size_t first = 0;
-    for (int layer = 0; layer < overlap_layers; ++layer) {
+    for (int layer = 0; layer < schwarz_policy.overlap_layers; ++layer) {
         const std::size_t end = all.size();
         for (; first < end; ++first)
             for (idx_t k = graph.start[static_cast<std::size_t>(all[first])];
@@ -124,7 +127,7 @@ bool SchwarzPreconditioner::factorize(const SymmetricSparse& lower, const Matrix
         parts_.clear();
         NodeGraph graph = node_graph(lower);
         for (const std::vector<int>& members :
-             cut(graph, std::max(1, static_cast<int>(lower.cols()) / unknowns_per_part))) {
+             cut(graph, std::max(1, static_cast<int>(lower.cols()) / schwarz_policy.unknowns_per_part))) {
             Part part;
             for (const int node : with_overlap(graph, members))
                 for (int r = 0; r < 3; ++r) part.unknowns.push_back(3 * node + r);

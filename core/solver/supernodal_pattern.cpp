@@ -15,8 +15,11 @@ double supernode_flops(double n, double m) {
     return n * m * m - n * n * m + n * n * n / 3.0;
 }
 
-/// Subtrees with less than this share of the total work stay on one thread.
-constexpr double subtree_share = 1.0 / 32.0;
+struct SupernodalPatternPolicy {
+    /// Subtrees with less than this share of the total work stay on one thread.
+    double subtree_share = 1.0 / 32.0;
+};
+constexpr SupernodalPatternPolicy supernodal_pattern_policy;
 
 /// Elimination tree with children and roots, and the cut into subtrees of one thread each.
 void cut_tree(SupernodalPattern& p) {
@@ -41,7 +44,7 @@ void cut_tree(SupernodalPattern& p) {
     }
     p.subtree_start.assign(count, -1);
     for (std::size_t s = 0; s < count; ++s)
-        if (work[s] <= subtree_share * total) p.subtree_start[s] = first[s];
+        if (work[s] <= supernodal_pattern_policy.subtree_share * total) p.subtree_start[s] = first[s];
 }
 
 /// Positions of the rows below each supernode in the rows of its parent. Both lists are ascending: one merge pass.

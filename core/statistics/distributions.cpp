@@ -16,21 +16,25 @@ using boost::math::cdf;
 using boost::math::complement;
 using boost::math::quantile;
 
+struct DistributionsPolicy {
+    double tiny = 1e-300;
+};
+constexpr DistributionsPolicy distributions_policy;
+
 // ln Gamma(a, z) by the Legendre continued fraction (modified Lentz algorithm), for z well above a.
 // Source: Press et al. 2007, ch. 6.2.
 double log_upper_gamma(double a, double z) {
-    constexpr double tiny = 1e-300;
     double b = z + 1.0 - a;
-    double c = 1.0 / tiny;
+    double c = 1.0 / distributions_policy.tiny;
     double d = 1.0 / b;
     double fraction = d;
     for (int i = 1; i < 10'000; ++i) {
         const double numerator = -i * (i - a);
         b += 2.0;
         d = numerator * d + b;
-        if (std::abs(d) < tiny) d = tiny;
+        if (std::abs(d) < distributions_policy.tiny) d = distributions_policy.tiny;
         c = b + numerator / c;
-        if (std::abs(c) < tiny) c = tiny;
+        if (std::abs(c) < distributions_policy.tiny) c = distributions_policy.tiny;
         d = 1.0 / d;
         fraction *= d * c;
         if (std::abs(d * c - 1.0) < 1e-15) break;

@@ -8,6 +8,12 @@
 namespace myo::statistics {
 namespace {
 
+struct EvidenceConstants {
+    /// The cross entropy is convex in 1 / temperature: golden-section search.
+    double golden = 0.6180339887498949;
+};
+constexpr EvidenceConstants evidence_constants;
+
 // Mean negative log weight of the true model (cross entropy).
 double surprise(const std::vector<JudgedComparison>& comparisons, double temperature) {
     double sum = 0.0;
@@ -54,23 +60,22 @@ std::vector<double> evidence_weights(const std::vector<double>& criteria, double
 
 double calibrated_temperature(const std::vector<JudgedComparison>& comparisons) {
     if (comparisons.empty()) return 1.0;
-    // The cross entropy is convex in 1 / temperature: golden-section search.
-    constexpr double golden = 0.6180339887498949;
     double low = 1.0 / 1000.0, high = 1.0 / 0.05;  // bounds of 1 / temperature
-    double left = high - golden * (high - low), right = low + golden * (high - low);
+    double left = high - evidence_constants.golden * (high - low),
+           right = low + evidence_constants.golden * (high - low);
     double at_left = surprise(comparisons, 1.0 / left), at_right = surprise(comparisons, 1.0 / right);
     while (high - low > 1e-6 * high) {
         if (at_left < at_right) {
             high = right;
             right = left;
             at_right = at_left;
-            left = high - golden * (high - low);
+            left = high - evidence_constants.golden * (high - low);
             at_left = surprise(comparisons, 1.0 / left);
         } else {
             low = left;
             left = right;
             at_left = at_right;
-            right = low + golden * (high - low);
+            right = low + evidence_constants.golden * (high - low);
             at_right = surprise(comparisons, 1.0 / right);
         }
     }

@@ -10,11 +10,14 @@
 namespace myo::statistics {
 namespace {
 
-// On squares of the directions of J, with unit diagonal: 1e-6 of the length of a direction.
-constexpr double relative_tolerance = 1e-12;
-// Smallest information of the remaining folds, relative to all data. Derivatives are not exact, and a step of many
-// standard deviations leaves the linear range.
-constexpr double least_information = 1e-3;
+struct LinearCrossValidationPolicy {
+    /// On squares of the directions of J, with unit diagonal: 1e-6 of the length of a direction.
+    double relative_tolerance = 1e-12;
+    /// Smallest information of the remaining folds, relative to all data. Derivatives are not exact, and a step of many
+    /// standard deviations leaves the linear range.
+    double least_information = 1e-3;
+};
+constexpr LinearCrossValidationPolicy linear_cross_validation_policy;
 
 /// Gauss-Newton normal equations J'J d = J'r of a subset of the data.
 struct NormalEquations {
@@ -30,7 +33,8 @@ Eigen::MatrixXd unit_directions(const Eigen::MatrixXd& matrix) {
     const SymmetricEigen eigen = symmetric_eigen(scale.asDiagonal() * matrix * scale.asDiagonal());
     const Eigen::VectorXd& values = eigen.values;
     const Eigen::Index p = values.size();
-    const Eigen::Index free = (values.array() <= relative_tolerance * values(p - 1)).count();
+    const Eigen::Index free = (values.array() <= linear_cross_validation_policy.relative_tolerance * values(p - 1))
+                                  .count();
     const Eigen::Index known = p - free;
     return scale.asDiagonal() * eigen.vectors.rightCols(known) *
            values.tail(known).cwiseSqrt().cwiseInverse().asDiagonal();
@@ -49,7 +53,7 @@ Step solved(const NormalEquations& equations, const Eigen::MatrixXd& directions)
     if (known == 0) return step;
     const SymmetricEigen eigen = symmetric_eigen(directions.transpose() * equations.matrix * directions);
     for (Eigen::Index k = 0; k < known; ++k) {
-        if (eigen.values(k) < least_information) {
+        if (eigen.values(k) < linear_cross_validation_policy.least_information) {
             ++step.undetermined;
             continue;
         }

@@ -9,9 +9,13 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double most = 0.8, short_time = 0.25;  // share of all squares; largest duration relative to the trial
-/// Share of the squares in the interval that the listed markers must reach.
-constexpr double nearly_all = 0.9;
+struct ResidualSpotPolicy {
+    double most = 0.8;
+    double short_time = 0.25;  // share of all squares; largest duration relative to the trial
+    /// Share of the squares in the interval that the listed markers must reach.
+    double nearly_all = 0.9;
+};
+constexpr ResidualSpotPolicy residual_spot_policy;
 
 /// Calls see(series, entry) for all entries of a trial.
 template <class See>
@@ -45,7 +49,7 @@ std::vector<int> loudest_markers(const Eigen::VectorXd& r, const ResidualLayout&
     std::sort(loud.rbegin(), loud.rend());
     std::vector<int> markers;
     double sum = 0.0;
-    for (std::size_t i = 0; i < loud.size() && sum < nearly_all * all; sum += loud[i++].first)
+    for (std::size_t i = 0; i < loud.size() && sum < residual_spot_policy.nearly_all * all; sum += loud[i++].first)
         markers.push_back(loud[i].second);
     std::sort(markers.begin(), markers.end());
     return markers;
@@ -59,15 +63,16 @@ std::optional<ResidualSpot> residual_spot(const Eigen::VectorXd& r, const Residu
     if (!(all > 0.0)) return std::nullopt;
     for (const int trial : trials_of(layout)) {
         const std::map<double, double> squares = squares_over_time(r, layout, trial);
-        const double longest = short_time * (squares.rbegin()->first - squares.begin()->first);
+        const double longest = residual_spot_policy.short_time * (squares.rbegin()->first - squares.begin()->first);
         std::optional<ResidualSpot> spot;
         double within = 0.0;
         // Two-pointer sweep: for each end, the latest start that still holds the required share.
         for (auto first = squares.begin(), last = squares.begin(); last != squares.end(); ++last) {
             within += last->second;
-            for (; within - first->second >= most * all; ++first) within -= first->second;
+            for (; within - first->second >= residual_spot_policy.most * all; ++first) within -= first->second;
             const double length = last->first - first->first;
-            if (within >= most * all && length <= longest && (!spot || length < spot->to_s - spot->from_s))
+            if (within >= residual_spot_policy.most * all && length <= longest &&
+                (!spot || length < spot->to_s - spot->from_s))
                 spot = ResidualSpot{trial, {}, first->first, last->first, within / all};
         }
         if (!spot) continue;

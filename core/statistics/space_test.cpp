@@ -10,8 +10,11 @@
 namespace myo::statistics {
 namespace {
 
-// Skewness of the largest eigenvalue of a real Wishart matrix (Tracy-Widom law of order 1).
-constexpr double tracy_widom_skewness = 0.2935;
+struct SpaceTestConstants {
+    /// Skewness of the largest eigenvalue of a real Wishart matrix (Tracy-Widom law of order 1).
+    double tracy_widom_skewness = 0.2935;
+};
+constexpr SpaceTestConstants space_test_constants;
 
 double largest_eigenvalue(const Eigen::MatrixXd& symmetric) {
     return symmetric_eigenvalues(symmetric)(symmetric.rows() - 1);
@@ -47,7 +50,7 @@ SpaceTest::Trial test_trial(const GriddedTrial& grid, int draws, RandomSigns& ra
     if (deviation > 1e-12) {
         // If few series carry most of the energy, the skewness exceeds its limit for large matrices.
         const double skewness = std::clamp((shares - shares.mean()).cube().mean() / std::pow(deviation, 3),
-                                           tracy_widom_skewness, 2.0);
+                                           space_test_constants.tracy_widom_skewness, 2.0);
         test.p = shifted_gamma_tail(test.share, test.expected_share, deviation, skewness);
     }
     return test;

@@ -11,7 +11,10 @@
 namespace myo::toml {
 namespace {
 
-constexpr std::size_t largest_document = 16u << 20;
+struct TomlValuePolicy {
+    std::size_t largest_document = 16u << 20;
+};
+constexpr TomlValuePolicy toml_value_policy;
 
 // Converts the library's nodes. `file` is empty for a value from the command line, whose location is fixed_where.
 struct Converter {
@@ -103,7 +106,7 @@ Result<TomlValue> read_toml(const std::filesystem::path& path) {
     // Size check first: reading a device or pipe would not end.
     if (std::filesystem::exists(path, code) && !std::filesystem::is_directory(path, code)) {
         if (!std::filesystem::is_regular_file(path, code)) return Error{"is not a regular file", path.string()};
-        if (std::filesystem::file_size(path, code) > largest_document)
+        if (std::filesystem::file_size(path, code) > toml_value_policy.largest_document)
             return Error{"is larger than 16 MB, so it is no experiment description", path.string()};
     }
     Result<std::string> content = read_file(path);
