@@ -14,6 +14,7 @@ mesh::VolumeMesh distorted_mesh(mesh::CellType type, const Eigen::Vector3i& cell
                                                          : mesh::tet_box_mesh(unit_box(), cells, mesh::CellType::tet4);
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> shift(-strength, strength);
+    // Strength is relative to the cell, so that cells of any size stay valid.
     const Eigen::Vector3d size = unit_box().size().cwiseQuotient(cells.cast<double>());
     for (Eigen::Index i = 0; i < mesh.node_count(); ++i)
         for (int r = 0; r < 3; ++r) mesh.nodes(r, i) += shift(random) * size(r);
@@ -33,6 +34,7 @@ Eigen::Matrix3Xd mapped(const mesh::VolumeMesh& mesh, const Eigen::Matrix3d& A, 
 
 Eigen::Matrix3Xd rough_field(Eigen::Index nodes, double phase) {
     Eigen::Matrix3Xd field(3, nodes);
+    // 1.7 rad per entry: neighbouring values are nearly independent.
     for (Eigen::Index i = 0; i < field.size(); ++i) field(i) = std::sin(phase + 1.7 * static_cast<double>(i));
     return field;
 }

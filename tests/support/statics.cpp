@@ -8,6 +8,7 @@ namespace myo::test {
 
 Eigen::Vector3d tip_at_equilibrium(const model::Model& model, const BeamSpec& spec) {
     dynamics::StageSolver solver(model);
+    // The search starts at rest, with all loads applied at t = 0.
     Eigen::Matrix3Xd x = model.body->mesh.nodes;
     const dynamics::StageReport report = dynamics::solve_equilibrium(solver, 0.0, x);
     EXPECT_TRUE(report.ok()) << report.message;

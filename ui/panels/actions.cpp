@@ -135,7 +135,7 @@ void add_view_actions(std::vector<Action>& all) {
                    {platform::key_f, false, false, "F"},
                    [](PanelContext&, viewport::ViewportState& view) { view.fit_requested = true; },
                    with_scene()});
-    // The same directions as the buttons in the view, with their shortcuts.
+    // Directions and shortcuts are those of the buttons in the view.
     struct Look {
         const char* id;
         const char* label;

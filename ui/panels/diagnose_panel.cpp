@@ -452,7 +452,7 @@ void DiagnosePanel::draw_errors(PanelContext& context, const commands::Diagnosis
         text_cell(theme, trial.fitted ? "fit" : "predicted", theme.text);
         // A row that was not fitted has no errors: dashes.
         const double after_m = t < row.after_m.size() ? row.after_m[t] : std::nan("");
-        // The same error twice: in millimetres and in noise levels.
+        // Each error twice: in millimetres and in noise levels.
         for (const double factor : {1e3, 1.0 / d.noise_m}) {
             number_cell(theme, plot::value_label(factor * trial.before_m, 3));
             number_cell(theme, plot::value_label(factor * after_m, 3),

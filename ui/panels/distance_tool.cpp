@@ -62,7 +62,7 @@ void DistanceTool::clear() {
     begun_.reset();
 }
 
-/// A click takes the first end, the second click completes the distance. All distances are drawn anew in each frame, as
+/// A click takes the first end, the second click completes the distance. All distances are drawn in each frame, as
 /// their ends move.
 void DistanceTool::update(PanelContext& context, const viewport::DrawnScene& scene, viewport::ViewportState& view) {
     const commands::WorkbenchState& state = context.state;

@@ -10,7 +10,7 @@
 
 namespace myo::ui::panels {
 
-/// Shows the properties of the place that the user clicks in the view, on the body or a marker. A click beside them or
+/// Shows the properties of the place that the user clicks in the view, on the body or a marker. A click elsewhere or
 /// Escape closes the card. Clicking a marker also selects it for the plots.
 class InspectTool {
 public:

@@ -9,7 +9,7 @@
 
 namespace myo::ui::panels {
 
-/// The brush in the 3D view. A stroke begins on the body; a drag that begins beside the body turns the camera. Ctrl
+/// The brush in the 3D view. A stroke begins on the body; a drag that begins outside of it turns the camera. Ctrl
 /// swaps painting and erasing, Shift leaves the drag to the camera.
 class PaintTool {
 public:
@@ -34,7 +34,7 @@ private:
         Eigen::Vector3d rest_m;    // position at rest [m]
         Eigen::Vector3d outward;   // outward unit normal at rest
     };
-    /// The drawn triangle under a pixel; empty beside the body or without a mesh.
+    /// The drawn triangle under a pixel; empty outside of the body or without a mesh.
     static std::optional<viewport::SurfaceHit> hit_at(const commands::WorkbenchState& state,
                                                       const viewport::DrawnScene& scene,
                                                       const viewport::ViewportState& view,

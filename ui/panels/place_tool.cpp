@@ -33,7 +33,7 @@ bool assign_clicked(const PanelContext& context, const viewport::DrawnScene& sce
     return picked.has_value();
 }
 
-/// Places the selected label on the body under the mouse. Returns false if the mouse is beside it.
+/// Places the selected label on the body under the mouse. Returns false if the mouse is not over it.
 bool place_clicked(const PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view,
                    commands::ImportChoices& choices) {
     const commands::RecordingImport& import = *context.state.import;
