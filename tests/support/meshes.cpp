@@ -9,6 +9,7 @@ mesh::VolumeMesh box_mesh(fem::ElementKind kind, const Box& box, const Eigen::Ve
 
 Box unit_box() { return {Eigen::Vector3d::Zero(), Eigen::Vector3d(1.0, 0.8, 0.6)}; }
 
+/// Distorted cells show errors that regular ones hide, such as a wrong Jacobian.
 mesh::VolumeMesh distorted_mesh(mesh::CellType type, const Eigen::Vector3i& cells, double strength, unsigned seed) {
     mesh::VolumeMesh mesh = type == mesh::CellType::hex8 ? mesh::box_hex_mesh(unit_box(), cells)
                                                          : mesh::tet_box_mesh(unit_box(), cells, mesh::CellType::tet4);

@@ -185,6 +185,7 @@ void DiagnosePanel::draw_head(PanelContext& context) {
     ImGui::SameLine(0.0f, 12.0f * s);
     ImGui::AlignTextToFramePadding();
     ImGui::PushFont(theme.strong);
+    // Widths in pixels at scale 1: the confidence is shown if 160 remain for the verdict.
     const float confidence_width = 140.0f * s, all = ImGui::GetContentRegionAvail().x - add_width - 16.0f * s;
     const bool with_confidence = d.complete && all > confidence_width + 160.0f * s;  // otherwise in the tooltip
     const float room = all - (with_confidence ? confidence_width : 0.0f);

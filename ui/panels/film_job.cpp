@@ -128,6 +128,7 @@ void FilmJob::draw_overlay(const viewport::DrawnScene& scene) {
 }
 
 bool FilmJob::draw(PanelContext& context) const {
+    // The dialog is modal: edits during the writing would not appear in the images.
     if (!begin_dialog(context.theme, "Writing pictures", 360.0f)) return false;
     const int count = picture_count(request_);
     // Estimated from the images so far, all of which took about the same time.
