@@ -11,6 +11,9 @@ namespace myo::ui::panels {
 
 /// The brush in the 3D view. A stroke begins on the body; a drag that begins outside of it turns the camera. Ctrl
 /// swaps painting and erasing, Shift leaves the drag to the camera.
+///
+/// During a stroke the tool keeps the paint itself, so that the view shows it at once; the state changes only when the
+/// stroke is finished, as one undo entry.
 class PaintTool {
 public:
     /// Whether a press at this pixel of the view (from its upper left corner) belongs to the brush.
