@@ -20,6 +20,7 @@ model::Model make_beam(const BeamSpec& spec) {
     return model;
 }
 
+/// Integrals of the shape functions over the end face, divided by its area.
 Eigen::VectorXd tip_share(const model::Model& model, const BeamSpec& spec) {
     const Eigen::Vector3d outside = Eigen::Vector3d::Constant(1e-6 * spec.size(0));
     // surface_weights() also counts a face that lies in a side of the box
@@ -36,6 +37,7 @@ double second_moment(const BeamSpec& spec) { return spec.size(1) * std::pow(spec
 
 double section_area(const BeamSpec& spec) { return spec.size(1) * spec.size(2); }
 
+/// The share distributes the force like a uniform traction.
 void push_tip(model::Model& model, const BeamSpec& spec, const Eigen::Vector3d& force_N) {
     model::DeadForce load;
     load.share = tip_share(model, spec);

@@ -19,11 +19,11 @@ struct BeamSpec {
     Eigen::Vector3d size{0.1, 0.03, 0.03};  // [m]
     double youngs_modulus_Pa = 263824.0;
     double poissons_ratio = 0.499;
-    double density_kg_m3 = 1070.0;  // in kg/m^3
-    double gravity_m_s2 = 0.0;      // acts downwards along z
-    double damping_s = 0.0;         // Kelvin-Voigt time
-    const char* material = "neo_hookean";
-    bool clamped = true;  // otherwise the beam is free
+    double density_kg_m3 = 1070.0;
+    double gravity_m_s2 = 0.0;             // acts downwards along z
+    double damping_s = 0.0;                // Kelvin-Voigt time
+    const char* material = "neo_hookean";  // id in the catalogue of materials
+    bool clamped = true;                   // otherwise the beam is free
 };
 
 /// The beam at rest [m].

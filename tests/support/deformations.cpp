@@ -2,6 +2,7 @@
 
 namespace myo::test {
 
+/// Four normal numbers, normalised, are a uniformly distributed unit quaternion.
 Eigen::Matrix3d random_rotation(std::mt19937& random) {
     std::normal_distribution<double> normal;
     return Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
@@ -17,6 +18,7 @@ Eigen::Matrix3d random_deformation(std::mt19937& random, double lowest, double h
 }
 
 std::vector<Eigen::Matrix3d> sample_deformations() {
+    // A fixed seed: each run tests the same deformations.
     std::mt19937 random(7);
     std::vector<Eigen::Matrix3d> F;
     for (int k = 0; k < 3; ++k) F.push_back(random_deformation(random, 0.97, 1.03));

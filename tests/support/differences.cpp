@@ -8,6 +8,7 @@ void expect_equal_to_differences(const Eigen::MatrixXd& exact, const Eigen::Matr
     ASSERT_EQ(exact.cols(), differences.cols()) << what;
     // Two zero matrices would agree without testing anything.
     ASSERT_GT(differences.norm(), 0.0) << what;
+    // Relative to the differences, whose norm is positive here.
     EXPECT_LT((exact - differences).norm() / differences.norm(), tolerance) << what;
 }
 

@@ -8,6 +8,7 @@
 
 namespace myo::testing_support {
 
+/// Tests of experiments use the folder without its namespace.
 using test::Folder;
 
 /// Replaces the first occurrence of `from`. Fails the test if there is none, so that a test notices a changed template.

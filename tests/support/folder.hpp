@@ -19,6 +19,7 @@ public:
         std::filesystem::create_directories(path_);
     }
     ~Folder() {
+        // A failure to delete must not hide the result of the test.
         std::error_code ignored;
         std::filesystem::remove_all(path_, ignored);
     }

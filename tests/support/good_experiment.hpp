@@ -115,6 +115,7 @@ trial = "step"
 
 /// Writes the TOML, and a placeholder for each file that it refers to.
 inline void write_files(const Folder& folder, const std::string& toml) {
+    // Placeholders: these files only have to exist.
     folder.write("experiment.toml", toml);
     for (const char* file : {"release.csv", "step.txt", "check.tsv", "signal.csv", "body.stl"}) folder.write(file, "-");
 }

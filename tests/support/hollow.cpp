@@ -15,7 +15,7 @@ mesh::VolumeMesh without(const mesh::VolumeMesh& mesh, const Box& box) {
         cells.push_back(c);
         for (const int i : cell) {
             int& n = number[static_cast<std::size_t>(i)];
-            // Nodes are numbered anew in the order in which the remaining cells refer to them.
+            // Nodes are numbered in the order in which the remaining cells refer to them.
             if (n >= 0) continue;
             n = static_cast<int>(kept.size());
             kept.push_back(i);
@@ -26,6 +26,7 @@ mesh::VolumeMesh without(const mesh::VolumeMesh& mesh, const Box& box) {
     return result;
 }
 
+/// The chamber is cut from a regular mesh of 10 mm cells, so its walls are exact.
 model::Model hollow_block(fem::ElementKind kind) {
     const mesh::VolumeMesh mesh = without(box_mesh(kind, {{0.0, 0.0, 0.0}, {0.06, 0.03, 0.03}}, {6, 3, 3}),
                                           {{0.02, 0.01, 0.01}, {0.05, 0.02, 0.02}});
@@ -43,6 +44,7 @@ model::Model hollow_sphere(double a, double b, int cells) {
     // Each cubic shell is projected onto a sphere: its distance from the centre in the maximum norm gives the radius.
     for (Eigen::Index i = 0; i < mesh.node_count(); ++i) {
         const double shell = mesh.nodes.col(i).cwiseAbs().maxCoeff();
+        // The innermost shell, at 1/3, goes to radius a, the outermost, at 1, to radius b.
         mesh.nodes.col(i) *= (a + (b - a) * (shell - 1.0 / 3.0) * 1.5) / mesh.nodes.col(i).norm();
     }
     model::Model model;

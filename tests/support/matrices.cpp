@@ -8,6 +8,7 @@ solver::SymmetricSparse random_matrix(int n, unsigned seed, double shift) {
     std::uniform_int_distribution<int> row(0, n - 1);
     std::vector<Eigen::Triplet<double>> entries;
     for (int i = 0; i < n; ++i)
+        // Four entries per column, at random rows; equal positions are added up.
         for (int k = 0; k < 4; ++k) entries.emplace_back(row(random), i, normal(random));
     Eigen::SparseMatrix<double> A(n, n);
     A.setFromTriplets(entries.begin(), entries.end());

@@ -38,6 +38,7 @@ inline Result<setup::Setup> muscle_beam_setup(const Folder& folder, const std::s
     folder.write("s.csv", signal);
     const Result<experiment::Experiment> experiment = experiment::read_experiment(folder.path());
     if (!experiment) return experiment.error();
+    // Coarse elements: the tests need the mechanism, not the accuracy.
     settings.mesh.resolution_m = 0.015;
     return setup::prepare_setup(*experiment, settings);
 }

@@ -11,6 +11,7 @@ std::array<std::complex<double>, 2> step_eigenvalues(const Eigen::Matrix2cd& A) 
 dynamics::NaturalMode first_mode(const model::Model& model) {
     dynamics::StageSolver solver(model);
     const dynamics::NaturalModes modes = dynamics::natural_modes(solver, model.body->mesh.nodes, 1);
+    // A failure here would otherwise appear as a wrong frequency.
     EXPECT_TRUE(modes.ok());
     return modes.modes.at(0);
 }
@@ -37,6 +38,7 @@ model::Model held(const BeamSpec& spec) {
 
 Eigen::VectorXd modal_coordinate(const model::Model& model, const dynamics::NaturalMode& mode,
                                  const dynamics::Trace& trace) {
+    // Modes are orthogonal with respect to the mass matrix, so this weight removes all other modes.
     const Eigen::Matrix3Xd weight = model::times_mass(mode.shape, model::mass_matrix(model));
     Eigen::VectorXd q(static_cast<Eigen::Index>(trace.positions.size()));
     for (std::size_t k = 0; k < trace.positions.size(); ++k)
@@ -62,6 +64,7 @@ Eigen::VectorXd ring(const model::Model& model, const dynamics::NaturalMode& mod
     options.integrator = scheme;
     options.h_s = h;
     options.end_s = steps * h;
+    // Errors of the solver must stay below the errors in time that the tests measure.
     options.solver.tolerance = 1e-8;
     const dynamics::Trace trace = dynamics::simulate(model, options);
     return trace.complete() ? modal_coordinate(model, mode, trace) : Eigen::VectorXd();

@@ -8,6 +8,7 @@ BeamSpec light_cube() {
     spec.size = {0.01, 0.01, 0.01};
     spec.youngs_modulus_Pa = 1e5;
     spec.poissons_ratio = 0.3;
+    // About a thousandth of silicone: inertia is negligible.
     spec.density_kg_m3 = 1.0;
     spec.clamped = false;
     return spec;
@@ -20,6 +21,7 @@ Eigen::VectorXd root_share(const model::Model& model, const BeamSpec& spec) {
     return integral.weight / integral.weight.sum();
 }
 
+/// Equal and opposite forces, so that the free cube is not accelerated.
 void pull(model::Model& model, const BeamSpec& spec, double stress_Pa, double from_s, double until_s) {
     const Eigen::Vector3d force(stress_Pa * section_area(spec), 0.0, 0.0);
     model.forces.push_back({tip_share(model, spec), force, from_s, until_s});

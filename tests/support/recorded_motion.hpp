@@ -16,6 +16,7 @@ inline void record(setup::Setup& setup, std::size_t trial, const prediction::Par
                    const dynamics::Trace& trace, unsigned seed = 1) {
     ASSERT_TRUE(trace.complete()) << trace.message;
     const prediction::TrialPrediction seen = prediction::observe_trial(setup, trial, values, trace);
+    // The noise has the size that the experiment declares, so a correct model leaves a residual of this size.
     std::mt19937_64 random(seed);
     std::normal_distribution<double> noise;
     for (std::size_t m = 0; m < setup.marker_names.size(); ++m) {

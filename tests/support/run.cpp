@@ -26,6 +26,7 @@ dynamics::SimulationOptions short_steps(dynamics::StartKind start, double h, dou
 }
 
 double relative_difference(const dynamics::Trace& a, const dynamics::Trace& b) {
+    // Relative to the motion, not to the positions, whose size depends on the origin.
     double largest = 0.0, motion = 0.0;
     for (std::size_t k = 0; k < a.positions.size(); ++k) {
         largest = std::max(largest, (a.positions[k] - b.positions[k]).cwiseAbs().maxCoeff());

@@ -14,6 +14,7 @@ inline setup::Setup setup_of_folder(const Folder& folder, const setup::SetupSett
     EXPECT_TRUE(experiment) << experiment.error().text();
     Result<setup::Setup> setup = setup::prepare_setup(*experiment, settings);
     EXPECT_TRUE(setup) << setup.error().text();
+    // Moved out of the Result: a setup holds meshes and measurements.
     return std::move(*setup);
 }
 

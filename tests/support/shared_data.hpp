@@ -11,6 +11,7 @@ namespace myo::test {
 /// Path of a file or folder of the measured data, in the folder MYOLOOP_DATA or next to the checkout. Empty if it does
 /// not exist.
 inline std::filesystem::path shared_data(const std::string& part) {
+    // The environment variable takes precedence, so that a build in another place finds the data.
     const char* const named = std::getenv("MYOLOOP_DATA");
     const std::filesystem::path folder = named != nullptr ? std::filesystem::path(named)
                                                           : std::filesystem::path(MYOLOOP_SOURCE_DIR) / ".." / "shared";
@@ -25,6 +26,7 @@ std::vector<std::filesystem::path> shared_entries(const std::string& part, const
     if (folder.empty()) return found;
     for (const auto& entry : std::filesystem::directory_iterator(folder))
         if (wanted(entry.path())) found.push_back(entry.path());
+    // The order of a directory iterator is not defined.
     std::sort(found.begin(), found.end());
     return found;
 }

@@ -8,8 +8,10 @@ namespace myo::test {
 
 Eigen::Vector3d tip_at_equilibrium(const model::Model& model, const BeamSpec& spec) {
     dynamics::StageSolver solver(model);
+    // The search starts at rest, with all loads applied at t = 0.
     Eigen::Matrix3Xd x = model.body->mesh.nodes;
     const dynamics::StageReport report = dynamics::solve_equilibrium(solver, 0.0, x);
+    // Without equilibrium the displacement below would be that of the last iterate.
     EXPECT_TRUE(report.ok()) << report.message;
     return tip_displacement(model, spec, x);
 }

@@ -52,6 +52,7 @@ start = "straight"
 /// Prepares the experiment of a folder on coarse elements, so that tests run fast.
 inline setup::Setup setup_in(const Folder& folder) {
     setup::SetupSettings settings;
+    // Half the thickness of the beam.
     settings.mesh.resolution_m = 0.015;
     return setup_of_folder(folder, settings);
 }

@@ -26,29 +26,36 @@ struct Drop {
 /// Answer to the question about the unit of a mesh file.
 struct AnswerUnit {
     std::optional<double> metres_per_unit;  // empty: do not open the file
-};                                          // empty = do not open
+};
 /// Replaces the settings. `goes_on` marks a further change of the same drag, which undo treats as one edit.
 struct ChangeSettings {
     Settings settings;
     std::string what;  // name of the edit, for merging in undo
     bool goes_on = false;
 };
+/// Restores the settings before the last edit.
 struct Undo {};
+/// Repeats the edit that was undone last.
 struct Redo {};
+/// Builds the mesh of the open body for the present settings. Ignored if nothing is open.
 struct BuildMesh {};
+/// Simulates all trials; builds the mesh first if the settings require another one.
 struct Run {};
 /// Switches the live preview: a short run after every edit.
 struct ChangePreview {
     bool on = false;
     std::optional<double> length_s;  // of the trial [s]; empty: chosen by the program
 };
-// Jobs. Each starts at once, or waits in the queue while another job runs.
+/// Fits the unknown parameters to the measured trials. Like all jobs it starts at once, or waits in the queue while
+/// another one runs.
 struct Calibrate {};
 /// Sets how the next search for muscle signals works.
 struct ChangeOptimize {
     OptimizeRequest request;
 };
+/// Searches muscle signals with which the markers follow the shown trial.
 struct Optimize {};
+/// Finds out what the model lacks.
 struct Diagnose {};
 /// Selects a row of the diagnosis.
 struct ChooseCandidate {
@@ -64,21 +71,22 @@ struct ChooseMuscle {
 };
 /// Replaces the paint of a muscle on the shown body. One undo entry.
 struct Paint {
-    int muscle = 0;
+    int muscle = 0;  // index in Settings::muscles
     std::shared_ptr<const fibre::CellPaint> paint;
     std::string what;  // name of the edit, for undo
 };
 /// Reads the signal of a muscle from a CSV file.
 struct ImportSignal {
-    int muscle = 0;
+    int muscle = 0;  // index in Settings::muscles
     std::filesystem::path path;
 };
 /// Writes a signal to a CSV file.
 struct ExportSignal {
-    std::string muscle;
+    std::string muscle;  // name of its column in the file
     fibre::Signal signal;
     std::filesystem::path path;
 };
+/// Replaces the settings of the brush. Not part of undo.
 struct ChangeBrush {
     BrushSettings brush;
 };
@@ -112,8 +120,8 @@ struct SaveAs {
 };
 /// Opens or closes the dialog that asks for a file name.
 struct AskWhereToSave {
-    bool asks = true;
-};  // false: the user cancelled the dialog
+    bool asks = true;  // false: the user cancelled the dialog
+};
 /// Answer to the question about unsaved changes.
 enum class UnsavedAnswer { save, discard, cancel };
 /// Decides about unsaved changes; the waiting action continues or is dropped.
@@ -157,6 +165,7 @@ struct Play {
 struct SetSpeed {
     double speed = 1.0;
 };
+/// Replaces the options of the 3D view. Not part of undo.
 struct ChangeView {
     ViewOptions view;
 };
@@ -182,6 +191,7 @@ struct Bookmark {
 struct UsePreferences {
     Preferences preferences;
 };
+/// Removes all messages.
 struct ClearLog {};
 /// Appends a message of the window itself to the log.
 struct Tell {

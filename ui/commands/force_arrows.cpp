@@ -48,7 +48,7 @@ const PatchForces* shown_forces(const WorkbenchState& state) {
     const DiagnosisRow* const row = state.diagnosis_row();
     const auto trial = static_cast<std::size_t>(state.trial);
     if (!row || !state.body || trial >= row->force.size() || !row->force[trial]) return nullptr;
-    // Patches are lists of nodes, so they fit only the mesh that was diagnosed.
+    // Patches are lists of nodes, so they belong to the mesh that was diagnosed.
     const bool same_body = same_mesh(state.diagnosis_settings, state.body_settings) &&
                            state.diagnosis->patch_of_node.size() == state.body->mesh.nodes.cols();
     const PatchForces& forces = *row->force[trial];

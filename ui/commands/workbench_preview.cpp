@@ -9,7 +9,7 @@ namespace myo::ui::commands {
 
 void Workbench::change_preview(const ChangePreview& asked) {
     const bool longer = asked.length_s != state_.preview.length_s;
-    // The same state again must not cancel the running preview.
+    // A command that changes nothing must not cancel the running preview.
     if (asked.on == state_.preview.on && !longer) return;
     state_.preview.on = asked.on;
     state_.preview.length_s = asked.length_s;

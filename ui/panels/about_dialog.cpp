@@ -26,6 +26,7 @@ void draw_libraries(const std::vector<commands::Library>& libraries) {
     ImGui::TableSetupColumn("licence", ImGuiTableColumnFlags_WidthStretch, 1.5f);
     for (const commands::Library& library : libraries) {
         ImGui::TableNextRow();
+        // Long licences wrap within their column.
         for (const std::string* text : {&library.name, &library.version, &library.licence}) {
             ImGui::TableNextColumn();
             wrapped_text(*text);

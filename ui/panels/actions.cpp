@@ -11,6 +11,8 @@
 namespace myo::ui::panels {
 namespace {
 
+// Members of each Action below, in order: id, menu, label, shortcut {key, ctrl, shift, label}, perform, enabled,
+// checked, separated. Members at the end that have their default value are left out.
 using Enabled = std::function<bool(const commands::WorkbenchState&)>;
 
 // Conditions that several actions share.
@@ -83,6 +85,7 @@ void add_file_actions(std::vector<Action>& all) {
 
 /// Menu Edit. Painting and erasing need a selected muscle.
 void add_edit_actions(std::vector<Action>& all) {
+    // Undo and redo are available only if there is an entry; the workbench keeps that in its state.
     all.push_back({"edit.undo",
                    "Edit",
                    "Undo",
@@ -135,7 +138,7 @@ void add_view_actions(std::vector<Action>& all) {
                    {platform::key_f, false, false, "F"},
                    [](PanelContext&, viewport::ViewportState& view) { view.fit_requested = true; },
                    with_scene()});
-    // The same directions as the buttons in the view, with their shortcuts.
+    // Directions and shortcuts are those of the buttons in the view.
     struct Look {
         const char* id;
         const char* label;
@@ -177,7 +180,7 @@ void add_view_actions(std::vector<Action>& all) {
              commands::ViewOptions view = context.state.view;
              const auto shown = std::find_if(kinds.begin(), kinds.end(),
                                              [&](const commands::FieldKind& kind) { return kind.id == view.field; });
-             const auto next = shown == kinds.end() ? kinds.begin() : std::next(shown);  // after the last: none
+             const auto next = shown == kinds.end() ? kinds.begin() : std::next(shown);  // after the last one: no field
              view.field = next != kinds.end() ? next->id : "";
              context.emit(commands::ChangeView{view});
          },
@@ -204,6 +207,7 @@ void add_view_actions(std::vector<Action>& all) {
                    {},
                    [](PanelContext& context, viewport::ViewportState&) { context.window.clear_distances = true; },
                    with_scene()});
+    // The theme has two values, so the action is a toggle with a tick for the light one.
     all.push_back({"view.theme",
                    "View",
                    "Light colours",
@@ -232,6 +236,8 @@ void add_view_actions(std::vector<Action>& all) {
 
 /// Menu Run. Each job has one action here; the buttons in the panels emit the same commands.
 void add_run_actions(std::vector<Action>& all) {
+    // The order of the menu is that of the work: mesh, run, preview, searches, diagnosis, and control of the running
+    // job.
     all.push_back({"run.mesh",
                    "Run",
                    "Build the mesh",
@@ -276,6 +282,7 @@ void add_run_actions(std::vector<Action>& all) {
                    working(),
                    [](const commands::WorkbenchState& s) { return s.job && s.job->paused; },
                    true});
+    // A search that is cancelled keeps its best values, so no question is asked.
     all.push_back({"run.cancel", "Run", "Cancel", {}, emits(commands::Cancel{}), working()});
     all.push_back(
         {"run.play",

@@ -25,6 +25,7 @@ namespace myo::ui::panels {
 std::vector<std::unique_ptr<Panel>> all_panels() {
     std::vector<std::unique_ptr<Panel>> panels;
     const auto add = [&panels]<class T>(std::type_identity<T>) { panels.push_back(std::make_unique<T>()); };
+    // Panels at the side, in the order of the tasks.
     add(std::type_identity<BodyPanel>());
     add(std::type_identity<MeshPanel>());
     add(std::type_identity<MaterialPanel>());
@@ -36,6 +37,7 @@ std::vector<std::unique_ptr<Panel>> all_panels() {
     add(std::type_identity<FitPanel>());
     add(std::type_identity<VerdictPanel>());
     add(std::type_identity<ReportPanel>());
+    // Panels below the view; the first one is in front at the start.
     add(std::type_identity<MarkerPanel>());
     add(std::type_identity<RecordingPanel>());
     add(std::type_identity<SignalPanel>());

@@ -35,6 +35,7 @@ void BodyPanel::draw(PanelContext& context) {
                                                                        : std::filesystem::path(path_));
     context.items.mark("body/browse");
     tooltip(theme, "Choose from a list (Ctrl+O)");
+    // What can be opened, and what is assumed about a mesh without an experiment.
     if (!state.scene) {
         muted_text(theme,
                    "A folder with an experiment.toml brings body, clamp, material and measured markers. A closed "

@@ -6,7 +6,9 @@
 
 namespace myo::ui::panels {
 
-/// Opens an experiment, a mesh or a project, and shows its properties.
+/// Task Body: opens an experiment, a mesh or a project, and shows the properties of what is open.
+///
+/// Emits Open; the button next to the path requests the file browser. Item names begin with "body/".
 class BodyPanel : public Panel {
 public:
     std::string name() const override { return "body"; }

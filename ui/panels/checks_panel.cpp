@@ -105,6 +105,7 @@ void ChecksPanel::draw_rows(PanelContext& context) {
     const commands::CheckRows& rows = context.state.checks->rows;
     // Width [pixels at scale 1] below which five columns would break the texts into single words.
     const bool wide = ImGui::GetContentRegionAvail().x > 720.0f * theme.scale;
+    // The table scrolls by itself, so that head and titles stay visible.
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
                                       ImGuiTableFlags_BordersOuterH;
     if (!ImGui::BeginTable("checks", wide ? 5 : 2, flags)) return;

@@ -11,7 +11,9 @@ inline constexpr const char* no_checks_words =
 inline constexpr const char*
     stale_checks_words = "The settings changed since: these are the checks of earlier settings.";
 
-/// Results of the checks of the experiment and the newest job, most severe first.
+/// Results of the checks of the experiment and the newest job, most severe first, each with what the user can do.
+///
+/// Emits nothing. Links in other panels bring it to the front. Item names begin with "checks/".
 class ChecksPanel : public Panel {
 public:
     std::string name() const override { return checks_panel_name; }

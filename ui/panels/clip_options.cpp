@@ -44,6 +44,7 @@ void draw_clip_options(PanelContext& context, const viewport::Camera& camera, co
         Eigen::Vector3d normal;
         const char* tip;
     };
+    // "View" depends on the camera, so the table is built in each frame.
     const Direction directions[] = {{"X", "view/clip_x", Eigen::Vector3d::UnitX(), "Across the x axis"},
                                     {"Y", "view/clip_y", Eigen::Vector3d::UnitY(), "Across the y axis"},
                                     {"Z", "view/clip_z", Eigen::Vector3d::UnitZ(), "Across the z axis"},

@@ -185,6 +185,7 @@ void DiagnosePanel::draw_head(PanelContext& context) {
     ImGui::SameLine(0.0f, 12.0f * s);
     ImGui::AlignTextToFramePadding();
     ImGui::PushFont(theme.strong);
+    // Widths in pixels at scale 1: the confidence is shown if 160 remain for the verdict.
     const float confidence_width = 140.0f * s, all = ImGui::GetContentRegionAvail().x - add_width - 16.0f * s;
     const bool with_confidence = d.complete && all > confidence_width + 160.0f * s;  // otherwise in the tooltip
     const float room = all - (with_confidence ? confidence_width : 0.0f);
@@ -452,7 +453,7 @@ void DiagnosePanel::draw_errors(PanelContext& context, const commands::Diagnosis
         text_cell(theme, trial.fitted ? "fit" : "predicted", theme.text);
         // A row that was not fitted has no errors: dashes.
         const double after_m = t < row.after_m.size() ? row.after_m[t] : std::nan("");
-        // The same error twice: in millimetres and in noise levels.
+        // Each error twice: in millimetres and in noise levels.
         for (const double factor : {1e3, 1.0 / d.noise_m}) {
             number_cell(theme, plot::value_label(factor * trial.before_m, 3));
             number_cell(theme, plot::value_label(factor * after_m, 3),

@@ -7,6 +7,9 @@ namespace myo::ui::panels {
 
 /// Shows what the model lacks: the verdict; the ranking of effects while the diagnosis runs and afterwards; the effect
 /// of the selected row on residuals and errors; and a button that adds it to the model.
+///
+/// Emits Diagnose, Cancel, ChooseCandidate, AddEffect, ChooseMarker, ChooseTrial and SetTime. Comes to the front with
+/// the task Diagnose. Item names begin with "diagnose/".
 class DiagnosePanel : public Panel {
 public:
     std::string name() const override { return "diagnose"; }

@@ -14,6 +14,7 @@ namespace {
 /// Length now and, below it, at rest with the change. Two ends at the same point at rest have no relative change.
 std::string label_of(const MeasuredDistance& distance) {
     const double change = distance.now_m - distance.at_rest_m;
+    // Two lines: the present length; length at rest, change, and change in per cent.
     char text[120];
     if (distance.at_rest_m > 0.0)
         std::snprintf(text, sizeof text, "%.2f mm\nat rest %.2f mm, %+.2f mm, %+.1f %%", 1e3 * distance.now_m,
@@ -62,7 +63,7 @@ void DistanceTool::clear() {
     begun_.reset();
 }
 
-/// A click takes the first end, the second click completes the distance. All distances are drawn anew in each frame, as
+/// A click takes the first end, the second click completes the distance. All distances are drawn in each frame, as
 /// their ends move.
 void DistanceTool::update(PanelContext& context, const viewport::DrawnScene& scene, viewport::ViewportState& view) {
     const commands::WorkbenchState& state = context.state;

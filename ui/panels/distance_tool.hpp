@@ -27,6 +27,8 @@ void draw_distances(ImDrawList& list, const platform::Theme& theme, const std::v
 
 /// Measures distances in the view. While ViewportState::measuring is set, every two clicks create a distance. Distances
 /// are kept and follow the motion until they are cleared or another body is shown.
+///
+/// Distances belong to the window: they are neither saved with the project nor part of undo.
 class DistanceTool {
 public:
     /// Handles clicks and draws. Call it after draw_viewport(), within the view's window.

@@ -195,6 +195,7 @@ void FibrePanel::draw_link(PanelContext& context) {
             if (partner.empty() && !m.signal && m.declared.empty()) m.signal = fibre::Signal::constant(1.0);
         });
     if (muscle.follows.empty()) return;
+    // NumberField: label, item name, unit, tooltip, SI value per shown unit, limits, smallest change while dragging.
     double ratio = muscle.ratio;
     bool goes_on = false;
     const NumberField field{"Ratio",
@@ -321,6 +322,7 @@ void FibrePanel::draw_brush(PanelContext& context) {
     ImGui::Spacing();
     // Edited as a copy; one command at the end if anything changed.
     commands::BrushSettings brush = state.brush;
+    // One button per tool; the tooltips name the shortcuts.
     struct Tool {
         commands::BrushTool tool;
         const char* icon;

@@ -4,7 +4,10 @@
 
 namespace myo::ui::panels {
 
-/// Edits the muscles of the body and the settings of the brush that paints them.
+/// Task Fibres: edits the muscles of the body and the settings of the brush that paints them.
+///
+/// Emits ChangeSettings, ChooseMuscle, Paint and ChangeBrush. The brush itself is PaintTool, signals are edited in
+/// SignalPanel. Item names begin with "fibres/".
 class FibrePanel : public Panel {
 public:
     std::string name() const override { return "fibres"; }

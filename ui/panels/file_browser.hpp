@@ -27,6 +27,10 @@ std::string with_ending(const std::string& name, const std::vector<std::string>&
 
 /// Modal dialog to choose a file or a folder; the libraries in use do not provide one. It serves all file dialogs of
 /// the window, one at a time.
+///
+/// What can be chosen follows from FileDialog: with `new_name` a file to write, which need not exist; with `folders`
+/// any folder; with `experiments` folders with an experiment.toml; otherwise a file with one of the extensions. The
+/// result is passed to the dialog's callbacks, which emit commands.
 class FileBrowser {
 public:
     /// Opens the dialog in the next frame.

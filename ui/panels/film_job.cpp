@@ -111,7 +111,7 @@ Result<platform::Image> FilmJob::picture(const viewport::DrawnScene& scene) {
     return renderer_->read();
 }
 
-/// The same annotations as in the view, drawn with fonts of the image's scale, and the time if there is a motion.
+/// Draws the view's annotations with fonts of the image's scale, and the time if there is a motion.
 void FilmJob::draw_overlay(const viewport::DrawnScene& scene) {
     const viewport::ViewportState& view = filmed_->view;
     const commands::WorkbenchState& state = filmed_->state;
@@ -128,6 +128,7 @@ void FilmJob::draw_overlay(const viewport::DrawnScene& scene) {
 }
 
 bool FilmJob::draw(PanelContext& context) const {
+    // The dialog is modal: edits during the writing would not appear in the images.
     if (!begin_dialog(context.theme, "Writing pictures", 360.0f)) return false;
     const int count = picture_count(request_);
     // Estimated from the images so far, all of which took about the same time.

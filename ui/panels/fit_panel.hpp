@@ -4,8 +4,11 @@
 
 namespace myo::ui::panels {
 
-/// Starts searches: calibration of parameters, and optimisation of muscle signals with which the markers follow a
-/// trial. Shows the values found.
+/// Task Fit: starts searches, that is the calibration of parameters, and the optimisation of muscle signals with which
+/// the markers follow a trial. Shows the values found.
+///
+/// Emits Calibrate, ChangeOptimize and Optimize. SearchPanel shows the search while it runs. Item names begin with
+/// "fit/".
 class FitPanel : public Panel {
 public:
     std::string name() const override { return "fit"; }

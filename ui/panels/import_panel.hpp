@@ -5,8 +5,11 @@
 
 namespace myo::ui::panels {
 
-/// Edits the import of a recording: how the file is read, its placement on the body, which label is which marker, and
-/// the start of the trial. Shown only during an import.
+/// Task Measure: edits the import of a recording, that is how the file is read, its placement on the body, which label
+/// is which marker, and the start of the trial. Shown only during an import.
+///
+/// Emits ChangeImport, ChooseLabel, ReadRecording, ProposeMarkers and AlignImport. The trial is added by
+/// draw_import_controls(). Item names begin with "import/".
 class ImportPanel : public Panel {
 public:
     std::string name() const override { return "import"; }

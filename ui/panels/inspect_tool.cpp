@@ -82,6 +82,7 @@ void InspectTool::draw_highlight(const PanelContext& context, const viewport::Dr
     const Eigen::VectorXi cell = mesh.cells.col(picked_->cell);
     // A dark line below the bright one keeps the edges visible on any background.
     for (const auto& [color, width] : {std::pair{dark, 3.5f * s}, std::pair{accent, 1.8f * s}}) {
+        // Quadratic tetrahedra are marked by their straight edges, which suffices to find them.
         if (mesh.type == mesh::CellType::hex8)
             draw_edges(list, scene, view, cell, mesh::hexahedron_edges, color, width);
         else
@@ -104,6 +105,7 @@ void InspectTool::draw_card(PanelContext& context, const viewport::DrawnScene& s
         labels = std::max(labels, ImGui::CalcTextSize(each.label.c_str()).x);
         values = std::max(values, ImGui::CalcTextSize(each.value.c_str()).x);
     }
+    // 14 pixels at scale 1 separate labels and values.
     const float width = labels + 14.0f * s + values + 2.0f * margin;
     // Left of the legend of a field, below the buttons.
     const float right = view.pixels.highest.x - (scene.field ? 90.0f : 12.0f) * s;

@@ -10,8 +10,10 @@
 
 namespace myo::ui::panels {
 
-/// Shows the properties of the place that the user clicks in the view, on the body or a marker. A click beside them or
+/// Shows the properties of the place that the user clicks in the view, on the body or a marker. A click elsewhere or
 /// Escape closes the card. Clicking a marker also selects it for the plots.
+///
+/// The picked place moves with the body, so the card follows the motion. It is dropped when another body is shown.
 class InspectTool {
 public:
     /// Handles clicks and draws card and highlight. Call it after the view and after the other tools, which take clicks

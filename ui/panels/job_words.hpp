@@ -11,7 +11,8 @@ namespace myo::ui::panels {
 /// Progress as a count: "12 of 40 evaluations". Empty if nothing is counted.
 std::string counted_words(const commands::JobView& job);
 
-/// Remaining time: "40 s left", "at most 40 s left", "40 s left of this stage"; the time so far if no estimate exists;
+/// Remaining time: "40 s left", "at most 40 s left"; for a job in several parts only that of the present part; the time
+/// so far if no estimate exists; "paused" or "stopping".
 /// "paused" or "stopping".
 std::string time_words(const commands::JobView& job);
 

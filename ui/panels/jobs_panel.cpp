@@ -153,6 +153,7 @@ void JobsPanel::draw(PanelContext& context) {
     }
     // The comparison is drawn next to the list if there is room, otherwise below it.
     const ImVec2 room = ImGui::GetContentRegionAvail();
+    // The comparison appears as soon as one job is selected: it is compared with the present.
     const bool compares = compares_jobs(state), beside = room.x > 900.0f * theme.scale;
     ImVec2 size{0.0f, 0.0f};
     if (compares && beside)

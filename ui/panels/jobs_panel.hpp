@@ -6,7 +6,9 @@
 
 namespace myo::ui::panels {
 
-/// Lists the running job, waiting jobs, and ended jobs with their results.
+/// Lists the running job, waiting jobs, and ended jobs with their results, newest first.
+///
+/// Emits Pause, Cancel, Unqueue, CompareRecord, RestoreRecord and ForgetRecord. Item names begin with "jobs/".
 class JobsPanel : public Panel {
 public:
     std::string name() const override { return "jobs"; }

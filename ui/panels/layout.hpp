@@ -5,7 +5,21 @@
 
 namespace myo::ui::panels {
 
-/// Rectangles of the window's parts [pixels].
+/// Rectangles of the window's parts [pixels]:
+///
+///     +-----------------------------------+
+///     | bar                               |
+///     +-------+------+--------------------+
+///     | steps | rail | view               |
+///     |       |      |                    |
+///     |       |      +--------------------+
+///     |       |      | timeline           |
+///     |       |      +--------------------+
+///     |       |      | strip              |
+///     +-------+------+--------------------+
+///
+/// The edges right of `rail` and above `strip` can be dragged. Without an open scene the view also takes the place of
+/// timeline and strip; WorkbenchWindow does that.
 struct Layout {
     platform::Rectangle bar;         // menu bar, at the top
     platform::Rectangle steps;       // tasks, far left

@@ -25,6 +25,7 @@ void LogPanel::draw(PanelContext& context) {
         const std::size_t number = logged - lines.size() + i;
         const auto known = heights_.find(number);
         if (known != heights_.end() && !ImGui::IsRectVisible({width, known->second})) {
+            // Keeps the place of the line, so that scrolling is not affected.
             ImGui::Dummy({1.0f, known->second});
             continue;
         }

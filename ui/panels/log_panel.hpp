@@ -6,7 +6,9 @@
 
 namespace myo::ui::panels {
 
-/// The messages of the workbench, newest last.
+/// The messages of the workbench, newest last. Scrolls to a new message.
+///
+/// Emits nothing. The menu bar shows the newest message and links here. Item names begin with "messages/".
 class LogPanel : public Panel {
 public:
     std::string name() const override { return "messages"; }

@@ -25,6 +25,7 @@ constexpr const char* plot_help =  // tooltip of the help icon
 
 /// Colour of another trial, chosen far in hue from measured, simulated and residual in both themes.
 const ImVec4& overlay_color(const platform::Theme& theme, std::size_t trial) {
+    // Indices in Theme::muscles.
     constexpr std::array<int, 4> colors{3, 2, 7, 6};
     return theme.muscle(colors[trial % colors.size()]);
 }
@@ -302,6 +303,7 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
     plot.title = axis_name + " [mm]";
     plot.cursor = state.time_s;
     plot.mark = 0.0;
+    // With other trials, one legend above all plots replaces the legend of each.
     const std::vector<commands::OverlaidMarker> others = commands::overlaid_markers(state, overlaid_);
     plot.legend = others.empty();
     plot.selectable = true;
@@ -336,6 +338,7 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
     const plot::PlotResult main = plot::draw_plot(plot, {size.x, size.y - residual_height}, theme, context.items, time_,
                                                   main_[a], hidden_);
     see(plot, main, hidden_);
+    // A click in any plot moves the shown time of the whole window.
     if (main.cursor) context.emit(commands::SetTime{*main.cursor});
     if (!residual) return;
     // Both plots share the time axis, so they are drawn without a gap.

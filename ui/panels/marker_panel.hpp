@@ -9,7 +9,10 @@
 namespace myo::ui::panels {
 
 /// Plots the selected marker in x, y and z: measured and simulated, with the residual below. Other trials can be drawn
-/// over the shown one.
+/// over the shown one, and ended jobs that are compared are included.
+///
+/// Emits ChooseMarker and SetTime; requests dialogs for the export. Comes to the front with the task Measure. Item
+/// names begin with "markers/", "plot/" and "residual/".
 class MarkerPanel : public Panel {
 public:
     std::string name() const override { return "markers"; }

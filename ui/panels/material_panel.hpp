@@ -4,7 +4,10 @@
 
 namespace myo::ui::panels {
 
-/// Edits the material of the body; shows its support, gravity, and the effects that the user added.
+/// Task Material: edits the material of the body; shows its support, gravity, and the effects that the user added.
+///
+/// Emits ChangeSettings and ChangePreview. Support and gravity belong to the experiment and cannot be edited here. Item
+/// names begin with "model/".
 class MaterialPanel : public Panel {
 public:
     std::string name() const override { return "material"; }

@@ -76,6 +76,7 @@ void MeasurePanel::draw(PanelContext& context) {
     draw_trial_errors(context, "measure/trial/", state.shown_run().get());
     const commands::SceneTrial* const trial = state.scene_trial();
     draw_import_button(context);
+    // An experiment without trials has markers, but no errors.
     if (!trial) return;
     heading(theme, "Markers of " + trial->name);
     struct Tab {

@@ -4,7 +4,10 @@
 
 namespace myo::ui::panels {
 
-/// Shows the error of each trial, and of each marker of the shown trial.
+/// Task Measure: shows the error of each trial, and of each marker of the shown trial.
+///
+/// Emits ChooseTrial and ChooseMarker; requests dialogs to import a recording and to save the table. Replaced by
+/// ImportPanel during an import. Item names begin with "measure/".
 class MeasurePanel : public Panel {
 public:
     std::string name() const override { return "measure"; }

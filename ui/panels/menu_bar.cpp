@@ -52,6 +52,7 @@ void draw_menu(PanelContext& context, viewport::ViewportState& viewport, const s
                             enabled))
             action.perform(context, viewport);
         context.items.mark("menu/" + action.id);
+        // Recent files and examples belong next to Open.
         if (action.id == "file.open") draw_recent(context), draw_examples(context);
     }
 }

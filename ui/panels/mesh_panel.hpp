@@ -4,7 +4,11 @@
 
 namespace myo::ui::panels {
 
-/// Edits element type and edge length, shows the expected size and cost, builds the mesh and reports its quality.
+/// Task Mesh: edits element type and edge length, shows the expected size and cost, builds the mesh and reports its
+/// quality.
+///
+/// Emits ChangeSettings and BuildMesh. The mesh is not built automatically after an edit, as it may take long. Item
+/// names begin with "body/".
 class MeshPanel : public Panel {
 public:
     std::string name() const override { return "mesh"; }

@@ -76,6 +76,7 @@ void add_fields(std::vector<Action>& all, const commands::WorkbenchState& state,
         action.enabled = [kind](const commands::WorkbenchState& s) { return commands::needed_for(kind, s).empty(); };
         all.push_back(std::move(action));
     }
+    // Removes the colours.
     all.push_back({"field/none", "Colour by", "nothing", {}, colours("")});
 }
 

@@ -9,8 +9,11 @@
 
 namespace myo::ui::panels {
 
-/// The brush in the 3D view. A stroke begins on the body; a drag that begins beside the body turns the camera. Ctrl
+/// The brush in the 3D view. A stroke begins on the body; a drag that begins outside of it turns the camera. Ctrl
 /// swaps painting and erasing, Shift leaves the drag to the camera.
+///
+/// During a stroke the tool keeps the paint itself, so that the view shows it at once; the state changes only when the
+/// stroke is finished, as one undo entry.
 class PaintTool {
 public:
     /// Whether a press at this pixel of the view (from its upper left corner) belongs to the brush.
@@ -34,7 +37,7 @@ private:
         Eigen::Vector3d rest_m;    // position at rest [m]
         Eigen::Vector3d outward;   // outward unit normal at rest
     };
-    /// The drawn triangle under a pixel; empty beside the body or without a mesh.
+    /// The drawn triangle under a pixel; empty outside of the body or without a mesh.
     static std::optional<viewport::SurfaceHit> hit_at(const commands::WorkbenchState& state,
                                                       const viewport::DrawnScene& scene,
                                                       const viewport::ViewportState& view,

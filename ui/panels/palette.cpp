@@ -61,6 +61,7 @@ void Palette::draw(PanelContext& context, viewport::ViewportState& viewport,
     if (ImGui::IsKeyPressed(ImGuiKey_UpArrow)) --chosen_;
     // Typing shortens the list, so the highlight may lie beyond its end.
     chosen_ = std::clamp(chosen_, 0, std::max(0, static_cast<int>(found.size()) - 1));
+    // The action to execute, set by a click or Enter.
     const Action* wanted = nullptr;
     ImGui::BeginChild("found");
     if (found.empty()) muted_text(theme, "Nothing of this name.");

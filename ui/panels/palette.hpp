@@ -8,6 +8,8 @@ namespace myo::ui::panels {
 
 /// Command palette: finds actions, files, trials, panels and fields by parts of their names, and executes the selected
 /// one.
+///
+/// Uses the same actions as menus and shortcuts, so it contains everything that they do.
 class Palette {
 public:
     /// Opens the palette in the next draw().

@@ -76,7 +76,11 @@ enum class PanelPlace { side, strip };  // left of the 3D view; below it, as one
 /// A panel of the workbench. It draws itself with ImGui and emits commands; it may keep its own display state (a text
 /// being typed, a zoom), but no data of the model.
 ///
-/// To add one: a class in a file of its own, and a line in all.cpp.
+/// A panel records the items that tests click with `context.items.mark(name)`, right after the item was submitted to
+/// ImGui. Names usually begin with the name of the panel: "fibres/add".
+///
+/// To add a panel: a class in a file of its own, and a line in all.cpp. Nothing else refers to a panel's type; other
+/// parts of the window address it by its name.
 class Panel {
 public:
     virtual ~Panel() = default;

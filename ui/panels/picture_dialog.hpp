@@ -7,6 +7,8 @@
 namespace myo::ui::panels {
 
 /// Dialog for saving the 3D view: kind of output, size and times. The file browser then asks for the name.
+///
+/// Images have a size of their own: the view is rendered again in that size, not scaled. Videos need ffmpeg.
 class PictureDialog {
 public:
     /// Opens the dialog. `view` is the present size of the view, the default for the size of images.

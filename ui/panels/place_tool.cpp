@@ -33,7 +33,7 @@ bool assign_clicked(const PanelContext& context, const viewport::DrawnScene& sce
     return picked.has_value();
 }
 
-/// Places the selected label on the body under the mouse. Returns false if the mouse is beside it.
+/// Places the selected label on the body under the mouse. Returns false if the mouse is not over it.
 bool place_clicked(const PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view,
                    commands::ImportChoices& choices) {
     const commands::RecordingImport& import = *context.state.import;
@@ -55,6 +55,7 @@ bool update_placing(PanelContext& context, const viewport::DrawnScene& scene, co
     if (!state.import || !state.import->placing || !state.body) return false;
     const commands::RecordingImport& import = *state.import;
     const std::string& label = import.file.recording->labels[static_cast<std::size_t>(import.label)];
+    // Without declared markers a click gives a position instead of a name.
     const bool plain = import.declared.empty();
     if (escape_pressed()) context.emit(commands::ChooseLabel{import.label, false});
     if (view.clicked) {

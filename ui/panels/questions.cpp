@@ -37,6 +37,7 @@ void ask_unit(PanelContext& context) {
     wrapped_text(context.state.unit_question->filename().string() +
                  " does not say in which unit its numbers are. Which one is it?");
     ImGui::Spacing();
+    // Empty until a button is pressed; an answer without a unit cancels the opening.
     std::optional<commands::AnswerUnit> answer;
     ButtonRow row(context, 3);
     if (row.add("Cancel", "unit/cancel")) answer = commands::AnswerUnit{};

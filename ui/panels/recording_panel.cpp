@@ -72,7 +72,7 @@ void RecordingPanel::draw(PanelContext& context) {
         choices.start_s = std::clamp(*drawn.cursor, recording.time_s[0], recording.time_s[recording.time_s.size() - 1]);
         context.emit(commands::ChangeImport{choices});
     }
-    // A child window clips rows that do not fit.
+    // A child window clips rows for which there is no room.
     ImGui::BeginChild("gaps", {space.x, gaps}, false,
                       ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     draw_gaps(context, area, row);
@@ -113,6 +113,7 @@ void RecordingPanel::draw_gaps(PanelContext& context, const plot::PlotArea& area
             list.AddText(theme.small, theme.small->FontSize, {corner.x, y + 0.5f * (height - theme.small->FontSize)},
                          platform::packed(chosen ? theme.text : theme.muted), name.c_str());
         }
+        // The whole row in the failure colour, covered by bars where the label was seen: gaps stand out.
         list.AddRectFilled({corner.x + names, y + 0.15f * height}, {corner.x + names + width, y + 0.85f * height},
                            platform::packed(theme.failure, 0.35f));
         for (const auto& [from, to] : seen_[i])
@@ -120,6 +121,7 @@ void RecordingPanel::draw_gaps(PanelContext& context, const plot::PlotArea& area
                 list.AddRectFilled({pixel(from), y + 0.15f * height}, {pixel(to), y + 0.85f * height},
                                    platform::packed(chosen ? theme.accent : theme.measured));
     }
+    // The start of the trial crosses all rows.
     if (import.choices.start_s >= first && import.choices.start_s <= first + span)
         list.AddLine({pixel(import.choices.start_s), begin}, {pixel(import.choices.start_s), y},
                      platform::packed(theme.text), std::max(1.0f, theme.scale));

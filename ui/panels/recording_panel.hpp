@@ -11,7 +11,9 @@
 namespace myo::ui::panels {
 
 /// Shows the recording that is being imported: the coordinates of the selected label over the file's time, and the gaps
-/// of all labels.
+/// of all labels. Available only during an import.
+///
+/// Emits ChangeImport when the line at the start is dragged, and ChooseLabel. Item names begin with "recording/".
 class RecordingPanel : public Panel {
 public:
     std::string name() const override { return "recording"; }

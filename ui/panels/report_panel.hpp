@@ -6,7 +6,10 @@
 
 namespace myo::ui::panels {
 
-/// Writes the results into a folder: pages, tables and an image.
+/// Task Report: writes the results into a folder as pages, tables and an image.
+///
+/// Emits WriteReport and requests the image from the window. Lists beforehand what will be written. Item names begin
+/// with "report/".
 class ReportPanel : public Panel {
 public:
     std::string name() const override { return "report"; }

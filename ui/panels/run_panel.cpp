@@ -49,6 +49,7 @@ void draw_progress(PanelContext& context) {
     right_aligned(time_words(job));
     ImGui::ProgressBar(static_cast<float>(job.fraction()), {-1.0f, 0.0f}, bar_words(job).c_str());
     context.items.mark("run/progress");
+    // Count and message of the job in one line, separated by a dot if both exist.
     const std::string counted = counted_words(job);
     const std::string between = counted.empty() || job.progress.message.empty() ? "" : " \xc2\xb7 ";
     const std::string text = counted + between + job.progress.message;

@@ -4,7 +4,9 @@
 
 namespace myo::ui::panels {
 
-/// Shows the result of the last run: problems, warnings, checks and errors.
+/// Task Run: shows the result of the last run with its problems, warnings, checks and errors.
+///
+/// Emits ChooseTrial. The buttons that start a run are in draw_run_controls(). Item names begin with "run/".
 class RunPanel : public Panel {
 public:
     std::string name() const override { return "run"; }

@@ -18,6 +18,7 @@ namespace {
 /// listed.
 template <class Named>
 Result<int> index_of(const std::string& what, const std::string& name, const std::vector<Named>& all, int otherwise) {
+    // The names found on the way are listed in the error.
     if (name.empty()) return otherwise;
     std::vector<std::string> names;
     for (std::size_t i = 0; i < all.size(); ++i) {

@@ -6,6 +6,8 @@
 namespace myo::ui::panels {
 
 /// Shows a search while it runs and afterwards: its parameters, and error, loss and gradient over the evaluations.
+///
+/// Emits nothing. Comes to the front with the task Fit. Item names begin with "search/".
 class SearchPanel : public Panel {
 public:
     std::string name() const override { return "search"; }

@@ -222,6 +222,7 @@ void SignalPanel::draw_generator(PanelContext& context) {
     const bool fits = recipe_.shape != commands::SignalShape::sine ||
                       (recipe_.end_s > recipe_.start_s &&
                        (recipe_.end_s - recipe_.start_s) * recipe_.frequency_Hz <= 200.0);
+    // The button is disabled, too; the notice says why.
     if (!fits)
         notice(context.theme, commands::LogLevel::warning,
                "The end must come after the start, by no more than 200 swings.");
@@ -243,6 +244,7 @@ void SignalPanel::draw_file(PanelContext& context) {
     context.items.mark("signals/file");
     tooltip(context.theme, "Read or write a table time_s," + name + ": linear between its rows, constant outside them");
     if (!begin_popup_above(context.theme, "signal file", 200.0f)) return;
+    // Both entries open a dialog of the window and close the popup.
     const auto choice = [&](const char* label, const char* item,
                             FileDialog (*dialog)(const commands::WorkbenchState&)) {
         const bool pressed = ImGui::Button(label, {-1.0f, 0.0f});
@@ -275,6 +277,7 @@ void SignalPanel::draw_curve(PanelContext& context) {
     plot.legend = state.settings.muscles.size() > 1;
     plot.y_least = least_range;
     plot.editable = muscle.follows.empty();
+    // While a knot is dragged, the plot must not pan.
     plot.held = grabbed_.has_value();
     // Signals of the other muscles, for comparison.
     for (const commands::Muscle& other : state.settings.muscles) {
@@ -304,6 +307,7 @@ void SignalPanel::edit_knots(PanelContext& context, const fibre::Signal& signal,
     std::optional<std::size_t> near;
     float nearest = reach * theme.scale;
     ImDrawList& list = *ImGui::GetWindowDrawList();
+    // Slightly larger than the drawing area, so that knots at its edge are complete.
     ImGui::PushClipRect({area.pixels.lowest.x - 6.0f, area.pixels.lowest.y - 6.0f},
                         {area.pixels.highest.x + 6.0f, area.pixels.highest.y + 6.0f}, true);
     for (std::size_t k = 0; k < signal.times_s.size(); ++k) {

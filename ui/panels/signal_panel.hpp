@@ -8,7 +8,10 @@
 namespace myo::ui::panels {
 
 /// Edits the signal a(t) of the selected muscle as a curve: knots are dragged, a double click adds a knot, a right
-/// click removes it.
+/// click removes it. Signals can also be generated and read from files.
+///
+/// Emits ChangeSettings, ChooseMuscle, ImportSignal, ExportSignal and SetTime. Comes to the front with the task Fibres.
+/// Item names begin with "signals/".
 class SignalPanel : public Panel {
 public:
     std::string name() const override { return "signals"; }

@@ -53,6 +53,7 @@ void draw_examples(PanelContext& context, float room) {
                                      std::max(1, std::min(4, static_cast<int>(room / (200.0f * s)))));
     const ImVec2 size{std::floor((room - static_cast<float>(columns - 1) * gap) / static_cast<float>(columns)),
                       (columns > 1 ? 150.0f : 92.0f) * s};
+    // Rows are filled from the left.
     int column = 0;
     for (const commands::Example& example : examples) {
         if (column++ % columns != 0) ImGui::SameLine();
@@ -67,6 +68,7 @@ void draw_examples(PanelContext& context, float room) {
 int card_columns(int cards, int most) {
     // Distribute the cards over as few rows as possible; then avoid a last row with a single card.
     if (cards <= most) return std::max(1, cards);
+    // The number of rows is fixed first; then the cards are distributed evenly.
     const int rows = (cards + most - 1) / most;
     int columns = (cards + rows - 1) / rows;
     while (columns > 1 && cards % columns == 1) --columns;

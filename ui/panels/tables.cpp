@@ -20,6 +20,7 @@ std::string shortened(const std::string& text, const Fits& fits) {
             --length;  // not within a UTF-8 character
         return text.substr(0, length) + "\xe2\x80\xa6";
     };
+    // Lengths in bytes; `cut` moves back to the beginning of a character.
     std::size_t shortest = 0, longest = text.size() - 1;
     while (shortest < longest) {
         const std::size_t middle = (shortest + longest + 1) / 2;
@@ -33,7 +34,7 @@ std::string shortened(const std::string& text, const Fits& fits) {
 
 }  // namespace
 
-// Both texts keep as many characters as fit; the caller shows the complete text in a tooltip.
+// Both texts keep as many characters as there is room for; the caller shows the complete text in a tooltip.
 std::string elided(const std::string& text, float width) {
     return shortened(text, [&](const std::string& part) { return ImGui::CalcTextSize(part.c_str()).x <= width; });
 }

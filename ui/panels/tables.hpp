@@ -5,7 +5,10 @@
 
 #include "platform/theme.hpp"
 
-// Cells and headings of tables, and texts shortened to fit into them.
+// Cells and headings of tables, and texts shortened to their width.
+//
+// A table is written as: ImGui::BeginTable(); one TableSetupColumn() or number_column() per column; heading_row(); then
+// per row ImGui::TableNextRow() and one cell function per column; ImGui::EndTable(). Texts use the current font.
 
 namespace myo::ui::panels {
 

@@ -124,6 +124,7 @@ void TimePanel::draw_step_state(PanelContext& context) {
     const commands::Choice* const scheme = state.integrator();
     const commands::SceneTrial* const trial = state.scene_trial();
     if (!scheme || !scheme->step_quality || !trial) return;
+    // Rows of values that follow from the settings and cannot be edited.
     const auto row = [&](const char* label, const char* item, const std::string& words, const char* tip) {
         row_label(theme, label, tip);
         ImGui::AlignTextToFramePadding();
@@ -150,6 +151,7 @@ void TimePanel::draw_step_state(PanelContext& context) {
               "How much slower the step makes this vibration. A modulus that is fitted on it errs by twice as much: "
               "see \"Is the time step short enough?\" in Checks.");
     ImGui::AlignTextToFramePadding();
+    // The state uses the same limits as the check of the time step.
     const std::string share = plot::value_label(100.0 * quality.frequency_error, 2) + " %";
     check_text(theme, quality.state, share + ": " + commands::check_word(quality.state));
     context.items.mark("model/frequency_error");
@@ -206,6 +208,7 @@ void TimePanel::draw_numerical_damping(PanelContext& context) {
     ImGui::TextColored(color, "%s at", plot::value_label(ratio, 3).c_str());
     context.items.mark("model/numerical_damping");
     ImGui::SameLine();
+    // The frequency is edited in the rest of the row.
     ImGui::SetNextItemWidth(-1.0f);
     double shown = frequency;
     if (ImGui::InputDouble("##frequency", &shown, 0.0, 0.0, "%.4g Hz") && shown > 0.0) {

@@ -5,7 +5,10 @@
 
 namespace myo::ui::panels {
 
-/// Edits time scheme and time step, and shows the numerical damping and the stability that follow from them.
+/// Task Run: edits time scheme and time step, and shows the numerical damping and the stability that follow from them.
+///
+/// Emits ChangeSettings, SetDampingFrequency and ChangePreview. Everything shown follows from the settings, so it
+/// changes with each edit, before any run. Item names begin with "model/".
 class TimePanel : public Panel {
 public:
     std::string name() const override { return "time"; }

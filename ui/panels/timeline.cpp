@@ -44,6 +44,7 @@ void draw_track(PanelContext& context, const std::array<double, 2>& span, float 
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::InvisibleButton("track", {width, height});
     context.items.mark("timeline/track");
+    // A margin for the round handle, so that it stays inside at both ends.
     const float left = at.x + 8.0f * s;
     const float right = at.x + width - 8.0f * s;
     const float middle = at.y + 0.5f * height;
@@ -70,6 +71,7 @@ void draw_track(PanelContext& context, const std::array<double, 2>& span, float 
         if (ImGui::IsItemHovered() && std::abs(ImGui::GetIO().MousePos.x - x0) < 5.0f * s)
             ImGui::SetTooltip("Start of motion, t = 0");
     }
+    // A thin bar below the track marks the part that the preview covers.
     if (state.previewing() && state.preview.end_s > 0.0) {
         const ImVec2 from{x_of(0.0), middle + 5.0f * s}, to{x_of(state.preview.end_s), middle + 8.0f * s};
         list.AddRectFilled(from, to, platform::packed(theme.simulated));
@@ -101,6 +103,7 @@ void draw_timeline(PanelContext& context) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Play or pause (space bar)");
     ImGui::SameLine();
 
+    // Slow motion for vibrations, faster for long trials.
     static constexpr std::array<double, 5> speeds{0.1, 0.25, 0.5, 1.0, 2.0};
     // The time has a fixed width, so that the track does not change while playing.
     const std::string time = plot::tick_label(state.time_s, 0.001) + " s";

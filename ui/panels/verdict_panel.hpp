@@ -4,7 +4,10 @@
 
 namespace myo::ui::panels {
 
-/// Shows the verdict of the diagnosis in words, with confidence and errors; the ranking is below the view.
+/// Task Diagnose: shows the verdict of the diagnosis in words, with confidence, reasons and errors.
+///
+/// Emits nothing: the diagnosis is started and its rows are selected in DiagnosePanel, below the view. Item names begin
+/// with "verdict/".
 class VerdictPanel : public Panel {
 public:
     std::string name() const override { return "verdict"; }

@@ -114,6 +114,7 @@ void draw_view_options(PanelContext& context, const viewport::Camera& camera) {
     ImGui::SetNextWindowPos(below);
     if (!ImGui::BeginPopup("view options")) return;
     if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) ImGui::CloseCurrentPopup();
+    // Options that are a single switch; the others follow below the list.
     struct Option {
         const char* label;
         const char* name;

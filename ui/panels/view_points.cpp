@@ -13,6 +13,7 @@ ImVec2 extent_of(const platform::Theme& theme, const std::string& text) {
 void draw_note(ImDrawList& list, const platform::Theme& theme, const ImVec2& at, const std::string& text) {
     const float s = theme.scale;
     const ImVec2 extent = extent_of(theme, text);
+    // Nearly opaque, so that the text is readable over any scene.
     list.AddRectFilled({at.x - 5.0f * s, at.y - 3.0f * s}, {at.x + extent.x + 5.0f * s, at.y + extent.y + 3.0f * s},
                        platform::packed(theme.popup, 0.92f), 4.0f * s);
     list.AddText(theme.small, theme.small->FontSize, at, platform::packed(theme.text), text.c_str());

@@ -18,6 +18,7 @@ float label_width() { return std::floor(0.42f * ImGui::GetWindowContentRegionMax
 }  // namespace
 
 void tooltip(const platform::Theme& theme, const std::string& text, float width) {
+    // Disabled items show their tooltip, too: there the user needs the explanation most.
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::BeginTooltip();
     // In a small window with large text the tooltip would extend beyond the window.
@@ -48,6 +49,7 @@ void heading(const platform::Theme& theme, const std::string& text) {
 
 std::string duration_label(double seconds) {
     const long whole = std::lround(std::max(0.0, seconds));
+    // Tenths of a second matter for short times only; 9.95 would be rounded to "10.0".
     if (seconds < 9.95) return plot::value_label(std::max(0.0, seconds), 2) + " s";
     if (whole < 60) return std::to_string(whole) + " s";
     // Two units at most: seconds do not matter after an hour.
@@ -89,6 +91,7 @@ void notice(const platform::Theme& theme, commands::LogLevel level, const std::s
         const char* icon;
         ImVec4 color;
     };
+    // In the order of LogLevel.
     const Look looks[] = {{platform::icon::information, theme.muted},
                           {platform::icon::done, theme.success},
                           {platform::icon::warning, theme.warning},
@@ -139,6 +142,7 @@ bool number_row(PanelContext& context, const NumberField& field, OpenEdit& edit,
     context.items.mark(field.name);
     // Typed text may be any number that scanf reads, such as nan.
     if (!std::isfinite(shown)) changed = false;
+    // Right after the item, whose activation it queries.
     goes_on = edit.goes_on(field.name, changed);
     // Not while the field is edited: the tooltip would cover it.
     if (!ImGui::IsItemActive())
@@ -167,6 +171,7 @@ bool slider_row(PanelContext& context, const std::string& name, commands::Limits
 bool choice_row(PanelContext& context, const std::string& label, const std::string& name, const std::string& tip,
                 const std::vector<commands::Choice>& choices, std::string& id) {
     row_label(context.theme, label, tip);
+    // An unknown id is shown as it is.
     const auto current = std::find_if(choices.begin(), choices.end(),
                                       [&](const commands::Choice& c) { return c.id == id; });
     const bool open = ImGui::BeginCombo(("##" + name).c_str(),
@@ -216,6 +221,7 @@ std::string with_separators(double count) {
     std::string digits = std::to_string(static_cast<long long>(std::llround(count)));
     for (std::size_t i = digits.size(); i > 3 && digits[i - 4] != '-';) {
         i -= 3;
+        // From the end, so that positions before the inserted separator stay valid.
         digits.insert(i, ",");
     }
     return digits;

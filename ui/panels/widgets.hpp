@@ -28,6 +28,8 @@ void heading(const platform::Theme& theme, const std::string& text);
 std::string duration_label(double seconds);
 
 // Rows of the side panel: a label in the left column, the value in the right one, all aligned.
+//
+// `name` is the item name for tests, and, behind "##", also ImGui's id, so it must be unique in its window.
 
 /// Draws the label and moves the cursor to the right column, with its width set for the next item.
 ///
@@ -50,7 +52,8 @@ void notice(const platform::Theme& theme, commands::LogLevel level, const std::s
 /// was pressed.
 bool primary_button(const platform::Theme& theme, const std::string& label, const ImVec2& size);
 
-/// A number field: dragged, or typed after a double click.
+/// Description of a number field, which is dragged, or typed after a double click. Values are stored in SI units and
+/// shown in a convenient unit: with per_unit = 1e3 and unit "kPa", a stored 2.6e5 Pa is shown as "260 kPa".
 struct NumberField {
     std::string label;                  // in the left column
     std::string name;                   // item name for tests: "model/youngs_modulus"

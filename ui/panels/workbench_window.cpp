@@ -149,8 +149,7 @@ void WorkbenchWindow::draw_strip(PanelContext& context) {
     for (const auto& panel : panels_)
         if (panel->place() == PanelPlace::strip && panel->offered(context.state)) all += width_of(panel->title());
     // Without room for all titles, only the tab in front shows its title.
-    const bool icons = all > ImGui::GetContentRegionAvail()
-                                 .x;  // of all but the one in front, where there is no room for names
+    const bool icons = all > ImGui::GetContentRegionAvail().x;  // all tabs but the one in front show icons only
     bool first = true;
     // Drawn after the tabs; null if its panel has just disappeared.
     Panel* front = nullptr;
@@ -420,7 +419,8 @@ Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) 
     interface_.draw();
     if (part_ && --part_waits_ < 0) write_part(width, height);
 
-    // Commands are carried out after the frame, so that all panels saw one state; their effect shows in the next.
+    // Commands are executed after the frame, so that all panels have seen the same state. Their effect shows in the
+    // next frame.
     for (const commands::Command& command : commands) workbench_->execute(command);
     pacer_.frame_drawn();
     // Something has changed: the next frames show it.

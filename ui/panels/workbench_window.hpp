@@ -26,6 +26,10 @@ namespace myo::ui::panels {
 /// The whole window: lays out and draws the panels, renders the 3D view below them, and executes their commands and
 /// requests. The same class serves a real window, images without a display, and tests.
 ///
+/// A frame: the workbench takes results of jobs; input is handed to ImGui; the drawn scene is updated; panels are
+/// drawn, filling a list of commands and a set of requests; the requests are carried out; the 3D view is rendered if it
+/// has changed, and copied into the window; ImGui's lists are drawn over it; the commands are executed.
+///
 /// Used on the UI thread with a current OpenGL context.
 class WorkbenchWindow {
 public:

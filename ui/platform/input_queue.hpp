@@ -40,22 +40,24 @@ struct Modifiers {
 
 // Input events, as the window's callbacks or a test create them. Coordinates are in pixels, origin at the upper left.
 struct MouseMoved {
-    float x = 0.0f, y = 0.0f;  // [pixels] in the window
-};                             // [pixels] from the upper left corner
+    float x = 0.0f, y = 0.0f;  // [pixels] from the upper left corner of the window
+};
 /// A mouse button went down or up at the last reported position.
 struct MouseButton {
     int button = 0;  // 0 left, 1 right, 2 middle, as in ImGui
     bool down = false;
     Modifiers modifiers;
 };
+/// The wheel was turned. Horizontal wheels report x.
 struct MouseWheel {
     float x = 0.0f, y = 0.0f;  // [notches]; y > 0: away from the user
-};                             // [notches]
+};
+/// A key went down or up.
 struct KeyPressed {
     int key = 0;  // ImGuiKey or ExtraKey
     bool down = false;
     Modifiers modifiers;
-};  // ImGuiKey or ExtraKey
+};
 /// One character of text input, after keyboard layout and dead keys.
 struct TextTyped {
     unsigned character = 0;  // Unicode code point

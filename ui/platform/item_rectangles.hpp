@@ -24,7 +24,7 @@ struct Rectangle {
 /// Rectangles of the named items of the last frame. Only tests read them, to find the place to click; the program
 /// itself must not depend on them.
 ///
-/// Names look like paths: "view/fit", "plot_x/cursor". Item names are part of the tests' interface, so renaming one
+/// Names look like paths: "view/fit", "plot/x/cursor". Item names are part of the tests' interface, so renaming one
 /// changes tests.
 class ItemRectangles {
 public:

@@ -101,6 +101,7 @@ void react_to_box(ImDrawList& list, const PlotArea& area, const platform::Theme&
         x_axis.range = Range{x_at(area, lowest.x), x_at(area, highest.x)};
         state.y = Range{y_at(area, highest.y), y_at(area, lowest.y)};
     }
+    // Released: the box is applied or dropped, and the next press starts a new one.
     state.box_start.reset();
 }
 

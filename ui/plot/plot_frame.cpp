@@ -126,6 +126,7 @@ void draw_plot_legend(ImDrawList& list, const Plot& plot, const PlotArea& area, 
         const LegendEntry entry{series.name, series.color, series.dots};
         const float left = right - legend_width(entry, theme);
         if (left < area.pixels.lowest.x) break;
+        // The click area of an entry is as high as the line of the title.
         const platform::Rectangle box{{left, area.pixels.lowest.y - row}, {right, area.pixels.lowest.y}};
         right = left - 10.0f * theme.scale;
         items.add(plot.id + "/legend/" + series.name, box);

@@ -39,7 +39,7 @@ Eigen::Matrix4d projection_matrix(const Camera& c, const ViewSize& size) {
     Eigen::Matrix4d projection = Eigen::Matrix4d::Zero();
     // At the target both projections have the same scale, so switching between them keeps the size of the body.
     if (c.orthographic) {
-        const double depth = eye_distance(c) + 6.0 * c.scene_radius;  // from the eye on
+        const double depth = eye_distance(c) + 6.0 * c.scene_radius;  // of the visible space, from the eye
         projection(1, 1) = f / c.distance;
         projection(0, 0) = projection(1, 1) / size.aspect();
         projection(2, 2) = -2.0 / depth;

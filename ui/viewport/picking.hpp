@@ -23,7 +23,7 @@ struct SurfaceHit {
     Eigen::Vector3d weights;  // barycentric coordinates in the triangle, sum 1
     double distance_m = 0.0;  // from the ray's origin
 
-    /// The same material point for other node positions, for example at rest [m].
+    /// Position of this material point for other node positions, for example at rest [m].
     Eigen::Vector3d place(const DrawnSurface& surface, const Eigen::Matrix3Xd& positions_m) const;
 };
 /// Finds the first intersection. For a closed surface only its outside counts. Returns empty if the ray misses. Tests
