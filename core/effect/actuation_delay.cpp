@@ -5,7 +5,7 @@
 #include "effect/signal_response.hpp"
 
 namespace myo::effect {
-namespace {
+namespace actuation_delay_parts {
 
 constexpr const char* delay_s = "delay_s";
 
@@ -29,9 +29,10 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return list;
 }
 
-}  // namespace
+}  // namespace actuation_delay_parts
 
 Effect actuation_delay() {
+    using namespace actuation_delay_parts;
     return {"actuation_delay",
             EffectStage::actuation,
             "the muscle follows its signal after a dead time",

@@ -2,7 +2,7 @@
 #include "effect/signal_response.hpp"
 
 namespace myo::effect {
-namespace {
+namespace actuation_gain_parts {
 
 constexpr const char* change = "relative_change";
 
@@ -22,10 +22,11 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return {};
 }
 
-}  // namespace
+}  // namespace actuation_gain_parts
 
 // A relative change of -1 would be no actuation at all: the lower bound.
 Effect actuation_gain() {
+    using namespace actuation_gain_parts;
     return {"actuation_gain",
             EffectStage::actuation,
             "the muscle moves by a constant factor more than its signal",

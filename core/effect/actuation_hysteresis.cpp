@@ -5,7 +5,7 @@
 #include "effect/signal_response.hpp"
 
 namespace myo::effect {
-namespace {
+namespace actuation_hysteresis_parts {
 
 /// Bouc-Wen model without smoothing: (1 - h) u + h z with z' = u' (1 - [u' z > 0] |z| / width).
 ///
@@ -52,9 +52,10 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return list;
 }
 
-}  // namespace
+}  // namespace actuation_hysteresis_parts
 
 Effect actuation_hysteresis() {
+    using namespace actuation_hysteresis_parts;
     return {"actuation_hysteresis",
             EffectStage::actuation,
             "the muscle's way back differs from its way there (Bouc-Wen)",

@@ -4,7 +4,7 @@
 #include "effect/signal_response.hpp"
 
 namespace myo::effect {
-namespace {
+namespace actuation_lag_parts {
 
 constexpr const char* tau_s = "time_constant_s";
 
@@ -35,9 +35,10 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return list;
 }
 
-}  // namespace
+}  // namespace actuation_lag_parts
 
 Effect actuation_lag() {
+    using namespace actuation_lag_parts;
     return {"actuation_lag",
             EffectStage::actuation,
             "the muscle follows its signal with a first-order lag",

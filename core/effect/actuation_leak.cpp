@@ -4,7 +4,7 @@
 #include "effect/signal_response.hpp"
 
 namespace myo::effect {
-namespace {
+namespace actuation_leak_parts {
 
 constexpr const char* tau_s = "time_constant_s";
 
@@ -36,9 +36,10 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return list;
 }
 
-}  // namespace
+}  // namespace actuation_leak_parts
 
 Effect actuation_leak() {
+    using namespace actuation_leak_parts;
     return {"actuation_leak",
             EffectStage::actuation,
             "a held actuation bleeds off",

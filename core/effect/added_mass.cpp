@@ -3,7 +3,7 @@
 #include "model/loaded_face.hpp"
 
 namespace myo::effect {
-namespace {
+namespace added_mass_parts {
 
 constexpr const char* density = "surface_density_kg_m2";
 
@@ -15,9 +15,10 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
 
 std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{density, 0.2}}, density)}; }
 
-}  // namespace
+}  // namespace added_mass_parts
 
 Effect added_mass() {
+    using namespace added_mass_parts;
     return {"added_mass",
             EffectStage::force,
             "a fluid goes with the surface along its normal: inertia, no weight",

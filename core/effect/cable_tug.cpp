@@ -5,7 +5,7 @@
 #include "model/tied_spring.hpp"
 
 namespace myo::effect {
-namespace {
+namespace cable_tug_parts {
 
 using Eigen::Vector3d;
 
@@ -82,9 +82,10 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return list;
 }
 
-}  // namespace
+}  // namespace cable_tug_parts
 
 Effect cable_tug() {
+    using namespace cable_tug_parts;
     return {"cable_tug",
             EffectStage::force,
             "a cable that pulls like a spring from a point of the surface to a fixed anchor",

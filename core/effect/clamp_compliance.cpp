@@ -4,7 +4,7 @@
 #include "model/loaded_face.hpp"
 
 namespace myo::effect {
-namespace {
+namespace clamp_compliance_parts {
 
 constexpr const char* bed_stiffness = "stiffness_Pa_per_m";
 
@@ -24,9 +24,10 @@ std::vector<EffectProbe> probes(const EffectSearch&) {
     return {{{{{bed_stiffness, 2e8}}}, bed_stiffness, true, nullptr}};
 }
 
-}  // namespace
+}  // namespace clamp_compliance_parts
 
 Effect clamp_compliance() {
+    using namespace clamp_compliance_parts;
     return {"clamp_compliance",
             EffectStage::support,
             "the clamped face sits on an elastic bed",

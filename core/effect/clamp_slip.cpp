@@ -8,7 +8,7 @@
 #include "mesh/cell_topology.hpp"
 
 namespace myo::effect {
-namespace {
+namespace clamp_slip_parts {
 
 constexpr const char* length = "free_length_m";
 
@@ -104,9 +104,10 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return list;
 }
 
-}  // namespace
+}  // namespace clamp_slip_parts
 
 Effect clamp_slip() {
+    using namespace clamp_slip_parts;
     return {"clamp_slip",
             EffectStage::support,
             "the part of the clamp next to its free end does not hold",

@@ -1,7 +1,7 @@
 #include "effect/effect.hpp"
 
 namespace myo::effect {
-namespace {
+namespace clock_offset_parts {
 
 constexpr const char* offset = "offset_s";
 
@@ -18,9 +18,10 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return list;
 }
 
-}  // namespace
+}  // namespace clock_offset_parts
 
 Effect clock_offset() {
+    using namespace clock_offset_parts;
     return {"clock_offset",
             EffectStage::measurement,
             "samples were taken later or earlier than they say",

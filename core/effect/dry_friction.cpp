@@ -6,7 +6,7 @@
 #include <optional>
 
 namespace myo::effect {
-namespace {
+namespace dry_friction_parts {
 
 using Eigen::Vector3d;
 using Eigen::VectorXd;
@@ -39,9 +39,10 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return list;
 }
 
-}  // namespace
+}  // namespace dry_friction_parts
 
 Effect dry_friction() {
+    using namespace dry_friction_parts;
     return {"dry_friction",
             EffectStage::force,
             "something rubs at one point of the surface",

@@ -1,7 +1,7 @@
 #include "effect/effect.hpp"
 
 namespace myo::effect {
-namespace {
+namespace extra_damping_parts {
 
 constexpr const char* excess = "excess_damping_s";
 
@@ -17,9 +17,10 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return {probe({{excess, 2e-4}}, excess)};
 }
 
-}  // namespace
+}  // namespace extra_damping_parts
 
 Effect extra_damping() {
+    using namespace extra_damping_parts;
     return {"extra_damping",
             EffectStage::material,
             "more Kelvin-Voigt damping than the declared value",

@@ -1,7 +1,7 @@
 #include "effect/effect.hpp"
 
 namespace myo::effect {
-namespace {
+namespace frame_rate_error_parts {
 
 constexpr const char* error = "relative_error";
 
@@ -15,9 +15,10 @@ std::vector<EffectProbe> probes(const EffectSearch&) {
     return {probe({{error, 0.002}}, error), probe({{error, 0.02}}, error)};
 }
 
-}  // namespace
+}  // namespace frame_rate_error_parts
 
 Effect frame_rate_error() {
+    using namespace frame_rate_error_parts;
     return {"frame_rate_error",
             EffectStage::measurement,
             "the cameras' true rate differs from the declared one",

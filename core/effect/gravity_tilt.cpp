@@ -6,7 +6,7 @@
 #include "effect/effect.hpp"
 
 namespace myo::effect {
-namespace {
+namespace gravity_tilt_parts {
 
 using Eigen::Vector3d;
 
@@ -55,9 +55,10 @@ EffectParameters plainest(const model::Model& declared, const EffectParameters& 
             {"axis", Eigen::VectorXd(axis.normalized())}};
 }
 
-}  // namespace
+}  // namespace gravity_tilt_parts
 
 Effect gravity_tilt() {
+    using namespace gravity_tilt_parts;
     return {"gravity_tilt",
             EffectStage::force,
             "the mount is tilted: gravity turned by an angle about an axis",

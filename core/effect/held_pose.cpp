@@ -6,7 +6,7 @@
 #include "effect/places.hpp"
 
 namespace myo::effect {
-namespace {
+namespace held_pose_parts {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
@@ -115,9 +115,10 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return list;
 }
 
-}  // namespace
+}  // namespace held_pose_parts
 
 Effect held_pose() {
+    using namespace held_pose_parts;
     return {"held_pose",
             EffectStage::support,
             "the body was not held in its rest shape before the release",

@@ -4,7 +4,7 @@
 #include "model/directional_mass.hpp"
 
 namespace myo::effect {
-namespace {
+namespace hung_mass_parts {
 
 constexpr const char* ratio = "inertia_ratio";
 struct HungMassConstants {
@@ -42,9 +42,10 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return {};
 }
 
-}  // namespace
+}  // namespace hung_mass_parts
 
 Effect hung_mass() {
+    using namespace hung_mass_parts;
     return {"hung_mass",
             EffectStage::force,
             "a declared dead force is the weight of a body on a thread, whose inertia acts along the thread",

@@ -3,7 +3,7 @@
 #include "fem/element_block.hpp"
 
 namespace myo::effect {
-namespace {
+namespace intrinsic_curvature_parts {
 
 /// Mesh in which each cell has its own nodes.
 mesh::VolumeMesh exploded(const mesh::VolumeMesh& mesh) {
@@ -58,9 +58,10 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return list;
 }
 
-}  // namespace
+}  // namespace intrinsic_curvature_parts
 
 Effect intrinsic_curvature() {
+    using namespace intrinsic_curvature_parts;
     return {"intrinsic_curvature",
             EffectStage::material,
             "the stress-free shape is bent",

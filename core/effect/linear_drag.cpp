@@ -3,7 +3,7 @@
 #include "model/surface_drag.hpp"
 
 namespace myo::effect {
-namespace {
+namespace linear_drag_parts {
 
 constexpr const char* coefficient = "coefficient_Pa_s_m";
 
@@ -15,9 +15,10 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
 
 std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{coefficient, 5.0}}, coefficient)}; }
 
-}  // namespace
+}  // namespace linear_drag_parts
 
 Effect linear_drag() {
+    using namespace linear_drag_parts;
     return {"linear_drag",
             EffectStage::force,
             "drag of a resting fluid in proportion to the speed",

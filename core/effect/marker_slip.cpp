@@ -2,7 +2,7 @@
 #include "effect/markers_by_name.hpp"
 
 namespace myo::effect {
-namespace {
+namespace marker_slip_parts {
 
 /// Markers that are not on the body (fixed ones) are not compared and are ignored.
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
@@ -12,9 +12,10 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
         {static_cast<std::size_t>(marker), vector(parameters, "shift_m"), number(parameters, "time_s")});
 }
 
-}  // namespace
+}  // namespace marker_slip_parts
 
 Effect marker_slip() {
+    using namespace marker_slip_parts;
     return {"marker_slip",
             EffectStage::measurement,
             "a marker moves by a fixed vector at some time",

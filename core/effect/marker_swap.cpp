@@ -2,7 +2,7 @@
 #include "effect/markers_by_name.hpp"
 
 namespace myo::effect {
-namespace {
+namespace marker_swap_parts {
 
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
     const auto& names = std::get<std::vector<std::string>>(parameters.at("markers"));
@@ -12,9 +12,10 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
         {static_cast<std::size_t>(first), static_cast<std::size_t>(second), number(parameters, "time_s")});
 }
 
-}  // namespace
+}  // namespace marker_swap_parts
 
 Effect marker_swap() {
+    using namespace marker_swap_parts;
     return {"marker_swap",
             EffectStage::measurement,
             "two markers exchange their names from some time on",

@@ -3,7 +3,7 @@
 #include "effect/effect.hpp"
 
 namespace myo::effect {
-namespace {
+namespace modulus_drift_parts {
 
 constexpr const char* rate = "rate_1_s";
 
@@ -28,9 +28,10 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return {probe({{rate, 0.02 / longest_time(search)}}, rate)};
 }
 
-}  // namespace
+}  // namespace modulus_drift_parts
 
 Effect modulus_drift() {
+    using namespace modulus_drift_parts;
     return {"modulus_drift",
             EffectStage::material,
             "the modulus drifts over the session",

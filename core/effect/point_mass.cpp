@@ -2,7 +2,7 @@
 #include "effect/places.hpp"
 
 namespace myo::effect {
-namespace {
+namespace point_mass_parts {
 
 /// Attaches the mass to the surface point nearest to the position; it has inertia and weight.
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
@@ -24,9 +24,10 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return list;
 }
 
-}  // namespace
+}  // namespace point_mass_parts
 
 Effect point_mass() {
+    using namespace point_mass_parts;
     return {"point_mass",
             EffectStage::force,
             "a mass that nobody declared sits at a point of the surface",

@@ -3,7 +3,7 @@
 #include "model/surface_drag.hpp"
 
 namespace myo::effect {
-namespace {
+namespace quadratic_drag_parts {
 
 constexpr const char* coefficient = "coefficient_kg_m3";
 
@@ -15,9 +15,10 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
 
 std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{coefficient, 50.0}}, coefficient)}; }
 
-}  // namespace
+}  // namespace quadratic_drag_parts
 
 Effect quadratic_drag() {
+    using namespace quadratic_drag_parts;
     return {"quadratic_drag",
             EffectStage::force,
             "drag of a resting fluid that grows with the square of the speed",

@@ -1,7 +1,7 @@
 #include "effect/effect.hpp"
 
 namespace myo::effect {
-namespace {
+namespace scale_error_parts {
 
 constexpr const char* error = "relative_error";
 
@@ -12,9 +12,10 @@ void apply(const EffectSite&, const EffectParameters& parameters, Affected& affe
 
 std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{error, 0.002}}, error)}; }
 
-}  // namespace
+}  // namespace scale_error_parts
 
 Effect scale_error() {
+    using namespace scale_error_parts;
     return {"scale_error",
             EffectStage::measurement,
             "all coordinates are off by a factor about the origin",

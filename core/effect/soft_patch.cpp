@@ -5,7 +5,7 @@
 #include "effect/point_stiffness.hpp"
 
 namespace myo::effect {
-namespace {
+namespace soft_patch_parts {
 
 /// Modulus factor 1 + r exp(-d² / (2 R²)) with the distance d from the centre.
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
@@ -29,9 +29,10 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return list;
 }
 
-}  // namespace
+}  // namespace soft_patch_parts
 
 Effect soft_patch() {
+    using namespace soft_patch_parts;
     Effect effect{"soft_patch",
                   EffectStage::material,
                   "the modulus differs around a point",

@@ -2,7 +2,7 @@
 #include "effect/point_stiffness.hpp"
 
 namespace myo::effect {
-namespace {
+namespace stiffness_gradient_parts {
 
 /// Modulus factor linear in one coordinate: 1 - r/2 at its lowest, 1 + r/2 at its highest value.
 void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
@@ -28,9 +28,10 @@ std::vector<EffectProbe> probes(const EffectSearch&) {
     return list;
 }
 
-}  // namespace
+}  // namespace stiffness_gradient_parts
 
 Effect stiffness_gradient() {
+    using namespace stiffness_gradient_parts;
     // Beyond a relative change of 2 the modulus would be negative at one end.
     Effect effect{"stiffness_gradient",
                   EffectStage::material,

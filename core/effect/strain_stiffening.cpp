@@ -3,7 +3,7 @@
 #include "effect/effect.hpp"
 
 namespace myo::effect {
-namespace {
+namespace strain_stiffening_parts {
 
 constexpr const char* c2 = "yeoh_c2";
 
@@ -14,9 +14,10 @@ void apply(const EffectSite&, const EffectParameters& parameters, Affected& affe
 
 std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{c2, 0.05}}, c2)}; }
 
-}  // namespace
+}  // namespace strain_stiffening_parts
 
 Effect strain_stiffening_effect() {
+    using namespace strain_stiffening_parts;
     Effect effect{"strain_stiffening",
                   EffectStage::material,
                   "the material stiffens with strain (Yeoh's second term)",

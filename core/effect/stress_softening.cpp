@@ -1,7 +1,7 @@
 #include "effect/effect.hpp"
 
 namespace myo::effect {
-namespace {
+namespace stress_softening_parts {
 
 constexpr const char* damage = "damage_max";
 constexpr const char* scale = "energy_scale_J_m3";
@@ -21,9 +21,10 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return list;
 }
 
-}  // namespace
+}  // namespace stress_softening_parts
 
 Effect stress_softening() {
+    using namespace stress_softening_parts;
     // The upper bound of the damage keeps a positive stiffness.
     Effect effect{"stress_softening",
                   EffectStage::material,

@@ -1,7 +1,7 @@
 #include "effect/effect.hpp"
 
 namespace myo::effect {
-namespace {
+namespace viscoelastic_creep_parts {
 
 constexpr const char* ratio = "modulus_ratio";
 constexpr const char* time = "relaxation_time_s";
@@ -19,9 +19,10 @@ std::vector<EffectProbe> probes(const EffectSearch&) {
     return list;
 }
 
-}  // namespace
+}  // namespace viscoelastic_creep_parts
 
 Effect viscoelastic_creep() {
+    using namespace viscoelastic_creep_parts;
     return {"viscoelastic_creep",
             EffectStage::material,
             "a Maxwell branch beside the elastic network, on the deviatoric stress",
