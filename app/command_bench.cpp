@@ -189,6 +189,7 @@ report::Json print_scaling(const report::Json& rows, const std::string& figure, 
     return {{"time_over_dofs", time}, {"memory_over_dofs", memory}};
 }
 
+/// Runs the selected cases and writes the requested files. A failed run is reported and the others continue.
 int run_bench(const BenchCall& call) {
     Console console(false, false);
     for (const auto& [option, file] : {std::pair{"--json", call.json}, std::pair{"--figure", call.figure}})

@@ -36,6 +36,7 @@ std::string deviation_parts(const calibration::Calibration& calibration, Eigen::
     return text + "; ";
 }
 
+/// Fitted parameters with standard deviations and start values, one per line.
 std::string parameter_lines(const calibration::Calibration& calibration) {
     std::string text;
     char line[256];
@@ -54,6 +55,7 @@ std::string parameter_lines(const calibration::Calibration& calibration) {
     return text;
 }
 
+/// Outcome of each start, if there are several.
 std::string start_lines(const calibration::Calibration& calibration) {
     std::string text;
     if (calibration.starts.size() < 2) return text;
@@ -73,6 +75,7 @@ std::string start_lines(const calibration::Calibration& calibration) {
     return text + "\n";
 }
 
+/// rms per trial before and after the fit.
 std::string trial_lines(const setup::Setup& setup, const calibration::Calibration& calibration) {
     std::size_t width = 5;
     for (const setup::PreparedTrial& trial : setup.trials) width = std::max(width, trial.name.size());
@@ -93,6 +96,7 @@ std::string trial_lines(const setup::Setup& setup, const calibration::Calibratio
     return text;
 }
 
+/// Writes calibrate.json, traces and report.html.
 Result<void> write_results(const CalibrateCall& call, const setup::Setup& setup,
                            const calibration::Calibration& calibration, const results::RunFacts& facts) {
     const report::Json json = results::calibrate_json(setup, calibration, facts);
@@ -123,6 +127,7 @@ int end_status(const CalibrateCall& call, const calibration::Calibration& calibr
     return status_failed;
 }
 
+/// Opens the experiment, runs checks, fits, checks the result, writes and reports it.
 int calibrate_command(const CalibrateCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     const Progress progress = console.progress();

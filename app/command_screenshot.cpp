@@ -28,6 +28,7 @@ struct ScreenshotCall {
     bool json_progress = false;
 };
 
+/// Parses "1600x900", sides 320 ... 8192 pixels.
 void parse_size(const std::string& text, ui::panels::ScreenshotOptions& picture) {
     const auto side = [](std::string_view word, int& value) {
         const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -61,6 +62,7 @@ int screenshot_command(const ScreenshotCall& call) {
     if (!kept) return console.refuse(kept.error());
     const Progress progress = console.progress();
     ui::panels::ScreenshotOptions picture = call.picture;
+    // Calibration and search contain a run of their own.
     picture.run = !call.as_opened && !call.picture.calibrate && !call.picture.optimize;
     picture.theme = call.theme == "light" ? ui::platform::ThemeName::light : ui::platform::ThemeName::dark;
     picture.scale = 0.01f * static_cast<float>(call.percent);

@@ -59,6 +59,7 @@ int write_summary(const ValidateCall& call, const Summary& summary, const report
     return status_done;
 }
 
+/// Validation of the diagnosis: runs missing cases, then summarises all records of the folder.
 int diagnosis_validation(const ValidateCall& call, const Progress& progress, Console& console) {
     int finished = 0;
     const Result<void> run = validation::run_validation(call.options, call.out, progress,
@@ -79,6 +80,7 @@ int diagnosis_validation(const ValidateCall& call, const Progress& progress, Con
                          *records);
 }
 
+/// Validation of the defaults: runs missing cases, then summarises all records of the folder.
 int defaults_validation(const ValidateCall& call, const Progress& progress, Console& console) {
     int finished = 0;
     const Result<void> run = validation::run_defaults_validation({call.options.choice.seed, call.options.range},
@@ -98,6 +100,7 @@ int run_validate(ValidateCall call) {
     Console console(call.work.quiet, call.work.json_progress);
     if (call.out.empty()) return console.refuse({"name a folder for the results", "--out"});
     const validation::CaseChoice& choice = call.options.choice;
+    // These options belong to the validation of the diagnosis and would be ignored silently.
     if (call.defaults && !(choice.families.empty() && choice.effects.empty()))
         return console.refuse(
             {"draws its own bodies and has no effects; leave --geometry and --effects out", "--defaults"});

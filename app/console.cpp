@@ -22,6 +22,7 @@ std::string one_line(std::string text) {
     return text;
 }
 
+// Rounded to the unit that matters: seconds, minutes with seconds, hours.
 std::string duration_words(double seconds) {
     char text[32];
     if (seconds < 60.0)
@@ -80,6 +81,7 @@ void Console::show(const ProgressEvent& event) {
         task_ = event.task;
         task_start_ = now;
     }
+    // The last report is always drawn; others are throttled.
     const bool last = event.total > 0.0 && event.done >= event.total;
     if (!last && !throttle_.ready()) return;
     bar_shown_ = true;

@@ -28,6 +28,7 @@
 namespace myo::app {
 namespace {
 
+// Total memory of the machine, not what is free now.
 double physical_memory_bytes() {
     return static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGE_SIZE));
 }
@@ -87,6 +88,7 @@ Result<setup::Setup> open_setup(const ExperimentCall& call, const experiment::Ex
     if (const Result<void> fine = check_resolution(call, experiment); !fine) return fine.error();
     Result<setup::Setup> setup = setup::prepare_setup(experiment, setup_settings(call.setup, call.work), progress);
     if (!setup) return setup.error();
+    // Only commands that fit need trials for testing.
     if (const auto untested = prediction::untested_fit(*setup); untested && call.fits)
         setup->warnings.push_back(*untested);
     const bool choosable_steps = prediction::choosable(setup->settings);

@@ -82,6 +82,7 @@ Matrix3Xd shown_measurement(const setup::Setup& setup, const setup::PreparedTria
     return shown;
 }
 
+/// Markers, trials, settings and vibration of a prepared experiment, as the window displays them.
 void fill_from_setup(const setup::Setup& setup, ui::commands::Scene& scene) {
     const experiment::Experiment& experiment = setup.experiment;
     for (const experiment::MarkerDeclaration& marker : experiment.markers.on_body)
@@ -209,6 +210,7 @@ ui::commands::Scene plain_scene(const fs::path& path, mesh::SurfaceMesh surface)
     return scene;
 }
 
+/// Scene of a volume mesh; its boundary becomes the surface.
 Result<ui::commands::Scene> open_volume(const fs::path& path, double metres_per_unit) {
     Result<mesh::VolumeMesh> read = mesh::read_volume(path, metres_per_unit);
     if (!read) return read.error();

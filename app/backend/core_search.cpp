@@ -25,6 +25,7 @@ namespace {
 
 constexpr double nothing_known = std::numeric_limits<double>::quiet_NaN();
 
+// Values in displayed units.
 ui::commands::ParameterRow parameter_row(const prediction::ModelParameter& parameter, const setup::Setup& setup,
                                          double start, double value, double deviation) {
     const results::ReadableParameter shown = results::readable_parameter(parameter, setup);
@@ -89,6 +90,7 @@ ui::commands::Settings with_signals(ui::commands::Settings settings, const std::
     return settings;
 }
 
+/// Smallest and largest value of each signal, at the start and now.
 std::vector<ui::commands::ParameterRow> signal_rows(const inverse::ActuationProblem& problem,
                                                     const Eigen::MatrixXd& start, const Eigen::MatrixXd& values) {
     std::vector<ui::commands::ParameterRow> rows;
@@ -203,6 +205,7 @@ Result<ui::commands::SearchResult> calibrate_scene(const ui::commands::Scene& sc
     const prediction::ParameterValues declared = prediction::declared_values(*setup);
     ui::commands::SearchView view;
     Pace pace;
+    // Every evaluation extends the log; parameters and picture change only with a better one.
     calibration::CalibrationSettings how;
     how.evaluated = [&](const calibration::CalibrationStep& step) {
         view.log.push_back(std::isfinite(step.cost)

@@ -55,6 +55,7 @@ std::string readable_words(const effect::EffectParameters& parameters) {
     return words;
 }
 
+/// An effect of the core as the window stores it; inverse of declaration().
 ui::commands::AddedEffect added(const effect::EffectDeclaration& effect) {
     ui::commands::AddedEffect result{effect.id, {}, results::effect_name(effect.id), readable_words(effect.parameters)};
     for (const auto& [name, value] : effect.parameters) {
@@ -150,6 +151,7 @@ public:
     }
 
 private:
+    /// Headline and chosen row of the verdict.
     void set_verdict() {
         const diagnosis::Verdict& verdict = d_.verdict;
         view_.confidence = verdict.confidence;
@@ -191,6 +193,7 @@ private:
         return text;
     }
 
+    /// Residual of the declared model per trial, and the coordinate with the largest mean square.
     void set_trials() {
         const VectorXd flat = -d_.declared.fit.residual.cwiseProduct(d_.data.noise_m);
         const std::vector<std::vector<Matrix3Xd>> left = on_samples(setup_, d_.data, flat);
@@ -226,6 +229,7 @@ private:
         row.one_number = row.value.ends_with(row.brief);  // otherwise words follow the number
     }
 
+    /// Row of a fitted candidate: parameters, rms, predicted change, and the settings that adopt it.
     ui::commands::DiagnosisRow fitted_row(const std::string& key, const std::string& name,
                                           const diagnosis::JudgedFit& fit) const {
         ui::commands::DiagnosisRow row;
@@ -276,6 +280,7 @@ private:
         return row;
     }
 
+    /// Rows in order: declared model, missing force, fitted candidates by criterion, unfitted ones.
     void add_rows() {
         ui::commands::DiagnosisRow declared = fitted_row(declared_key, "Declared model", d_.declared);
         declared.kind = ui::commands::DiagnosisRow::Kind::declared;
@@ -301,6 +306,7 @@ private:
                 view_.rows.push_back(candidate_row(candidate));
     }
 
+    /// Row of the force that would explain the residual, by its modes.
     ui::commands::DiagnosisRow missing_force_row() {
         const diagnosis::MissingForce& force = *d_.missing_force;
         ui::commands::DiagnosisRow row;

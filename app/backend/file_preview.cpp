@@ -93,6 +93,7 @@ std::vector<ui::commands::ReportLine> mesh_lines(const fs::path& path) {
     return lines;
 }
 
+/// Format, markers, frames, rate and duration of a recording.
 std::vector<ui::commands::ReportLine> recording_lines(const fs::path& path) {
     const Result<ui::commands::RecordingFile> file = read_recording_file(path, {});
     if (!file) return {};  // other tables have the same extensions

@@ -114,6 +114,7 @@ Result<ui::commands::RunResult> run_mesh_scene(const ui::commands::Scene& scene,
     if (!only)
         result.warnings = setup::check_integration(affected.model, affected.options.integrator, affected.options.h_s)
                               .warnings;
+    // Without a recording there is no error.
     result.rms_m = std::numeric_limits<double>::quiet_NaN();
     if (!trace.complete()) result.problem = trace.message;
     ui::commands::SimulatedTrial shown;

@@ -114,6 +114,7 @@ std::string seen_from(const fs::path& path, const fs::path& folder) {
     return near.empty() || ups > 3 ? path.generic_string() : near.generic_string();
 }
 
+/// Mesh, material, time and effects as TOML.
 std::string settings_text(const ui::commands::Settings& s) {
     std::string text = "\n[mesh]\nelement = " + toml::toml_text(to_string(s.element)) +
                        "\nresolution_m = " + toml::toml_number(s.resolution_m) + "\n";
@@ -150,6 +151,7 @@ std::string muscle_text(const ui::commands::Muscle& m, const std::string& mask) 
     return text;
 }
 
+/// View options as TOML; field ranges are in SI.
 std::string view_text(const ui::commands::ViewOptions& view) {
     std::string text = "\n[view]\n";
     for (const ViewSwitch& each : view_switches)
@@ -180,6 +182,7 @@ std::vector<double> numbers_of(const toml::TomlReader& table, const std::string&
     return numbers;
 }
 
+/// Inline signal: as many values as times, ascending.
 fibre::Signal read_signal(const toml::TomlReader& muscle, const toml::TomlValue& value) {
     const toml::TomlReader table = muscle.table("signal", {"time_s", "a"});
     const fibre::Signal signal{numbers_of(table, "time_s", value), numbers_of(table, "a", value)};
@@ -329,6 +332,7 @@ ui::commands::Project read_document(const toml::TomlValue& root, const fs::path&
     project.source = source.is_absolute() ? source : (file.parent_path() / source).lexically_normal();
     if (!fs::exists(project.source, ignored))
         document.fail("source", "\"" + project.source.string() + "\" is not there");
+    // A trailing slash is removed, so that paths compare equal.
     if (project.source.filename().empty()) project.source = project.source.parent_path();
     project.metres_per_unit = document.optional_number("metres_per_unit", toml::positive());
     project.trial = document.text_or("trial", "");

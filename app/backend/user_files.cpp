@@ -75,6 +75,7 @@ ui::commands::Preferences read_document(const toml::TomlValue& root) {
                                                                             {"tet10", mesh::CellType::tet10}}),
                                     cost.number("dofs", toml::positive()), cost.number("seconds", toml::positive())});
     std::error_code ignored;
+    // Recent files that no longer exist are dropped.
     std::erase_if(p.recent, [&](const fs::path& path) { return !fs::exists(path, ignored); });
     return p;
 }

@@ -58,6 +58,7 @@ public:
         };
         const std::string mu = "μ = E / (2 (1 + ν))", lambda = "λ = E ν / ((1 + ν) (1 − 2ν))",
                           rotation = "F = R U with the rotation R";
+        // Labels and explanations for display; laws without an entry are listed by their id.
         const std::map<std::string, Words> words = {
             {"neo_hookean",
              {"Neo-Hookean", mu + ", κ = E / (3 (1 − 2ν)), J = det F. Nearly incompressible, for large strain (Bonet & "
@@ -86,6 +87,7 @@ public:
 
     std::vector<ui::commands::Choice> integrators() const override {
         const auto entry = [](dynamics::Integrator integrator, const char* label, const char* explanation) {
+            // Numerical damping ratio of a vibration with the settings of the window.
             const auto damping = [integrator](double omega, const ui::commands::Settings& s) {
                 const dynamics::TimeScheme scheme{integrator, s.spectral_radius};
                 return omega > 0.0
@@ -182,6 +184,7 @@ public:
     Result<ui::commands::MeshedBody> mesh(const ui::commands::Scene& scene, const ui::commands::Settings& settings,
                                           const Progress& progress) override {
         const SceneSource& source = source_of(scene);
+        // The mesh of the opened experiment or file is reused while the settings request the same.
         std::shared_ptr<const setup::BodyMesh> made = source.mesh;
         if (!made || !is_mesh_of(*made, settings)) {
             Result<setup::BodyMesh> fresh = setup::mesh_body(

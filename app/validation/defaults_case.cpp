@@ -52,6 +52,7 @@ SyntheticBody shaped_body(const Shape& shape, double length, double thickness, d
         for (Eigen::Index i = 0; i < body.surface.vertices.cols(); ++i)
             body.surface.vertices.col(i) = body.tapered(body.surface.vertices.col(i));
     }
+    // Boxes extend beyond the body, so that rounding does not exclude nodes of the face.
     const double beyond = 0.05 * thickness, face = 0.005 * length;
     body.clamp = {body.bounds.lowest - Vector3d::Constant(beyond), body.bounds.highest + Vector3d::Constant(beyond)};
     body.end = body.clamp;

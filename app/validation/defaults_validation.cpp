@@ -72,6 +72,7 @@ Result<ConvergedTruth> write_case(const DefaultsCase& d, const std::filesystem::
     return truth;
 }
 
+// Modulus and damping only: the other unknowns have no counterpart in the truth.
 std::vector<FittedNumber> fitted_numbers(const DefaultsCase& d, const calibration::Calibration& calibration) {
     std::vector<FittedNumber> numbers;
     for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
@@ -118,6 +119,7 @@ void fit_with_defaults(const DefaultsCase& d, const experiment::Experiment& expe
     if (!calibration.fit.converged()) r.failure = calibration.fit.message;
 }
 
+/// The former default: fixed steps of half a sampling interval.
 void fit_with_half_interval(const DefaultsCase& d, const experiment::Experiment& experiment, const Progress& progress,
                             DefaultsRecord& r) {
     const Stopwatch watch;

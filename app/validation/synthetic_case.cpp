@@ -37,6 +37,7 @@ int turn_of(int number) {
     return named_in_round * round + place - (place < deleted_at ? 1 : 2);
 }
 
+// Bodies that bend by an antagonist pair along their length.
 bool may_have_muscles(BodyFamily family) { return family == BodyFamily::beam || family == BodyFamily::tail; }
 
 std::vector<BodyFamily> families_of(const CaseChoice& choice) {
@@ -219,6 +220,7 @@ std::vector<SyntheticTrial> drawn_trials(const SyntheticCase& c, const EffectNee
     // With muscles, the passive release provides a straight start.
     if (needs.straight_start && trials.front().start != experiment::StartState::straight)
         trials.front() = make.release();
+    // Trials are minutes apart, which matters for effects that drift during a session.
     double session_s = 0.0;
     for (SyntheticTrial& trial : trials) {
         trial.session_time_s = session_s;
@@ -229,6 +231,7 @@ std::vector<SyntheticTrial> drawn_trials(const SyntheticCase& c, const EffectNee
     return trials;
 }
 
+// Schemes with little numerical damping, each different from the default TR-BDF2.
 TruthScheme drawn_scheme(RandomStream& random) {
     switch (random.below(3)) {
         case 0: return {{dynamics::Integrator::trapezoidal}, 4};

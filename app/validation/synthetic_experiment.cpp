@@ -29,6 +29,7 @@ Result<MadeExperiment> visible_case(const CaseChoice& choice, int number, const 
         Result<setup::Setup> setup = setup::prepare_setup(*experiment, {}, progress.with_sink({}));
         if (!setup) return setup.error();
         const EffectLevel levels(made.truth, std::move(*setup), progress);
+        // Either the trials do not run without the effect, or no plausible amount is visible: another draw.
         if (!levels.ready()) continue;
         const std::optional<effect::EffectDeclaration> effect = visible_effect(made.truth, levels, made.level);
         if (!effect) continue;

@@ -35,6 +35,7 @@ TargetMiss target_miss(const setup::Setup& setup, const prediction::SetupRun& ru
 
     std::vector<prediction::MarkerScore> markers = run.scores.front().markers;
     std::erase_if(markers, [](const prediction::MarkerScore& marker) { return !std::isfinite(marker.rms_m); });
+    // Worst markers first; only those close to the worst are named.
     std::sort(markers.begin(), markers.end(),
               [](const prediction::MarkerScore& a, const prediction::MarkerScore& b) { return a.rms_m > b.rms_m; });
     for (const prediction::MarkerScore& marker : markers)

@@ -10,6 +10,7 @@ namespace myo::check {
 
 std::vector<Finding> findings_on_units(const setup::Setup& setup) {
     std::vector<Finding> found;
+    // Only these two checks are needed before the choice of steps; the others run with the chosen steps.
     for (const char* const check : {"units", "time_unit"}) {
         std::vector<Finding> more = run_check(*find_check(check), {setup});
         std::move(more.begin(), more.end(), std::back_inserter(found));
