@@ -65,8 +65,8 @@ const ui::commands::SceneMarker* declared(const std::vector<ui::commands::SceneM
 
 /// Whether the scene is a bundled example, which must not be modified.
 bool is_bundled(const ui::commands::Scene& scene) {
-    static const std::vector<ui::commands::Example>
-        examples = bundled_examples();  // constant during a session of the program
+    // Constant while the program runs.
+    static const std::vector<ui::commands::Example> examples = bundled_examples();
     std::error_code ignored;
     return std::any_of(examples.begin(), examples.end(), [&](const ui::commands::Example& example) {
         return fs::equivalent(example.path, scene.path, ignored);
@@ -78,7 +78,7 @@ bool has_trials(const ui::commands::Scene& scene) { return !source_of(scene).exp
 /// First reason why the choices cannot become a trial; empty if they can.
 std::string problem_of(const ui::commands::Scene& scene, const ui::commands::ImportChoices& choices,
                        const ui::commands::ImportView& view) {
-    // A signed permutation has determinant 1 or -1; -1 is a reflection.
+    // A signed permutation has determinant 1 or -1; -1 is a reflection, 0 a repeated axis.
     if (rotation_of(choices.axes).determinant() < 0.5) return "The axes mirror the body: turn one of them round.";
     std::set<std::string> names;
     for (std::size_t i = 0; i < choices.markers.size(); ++i) {

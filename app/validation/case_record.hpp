@@ -23,11 +23,11 @@ struct CaseRecord {
     CaseKind kind = CaseKind::none;
     std::string family;
     bool muscles = false;
-    std::string truth;   // id; "none"  // id of the effect; "none"
+    std::string truth;   // id of the effect; "none"
     double level = 0.0;  // size of the effect, in noise levels
     report::Json truth_parameters = report::Json::object();
-    std::vector<std::string>
-        answer;  // ids asserted, "none" or "unknown" alone  // ids asserted; or "none" or "unknown" alone
+    /// Ids of the asserted effects; or "none" or "unknown" alone.
+    std::vector<std::string> answer;
     report::Json answer_parameters = report::Json::object();  // of the first asserted effect
     std::vector<std::string> ranking;                         // first five entries
     double confidence = 0.0;                                  // stated by the verdict, 0 ... 1

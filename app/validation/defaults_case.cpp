@@ -69,9 +69,8 @@ struct Cantilever {
 
     double bending_stiffness() const { return E * width * std::pow(thickness, 3) / 12.0; }
     double weight_N() const { return rho * gravity_m_s2 * length * thickness * width; }
-    double sag() const {
-        return weight_N() * std::pow(length, 2) / (8.0 * bending_stiffness());
-    }  // under its weight, relative to the length
+    /// Deflection under the own weight over the length.
+    double sag() const { return weight_N() * std::pow(length, 2) / (8.0 * bending_stiffness()); }
     double end_force_N(double share) const { return 3.0 * bending_stiffness() * share / std::pow(length, 2); }
     /// Weight over the buckling load of a column under its own weight (Greenhill): q L^3 = 7.837 EI.
     double column_load() const { return weight_N() * std::pow(length, 2) / (7.837 * bending_stiffness()); }

@@ -17,11 +17,11 @@ struct DefaultsSummary {
     Proportion right;         // right numbers or the true cause named, of all answered cases
     Proportion silent;        // wrong without any remark, of all answered cases
     Proportion false_alarms;  // of cases without a slip
-    std::map<std::string, Proportion> by_slip,
-        by_shape;                    // right; "none": without a slip  // right; key "none": without a slip
+    /// Right answers; key "none": without a slip.
+    std::map<std::string, Proportion> by_slip, by_shape;
     Proportion half_interval_right;  // right numbers with half a sampling interval as step, of cases without a slip
-    std::map<std::string, double>
-        normalised_rms;  // per parameter: rms of error over standard deviation, cases without a slip
+    /// Per parameter: rms of error over standard deviation, cases without a slip.
+    std::map<std::string, double> normalised_rms;
     /// Time of a fit over that with half a sampling interval, where the latter was right.
     double median_time_ratio = 0.0;
     Proportion twice_the_time_at_most;

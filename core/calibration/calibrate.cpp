@@ -285,8 +285,8 @@ Calibration calibrate(const setup::Setup& setup, const CalibrationSettings& sett
         return runs.jacobian(p, inner);
     };
     std::mt19937_64 random(settings.seed);
-    std::vector<bool> unmoved(result.parameters.size(),
-                              false);  // parameters without influence, as found by the first start
+    // Parameters without influence, as found by the first start.
+    std::vector<bool> unmoved(result.parameters.size(), false);
     double done = 0.0;
     for (int s = 0; s < settings.starts && (s == 0 || !progress.cancelled()); ++s) {
         std::vector<inverse::Parameter> parameters;

@@ -50,8 +50,8 @@ std::vector<Finding> check_pose(const CheckedJob& job) {
     const std::optional<double> free = slowest(model, 0.0, 0.0), loaded = slowest(model, pose_policy.load_share, 0.0);
     // Without modes or equilibrium the check does not apply; the support check reports a free body.
     if (!free || !loaded || !(*free > 0.0)) return {};
-    const double lost = (1.0 - *loaded / *free) /
-                        pose_policy.load_share;  // loss of stiffness under the full load, relative
+    // Loss of stiffness under the full load, relative.
+    const double lost = (1.0 - *loaded / *free) / pose_policy.load_share;
     Finding finding = fine_finding(trial.name, "the pose at rest is stable under its loads");
     finding.figure = lost;
     finding.threshold = 1.0 / pose_policy.doubtful_share;
