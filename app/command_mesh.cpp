@@ -77,7 +77,7 @@ Result<mesh::SurfaceMesh> open_surface(const MeshCall& call, std::vector<std::st
     return surface;
 }
 
-/// Checks that the options fit the element and that the number of elements is within the limit.
+/// Checks that the options suit the element and that the number of elements is within the limit.
 Result<void> check_surface_call(const MeshCall& call, const mesh::SurfaceMesh& surface) {
     if (!call.type) return Error{"choose the element of the mesh: hex8, tet4 or tet10", "--type"};
     const bool hexahedra = *call.type == mesh::CellType::hex8;

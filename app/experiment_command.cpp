@@ -47,7 +47,7 @@ Result<void> check_resolution(const ExperimentCall& call, const experiment::Expe
                  "--resolution"};
 }
 
-/// Rejects steps whose stored states would not fit in memory: position and velocity, 6 doubles per node and step.
+/// Rejects steps whose stored states would exceed the memory: position and velocity, 6 doubles per node and step.
 Result<void> check_steps(const setup::Setup& setup) {
     double bytes = 0.0, steps = 0.0;
     for (const setup::PreparedTrial& trial : setup.trials) {

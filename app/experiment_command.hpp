@@ -20,7 +20,7 @@ namespace myo::app {
 enum class StepChoice {
     before,         // before the command runs
     in_run,         // by the run, from the vibrations that it shows
-    half_interval,  // half a sampling interval at first; a search adapts it, and a single run does not justify a choice
+    half_interval,  // half a sampling interval at first: a search adapts it; for a single run a choice costs too much
 };
 
 /// Parsed call of a command on an experiment folder.

@@ -122,6 +122,7 @@ public:
 
     void show(const inverse::ActuationFit& fit) {
         const inverse::ActuationIterate& line = fit.log.back();
+        // A failed evaluation is an empty point, so that the count of evaluations stays right.
         view_.log.push_back(line.ok
                                 ? ui::commands::SearchPoint{1e6 * line.loss_m2, line.rms_m, 1e6 * line.gradient_norm_m2}
                                 : ui::commands::SearchPoint{});
@@ -244,6 +245,7 @@ Result<ui::commands::SearchResult> calibrate_scene(const ui::commands::Scene& sc
         result.problem = "The fit did not converge: " + calibration.fit.message;
     for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
         const auto k = static_cast<Eigen::Index>(i);
+        // Final rows have standard deviations; the live ones have none.
         result.parameters.push_back(parameter_row(calibration.parameters[i], *setup, calibration.fit.start(k),
                                                   calibration.fit.values(k), calibration.deviation(i)));
     }

@@ -230,6 +230,7 @@ std::vector<ui::commands::Muscle> read_project_muscles(const toml::TomlReader& d
     }
     for (const ui::commands::Muscle& muscle : muscles) {
         if (muscle.follows.empty()) continue;
+        // One level only: a follower of a follower is rejected.
         const auto leads = [&](const ui::commands::Muscle& other) {
             return other.name == muscle.follows && other.follows.empty();
         };
@@ -358,6 +359,7 @@ Result<void> write_project_file(const fs::path& file, const ui::commands::Projec
         std::string mask;
         if (muscle.paint && muscle.paint->count() > 0) {
             const std::string name = mask_name(muscle.name, *muscle.paint);
+            // An existing file of this name has the same content.
             if (!fs::exists(files / name, ignored))
                 if (const Result<void> written = fibre::write_painted_mask(files / name, *muscle.paint); !written)
                     return written;

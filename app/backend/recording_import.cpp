@@ -267,6 +267,7 @@ Result<double> align_recording(const ui::commands::Scene& scene, const ui::comma
             simulated.push_back(run.markers[m]);
             recorded.push_back(view.rotation * file.recording->tracks[i]);
         }
+    // At least one marker must be in the recording and in the run.
     if (simulated.empty()) return Error{"No marker of the recording has been simulated.", ""};
     const Result<measurement::TimeAlignment> found = measurement::align_in_time(time_s, simulated,
                                                                                 file.recording->time_s, recorded);
@@ -291,6 +292,7 @@ Result<fs::path> add_recording_trial(const ui::commands::Scene& scene, const ui:
     std::snprintf(about, sizeof about, " from %.6g s on, registered with %.3g mm rms", choices.start_s,
                   1e3 * view.rms_m);
     trial.origin = "From " + file.path.filename().string() + about + ".";
+    // The trial is written in the mesh frame and in trial time; no registration remains to be done.
     trial.recording.time_s = placed.time_s;
     trial.recording.rate_Hz = placed.rate_Hz;
     const auto add = [&](const std::string& name, Matrix3Xd track) {

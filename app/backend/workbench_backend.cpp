@@ -220,6 +220,7 @@ public:
                 {"Made from", made == source.mesh ? "the file's own elements" : "the file's surface", false,
                  "A volume mesh keeps its own elements as long as their type and edge length are left as they were "
                  "opened."});
+        // Paint of the declared muscles on this mesh, as a starting point for the brush.
         const Result<std::vector<fibre::FibreGroup>> groups = setup::muscle_groups(source.experiment, *made);
         if (!groups) return groups.error();
         for (const fibre::FibreGroup& group : *groups)
@@ -283,6 +284,7 @@ public:
         const experiment::Experiment& experiment = source_of(scene).experiment;
         std::vector<fs::path> outputs = results::trace_files(folder, experiment);
         for (const char* const name : {"fit.html", "diagnosis.html"}) outputs.push_back(folder / name);
+        // A report must not overwrite files that the experiment is read from.
         const Result<void> kept = check_overwrites(folder.string(), outputs,
                                                    results::files_read(experiment.folder, experiment));
         if (!kept) return kept.error();
@@ -292,6 +294,7 @@ public:
         for (const ui::commands::SceneTrial& trial : scene.trials) trials.push_back(trial.name);
         trials = results::trial_file_names(trials);
         for (std::size_t t = 0; t < run.trials.size() && t < scene.trials.size(); ++t) {
+            // Trials that did not run have no markers.
             if (names.empty() || run.trials[t].markers.size() != names.size()) continue;
             files.push_back(trials[t] + ".csv");
             measurement::Recording simulated;

@@ -279,6 +279,7 @@ Calibration calibrate(const setup::Setup& setup, const CalibrationSettings& sett
     Calibration result;
     result.settings = settings;
     result.parameters = prediction::free_parameters(setup, settings.names);
+    // Keeps the predictions of the best values, so that these need not be simulated again after the fit.
     FitRuns runs(setup, settings, result.parameters);
     const auto residuals = [&](const Eigen::VectorXd& p, const Progress& inner) { return runs.residuals(p, inner); };
     const auto jacobian = [&](const Eigen::VectorXd& p, const inverse::ResidualEvaluation&, const Progress& inner) {
@@ -302,6 +303,7 @@ Calibration calibrate(const setup::Setup& setup, const CalibrationSettings& sett
             progress.report(
                 {event.task, done + event.done, event.total * settings.starts, event.unit, words + event.message});
         });
+        // Each start has its own budget of evaluations.
         inverse::LeastSquaresOptions options;
         options.max_evaluations = settings.max_evaluations;
         inverse::LeastSquaresReport fit = inverse::fit_least_squares(parameters, residuals, jacobian, options, inner);
@@ -318,6 +320,7 @@ Calibration calibrate(const setup::Setup& setup, const CalibrationSettings& sett
     }
     result.stopped = progress.cancelled();
     if (result.usable()) {
+        // Validation trials get levels predicted from those of the fit trials, before and after the fit.
         set_runs(setup, prediction::with_predicted_levels(setup, prediction::declared_values(setup)),
                  prediction::with_predicted_levels(setup, runs.values_at(result.fit.values)), runs.take(), progress,
                  result);

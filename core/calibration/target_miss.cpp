@@ -42,6 +42,7 @@ TargetMiss target_miss(const setup::Setup& setup, const prediction::SetupRun& ru
         if (miss.markers.size() < rule.most_markers && marker.rms_m >= rule.near_worst * markers.front().rms_m)
             miss.markers.push_back({marker.name, marker.rms_m});
 
+    // Error over time, rms over the markers at each sample.
     Eigen::VectorXd course(times.size());
     for (Index t = 0; t < times.size(); ++t) course(t) = rms_at(prediction, t);
     Index worst = -1;

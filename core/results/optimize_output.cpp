@@ -185,6 +185,7 @@ Result<EarlierOptimization> read_optimization(const fs::path& folder, const setu
 
 report::Json optimize_json(const setup::Setup& setup, const calibration::Optimization& optimization,
                            const RunFacts& facts) {
+    // Stable keys: scripts read this file, and --resume does as well.
     assert(optimization.usable());
     const inverse::SoughtSignals& sought = optimization.problem.sought;
     const inverse::ActuationFit& fit = optimization.fit;

@@ -197,6 +197,7 @@ report::Json simulate_json(const setup::Setup& setup, const prediction::SetupRun
     json.update(size_json(setup));
     std::size_t steps = 0;
     int iterations = 0;
+    // Trials without a score did not complete; `failure` names the first of them.
     report::Json trials = report::Json::array();
     for (std::size_t t = 0; t < setup.trials.size(); ++t) {
         const prediction::TrialScore* score = find_score(run, setup.trials[t].name);
@@ -227,6 +228,7 @@ report::Json simulate_json(const setup::Setup& setup, const prediction::SetupRun
 
 report::Json calibrate_json(const setup::Setup& setup, const calibration::Calibration& calibration,
                             const RunFacts& facts) {
+    // Stable keys: scripts read this file, and --resume does as well.
     assert(calibration.usable());
     report::Json json{{"schema", "calibrate/1"},
                       {"parameters", parameters_json(calibration)},
