@@ -240,6 +240,7 @@ int run_bench(const BenchCall& call) {
 
 }  // namespace
 
+// The shared pointer keeps the parsed call alive until the action runs; the same in all commands.
 std::function<int()> declare_bench(CLI::App& app) {
     auto call = std::make_shared<BenchCall>();
     app.add_option("case", call->id, "One of: " + join(bench::bench_ids()) + "; all of them when left out");

@@ -134,6 +134,7 @@ int calibrate_command(const CalibrateCall& call) {
     OpenedExperiment opening = open_command(call, TrialChoice::all, first_evaluation, console, progress);
     if (!opening.setup) return opening.status;
     std::optional<setup::Setup>& setup = opening.setup;
+    // Checked before any simulation, with the reason.
     if (prediction::free_parameters(*setup, call.parameters).empty())
         return console.refuse(
             {"nothing is left to fit: material.calibrate names nothing that is not exact, and nothing else is unknown; "
@@ -155,6 +156,7 @@ int calibrate_command(const CalibrateCall& call) {
     console.print(setup->experiment.name + "\n" + size_line(*setup));
 
     calibration::Calibration calibration = calibration::calibrate_with_chosen_steps(*setup, settings, progress);
+    // Evaluations of the resumed call count, so that the file shows the total cost.
     calibration.earlier_evaluations += earlier.evaluations;
     if (!calibration.usable()) {
         if (calibration.stopped) return stopped_before(first_evaluation, console);
@@ -182,6 +184,7 @@ std::function<int()> declare_calibrate(CLI::App& app) {
     const auto call = std::make_shared<CalibrateCall>();
     call->fits = true;
     declare_experiment_call(app, *call);
+    // Known before the run, so that inputs are never overwritten.
     call->outputs = [own = call.get()](const experiment::Experiment& experiment) {
         return trace_files_and(*own, experiment, {"calibrate.json", "report.html"});
     };

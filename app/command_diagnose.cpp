@@ -116,6 +116,7 @@ std::string cost_lines(const diagnosis::Diagnosis& d) {
 /// Writes both JSON reports, the augmented experiment, traces and report.html.
 Result<void> write_results(const DiagnoseCall& call, const experiment::Experiment& experiment,
                            const setup::Setup& setup, const diagnosis::Diagnosis& d, const results::RunFacts& facts) {
+    // The augmented experiment is an edited copy of the declaration, which keeps its comments.
     const std::filesystem::path written = std::filesystem::is_directory(call.experiment)
                                               ? call.experiment / "experiment.toml"
                                               : call.experiment;
@@ -144,6 +145,7 @@ int diagnose_command(const DiagnoseCall& call) {
     console.print(setup.experiment.name + "\n" + size_line(setup));
     diagnosis::DiagnoseSettings settings;
     settings.without = call.without;
+    // Fits are stored as they finish, so a stopped diagnosis can be resumed.
     settings.fits = call.out / fits_file;
     // Stored fits are reused on request only: they may belong to other settings.
     if (!call.resume) std::filesystem::remove(*settings.fits);

@@ -108,6 +108,7 @@ int gradcheck_command(const GradcheckCall& call) {
 
 std::function<int()> declare_gradcheck(CLI::App& app) {
     const auto call = std::make_shared<GradcheckCall>();
+    // Only an optional JSON file is written, so no output folder is locked.
     call->writes_folder = false;
     call->step_choice = StepChoice::half_interval;
     call->outputs = [own = call.get()](const experiment::Experiment&) {

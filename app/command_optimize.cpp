@@ -151,6 +151,7 @@ int optimize_command(const OptimizeCall& call) {
     }
     for (const std::string& warning : result.warnings) console.warn(warning);
     results::RunFacts facts = run_facts(call, setup_s);
+    // After a cancellation only the checks before the search are known.
     facts.findings = before;
     if (!result.stopped) {
         const prediction::SetupRun run = calibration::run_with_found_signals(setup, result, progress);
@@ -168,6 +169,7 @@ int optimize_command(const OptimizeCall& call) {
 
 std::function<int()> declare_optimize(CLI::App& app) {
     const auto call = std::make_shared<OptimizeCall>();
+    // The search itself shortens the step if its signals require it.
     call->step_choice = StepChoice::half_interval;
     declare_experiment_call(app, *call);
     call->outputs = [own = call.get()](const experiment::Experiment& experiment) {

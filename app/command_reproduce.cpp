@@ -108,6 +108,7 @@ int reproduce_command(const ReproduceCall& call) {
     const double seconds = watch.seconds();
     result->values["seconds"] = seconds;
     result->values["coarse"] = call.coarse;
+    // Sentences about the paper's meshes do not hold for coarse ones.
     if (call.coarse)
         result->warnings.push_back(
             "--coarse: these are not the paper's meshes; what is said about them holds for the full run only");

@@ -56,6 +56,7 @@ std::vector<std::filesystem::path> files_drawn(const ui::panels::ScreenshotOptio
 int screenshot_command(const ScreenshotCall& call) {
     Console console(call.quiet, call.json_progress);
     if (call.out.empty()) return console.refuse({"name the picture to write", "--out"});
+    // The only format that is written.
     if (call.out.extension() != ".png")
         return console.refuse({"'" + call.out.string() + "' does not end in .png", "--out"});
     const Result<void> kept = check_overwrites("--out", {call.out}, files_drawn(call.picture));

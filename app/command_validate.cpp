@@ -45,7 +45,6 @@ std::string record_line(const validation::CaseRecord& r) {
 
 /// validation.json and validation.html of all cases that the folder holds.
 template <class Record, class Summary>
-/// Writes validation.json and validation.html over all cases of the folder.
 int write_summary(const ValidateCall& call, const Summary& summary, const report::HtmlReport& report, Console& console,
                   const std::vector<Record>& records) {
     if (records.empty()) return status_done;
@@ -104,6 +103,7 @@ int run_validate(ValidateCall call) {
     if (call.defaults && !(choice.families.empty() && choice.effects.empty()))
         return console.refuse(
             {"draws its own bodies and has no effects; leave --geometry and --effects out", "--defaults"});
+    // The same seed draws the same cases.
     call.options.choice.seed = call.work.seed.value_or(1);
     call.options.range.threads = call.work.threads > 0 ? call.work.threads : hardware_threads();
     const Progress progress = console.progress();

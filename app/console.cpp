@@ -69,6 +69,7 @@ Progress Console::progress() {
 }
 
 void Console::show(const ProgressEvent& event) {
+    // Progress arrives from worker threads.
     const std::lock_guard<std::mutex> lock(mutex_);
     if (json_progress_) {
         const std::string line = progress_line(event) + "\n";
@@ -77,6 +78,7 @@ void Console::show(const ProgressEvent& event) {
     }
     if (!terminal_ || quiet_) return;
     const Clock::time_point now = Clock::now();
+    // A new task restarts the clock of its bar.
     if (event.task != task_) {
         task_ = event.task;
         task_start_ = now;

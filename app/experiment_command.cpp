@@ -94,6 +94,7 @@ Result<setup::Setup> open_setup(const ExperimentCall& call, const experiment::Ex
     const bool choosable_steps = prediction::choosable(setup->settings);
     if (call.step_choice == StepChoice::before && choosable_steps) {
         told = check::findings_on_units(*setup);
+        // A wrong unit is reported first, since the choice of steps may then take long.
         tell_findings(told, {}, console);
         check::choose_declared_steps(*setup, told, progress);
     }
@@ -123,6 +124,7 @@ OpenedExperiment open_command(const ExperimentCall& call, TrialChoice choice, co
                               Console& console, const Progress& progress) {
     OpenedExperiment opening;
     Result<experiment::Experiment> experiment = open_experiment(call, opening.lock);
+    // The trial name is checked before the mesh is made.
     const Result<std::size_t> trial = experiment ? prediction::find_trial(*experiment, call.trial)
                                                  : Result<std::size_t>(experiment.error());
     if (!trial) {

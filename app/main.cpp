@@ -84,6 +84,7 @@ int run(int argc, char** argv) {
     std::string file;
     app.add_option("FILE", file, "experiment folder or mesh to open in the workbench")->type_name("");
 
+    // All commands are declared; only the chosen one runs.
     std::map<const CLI::App*, std::function<int()>> actions;
     for (const Subcommand& command : commands()) {
         CLI::App* sub = app.add_subcommand(command.name, command.summary);
@@ -123,6 +124,7 @@ int with_output(int status) {
 }  // namespace myo::app
 
 int main(int argc, char** argv) {
+    // Before any file is opened, see standard_output.hpp. BLAS threads would compete with the program's own.
     myo::app::keep_closed_streams_closed();
     myo::solver::use_one_blas_thread();
     try {

@@ -255,6 +255,7 @@ Result<void> draw_frames(GLFWwindow* window, ui::commands::Workbench& workbench,
             view.wake();
             continue;
         }
+        // Frames are drawn on demand only: an idle window uses no processor time.
         const bool works = workbench.state().works();
         if (view.must_draw()) {
             glfwPollEvents();
@@ -323,6 +324,7 @@ Result<void> run_window(std::shared_ptr<ui::commands::Backend> backend, const Wi
     float across = 1.0f;
     float down = 1.0f;
     glfwGetWindowContentScale(window.get(), &across, &down);
+    // Preferences first: they contain theme and scale of the first frame.
     take_up(workbench);
     if (const ui::commands::Preferences& kept = workbench.state().preferences; options.scale || !(kept.scale > 0.0f))
         workbench.execute(ui::commands::SetTheme{kept.theme, options.scale.value_or(across)});

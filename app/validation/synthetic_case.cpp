@@ -274,6 +274,7 @@ SyntheticCase drawn_case(const CaseChoice& choice, int number, int attempt) {
     EffectNeeds needs;
     if (const EffectDraw* const draw = find_effect_draw(id)) needs = draw->needs;
     const BodyFamily family = drawn_family(choice, needs, random);
+    // Some cases have muscles that their effect does not need.
     const bool muscles = needs.muscles || (may_have_muscles(family) && !needs.hung_weight && random.chance(0.3));
     c.body = drawn_body(family, needs.deep_clamp, random);
     c.material = drawn_material(c.body, needs.known_damping || random.chance(0.25), random);
@@ -282,6 +283,7 @@ SyntheticCase drawn_case(const CaseChoice& choice, int number, int attempt) {
     c.noise_m = 1e-6 * std::round(1e6 * random.uniform(5e-5, 1.5e-4));
     c.noise_is_declared = random.chance(0.75);
     c.occluded = random.chance(0.2) ? random.uniform(0.02, 0.1) : 0.0;
+    // A quarter of the cases has an unknown registration, within the declared limits.
     c.registration_is_known = random.chance(0.75);
     if (!c.registration_is_known) {
         for (double& t : c.translation_m) t = random.uniform(-8e-4, 8e-4);
@@ -291,6 +293,7 @@ SyntheticCase drawn_case(const CaseChoice& choice, int number, int attempt) {
     c.truth = drawn_scheme(random);
     if (!id.empty()) {
         c.effect = drawn_effect(id, c, random);
+        // Within the range of least_level and most_level.
         c.wanted_level = random.log_uniform(3.5, 13.0);
     }
     c.seed = choice.seed;

@@ -73,6 +73,7 @@ ValidationSummary validation_summary(const std::vector<CaseRecord>& records) {
     for (const CaseRecord& record : records) {
         ++s.cases;
         ++s.families[record.family + (record.muscles ? " with muscles" : "")];
+        // Failed cases count in no rate.
         if (!record.answered()) {
             ++s.failed;
             continue;
@@ -95,6 +96,7 @@ ValidationSummary validation_summary(const std::vector<CaseRecord>& records) {
         s.top_1.add(record.right());
         s.top_2.add(record.right_within(2));
         s.in_group.add(record.right_or_grouped());
+        // Separable: no other effect is declared indistinguishable.
         if (!record.grouped()) {
             s.separable_top_1.add(record.right());
             s.separable_top_2.add(record.right_within(2));

@@ -132,6 +132,7 @@ report::Section parameter_section(const setup::Setup& setup, const calibration::
                                                        " is not determined: " + reason + "."});
     if (calibration.starts.size() > 1)
         section.blocks.push_back(report::Details{"Starts", {starts_table(setup, calibration)}});
+    // A single parameter has no correlation.
     if (calibration.parameters.size() < 2) return section;
     report::Table correlation{
         "How errors of the parameters go together: 1 and −1 mean that the data tell them apart badly.", {{""}}, {}};
@@ -180,6 +181,7 @@ report::HtmlReport calibration_report(const setup::Setup& setup, const calibrati
     report.warnings.lines.insert(report.warnings.lines.begin(), found.begin(), found.end());
     if (const std::string end = ending(calibration); !end.empty())
         report.warnings.lines.insert(report.warnings.lines.begin(), end);
+    // Order of the sections: results first, details of the model last.
     report.sections.push_back({"Trials", {trial_table(setup, calibration)}});
     if (!facts.findings.empty()) report.sections.push_back(findings_section(facts.findings));
     report.sections.push_back(parameter_section(setup, calibration));

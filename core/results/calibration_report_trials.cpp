@@ -166,6 +166,7 @@ report::Section trial_section(const setup::Setup& setup, const calibration::Cali
     const MarkerFigure figures{setup, calibration, index,
                                before != nullptr ? std::optional(motion(calibration.before)) : std::nullopt,
                                motion(calibration.after)};
+    // Only the most informative marker is visible at once; the others are collapsed.
     const ShownOrder shown = shown_order(before, *after);
     const std::vector<std::size_t>& order = shown.markers;
     section.blocks.push_back(report::Paragraph{
