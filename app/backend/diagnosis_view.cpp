@@ -195,6 +195,7 @@ private:
 
     /// Residual of the declared model per trial, and the coordinate with the largest mean square.
     void set_trials() {
+        // Displayed as measurement minus prediction [m]; the fit's residual is prediction minus measurement over noise.
         const VectorXd flat = -d_.declared.fit.residual.cwiseProduct(d_.data.noise_m);
         const std::vector<std::vector<Matrix3Xd>> left = on_samples(setup_, d_.data, flat);
         const std::vector<double> rms = rms_of_trials(setup_, d_.data, d_.declared.fit.residual);
@@ -207,6 +208,7 @@ private:
                     trial.residual_m.push_back(-residual);
             view_.trials.push_back(std::move(trial));
         }
+        // The coordinate with the largest mean, not the largest sum: series differ in their number of visible samples.
         double most = -1.0;
         for (const statistics::ResidualSeries& series : d_.data.layout.series) {
             const double mean = series.size() > 0 ? flat.segment(series.begin, series.size()).squaredNorm() /
@@ -257,6 +259,7 @@ private:
         row.settings.youngs_modulus_Pa = last.fit.values.youngs_modulus_Pa;
         row.settings.damping_s = last.fit.values.damping_s;
         row.settings.effects.clear();
+        // Effects of the file stay in the file; only the additional ones become settings.
         for (std::size_t e = source_.file_effects; e < last.fit.values.effects.size(); ++e)
             row.settings.effects.push_back(added(last.fit.values.effects[e]));
         return row;

@@ -53,9 +53,15 @@ struct CaseRecord {
 };
 
 /// Compares a diagnosis with the truth.
+///
+/// @param made       the experiment with its true effect and level
+/// @param setup      as the diagnosis received it, read from the folder
+/// @return           a failed case if the diagnosis is not complete
 CaseRecord judged_case(const MadeExperiment& made, const setup::Setup& setup, const diagnosis::Diagnosis& diagnosis);
 
 /// Record of a case that could not be made or diagnosed.
+///
+/// @param failure  reason, a sentence for the report
 CaseRecord failed_case(const SyntheticCase& drawn, const std::string& failure);
 
 /// JSON form of a record.
@@ -64,6 +70,9 @@ report::Json record_json(const CaseRecord& record);
 Result<CaseRecord> record_from_json(const report::Json& json);
 
 /// Errors of an effect's parameters; names are skipped. A tilt counts as the vector along its axis.
+///
+/// @param truth  the true effect
+/// @param found  the same effect as fitted
 std::vector<ParameterError> parameter_errors(const effect::EffectDeclaration& truth,
                                              const effect::EffectDeclaration& found);
 

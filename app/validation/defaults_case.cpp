@@ -178,7 +178,7 @@ bool draw_experiment(DefaultsCase& d, RandomStream& random) {
     return true;
 }
 
-/// Every third case has a slip, in the order of the catalogue.
+/// Every third case has a declaration error, in the order of the catalogue.
 const Slip* slip_of(int number) {
     constexpr int round = static_cast<int>(1.0 / defaults_policy.slips + 0.5);
     if (number % round != round - 1) return nullptr;

@@ -52,7 +52,7 @@ std::string what_was_said(const DefaultsRecord& r) {
     return (r.failure.empty() ? "" : "failed: " + r.failure + "; ") + remark_words(r);
 }
 
-/// Rates with one-sided confidence bounds, in total, by slip and by shape.
+/// Rates with one-sided confidence bounds, in total, by declaration error and by shape.
 report::Table rate_table(const DefaultsSummary& s) {
     report::Table table{"Bounds are one-sided at 95 % (Clopper and Pearson).",
                         {{"What"}, {"Cases"}, {"Of"}, {"Share", "%", 3}, {"At least", "%", 3}, {"At most", "%", 3}},

@@ -113,7 +113,7 @@ Result<void> write_actuation(const SyntheticCase& c, const SyntheticTrial& trial
         for (Index i = 0; i < table.time_s.size(); ++i)
             table.values(static_cast<Index>(m), i) = trial.activation[m].value(table.time_s(i));
     }
-    // A slip of the unit: times in ms if signal_unit_s is 1e-3.
+    // Declaration error of the unit: times in ms if signal_unit_s is 1e-3.
     table.time_s /= trial.signal_unit_s;
     return measurement::write_actuation_csv(path, table);
 }
@@ -158,7 +158,7 @@ Result<void> write_traces(const SyntheticCase& c, const std::vector<std::vector<
     for (std::size_t t = 0; t < positions_m.size(); ++t) {
         const SyntheticTrial& trial = c.trials[t];
         measurement::Recording seen = seen_recording(c, trial, positions_m[t], random);
-        // A slip of the clock: the file does not start at t = 0.
+        // Declaration error of the clock: the file does not start at t = 0.
         seen.time_s.array() += trial.clock_s;
         if (const Result<void> file = measurement::write_trace_csv(folder / (trial.name + ".csv"), seen); !file)
             return file;

@@ -53,7 +53,7 @@ ValidationSummary validation_summary(const std::vector<CaseRecord>& records);
 /// Text for a terminal.
 std::string summary_text(const ValidationSummary& summary);
 
-/// The same numbers as JSON.
+/// The same numbers as JSON, rates with count, share and both bounds.
 report::Json summary_json(const ValidationSummary& summary);
 
 }  // namespace myo::validation
