@@ -48,6 +48,7 @@ std::vector<experiment::MuscleDeclaration> declared_muscles(const experiment::Ex
             if (own.name == muscle.declared) declared = own;
         declared.stiffness_Pa = muscle.stiffness_Pa;
         if (muscle.paint) declared.part = experiment::MuscleMask{muscle.paint, std::nullopt};
+        // A muscle either follows another one or has its own signal.
         declared.follows.reset();
         declared.signal.reset();
         if (muscle.follows.empty())

@@ -32,6 +32,7 @@ std::string capitalised(std::string text) {
     return text;
 }
 
+/// Key of a row from the ids of its effects: "a+b".
 std::string key_of(const std::vector<effect::EffectDeclaration>& effects) {
     std::vector<std::string> ids;
     for (const effect::EffectDeclaration& effect : effects) ids.push_back(effect.id);
@@ -103,10 +104,12 @@ std::vector<double> rms_of_trials(const setup::Setup& setup, const diagnosis::Fi
     return result;
 }
 
+/// Whether the run contains a completed prediction of this trial.
 bool is_predicted(const prediction::SetupRun& run, std::size_t trial) {
     return trial < run.predictions.size() && run.predictions[trial].ok();
 }
 
+/// rms of a trial [m], or `otherwise` if the trial did not complete.
 double score_of(const prediction::SetupRun& run, const std::string& trial, double otherwise) {
     const prediction::TrialScore* const score = results::find_score(run, trial);
     return score ? score->rms_m : otherwise;
@@ -222,6 +225,7 @@ private:
         }
     }
 
+    /// Fitted parameters in words; `brief` is the short form for a narrow column.
     void set_value(ui::commands::DiagnosisRow& row, const diagnosis::JointFit& fit) const {
         row.value = diagnosis::fitted_words(setup_, fit);
         const std::vector<diagnosis::EffectEstimate> numbers = diagnosis::effect_estimates(setup_, fit);
@@ -265,6 +269,7 @@ private:
         return row;
     }
 
+    /// Row of a candidate of the catalogue: fitted, or with its linear prediction only.
     ui::commands::DiagnosisRow candidate_row(const diagnosis::Candidate& candidate) const {
         const std::string& id = candidate.score.id;
         ui::commands::DiagnosisRow row;
@@ -348,6 +353,7 @@ ui::commands::PatchForces in_patches(const diagnosis::BodyPatches& patches, cons
     return result;
 }
 
+/// Superposes the modes of the missing force at each time; only the trial in which it was determined has one.
 void add_missing_force(const setup::Setup& setup, const diagnosis::MissingForce& force,
                        const diagnosis::BodyPatches& patches, ui::commands::DiagnosisRow& row) {
     std::vector<Matrix3Xd> forces;

@@ -34,6 +34,7 @@ constexpr ViewSwitch view_switches[] = {
     {"labels", &ui::commands::ViewOptions::labels},     {"clamp", &ui::commands::ViewOptions::clamp},
     {"fibres", &ui::commands::ViewOptions::fibres},     {"effect_force", &ui::commands::ViewOptions::effect_force}};
 
+/// Value of an effect parameter as TOML: number, text, or an array of either.
 std::string effect_value(const ui::commands::AddedEffect::Value& value) {
     if (const auto* const one = std::get_if<double>(&value)) return toml::toml_number(*one);
     if (const auto* const word = std::get_if<std::string>(&value)) return toml::toml_text(*word);
@@ -136,6 +137,8 @@ std::string settings_text(const ui::commands::Settings& s) {
     return text;
 }
 
+/// A muscle as TOML.
+/// @param mask  path of its mask file relative to the project; empty: no paint
 std::string muscle_text(const ui::commands::Muscle& m, const std::string& mask) {
     std::string text = "\n[[muscle]]\nname = " + toml::toml_text(m.name) + "\n";
     if (!m.declared.empty()) text += "declared = " + toml::toml_text(m.declared) + "\n";
@@ -170,6 +173,8 @@ std::string view_text(const ui::commands::ViewOptions& view) {
     return text;
 }
 
+/// Array of finite numbers; a failure names the key.
+/// @param holder  the same table as parsed, since the reader returns no arrays of free length
 std::vector<double> numbers_of(const toml::TomlReader& table, const std::string& key, const toml::TomlValue& holder) {
     const toml::TomlValue* const array = holder.find(key);
     if (array == nullptr || array->kind != toml::TomlValue::Kind::array) table.fail(key, "must be an array of numbers");
@@ -241,6 +246,7 @@ std::vector<ui::commands::Muscle> read_project_muscles(const toml::TomlReader& d
     return muscles;
 }
 
+/// Effects added in the window. Their parameter names are not checked here.
 std::vector<ui::commands::AddedEffect> read_project_effects(const toml::TomlReader& document,
                                                             const toml::TomlValue& root) {
     std::vector<ui::commands::AddedEffect> effects;
@@ -268,6 +274,7 @@ std::vector<ui::commands::AddedEffect> read_project_effects(const toml::TomlRead
     return effects;
 }
 
+/// Settings; values outside the limits of the window's fields are rejected.
 ui::commands::Settings read_settings(const toml::TomlReader& document, const toml::TomlValue& root,
                                      const fs::path& folder, std::vector<std::string>& warnings) {
     const auto within = [](const ui::commands::Limits& limits) { return toml::between(limits.lowest, limits.highest); };
@@ -296,6 +303,7 @@ ui::commands::Settings read_settings(const toml::TomlReader& document, const tom
     return s;
 }
 
+/// View options; missing keys keep their defaults.
 ui::commands::ViewOptions read_view(const toml::TomlReader& document) {
     ui::commands::ViewOptions result;
     std::vector<std::string> keys{"opacity", "field", "color_map", "cut", "field_ranges"};
@@ -320,6 +328,7 @@ ui::commands::ViewOptions read_view(const toml::TomlReader& document) {
     return result;
 }
 
+/// A project from its parsed file; throws TomlFailure.
 ui::commands::Project read_document(const toml::TomlValue& root, const fs::path& file) {
     if (const toml::TomlValue* const named = root.find("schema"); named == nullptr || named->text != schema)
         throw toml::TomlFailure{Error{"schema: this is not a project; this program reads \"" + schema + "\"",

@@ -56,6 +56,7 @@ Matrix3Xd places_before(const ui::commands::RecordingFile& file, double start_s)
     return pose ? pose->positions_m : Matrix3Xd::Constant(3, static_cast<Index>(file.recording->labels.size()), unseen);
 }
 
+/// The declared marker with this name, or null.
 const ui::commands::SceneMarker* declared(const std::vector<ui::commands::SceneMarker>& markers,
                                           const std::string& name) {
     const auto found = std::find_if(markers.begin(), markers.end(),
@@ -73,6 +74,7 @@ bool is_bundled(const ui::commands::Scene& scene) {
     });
 }
 
+/// Whether the scene is an experiment with trials; only then are its markers fixed.
 bool has_trials(const ui::commands::Scene& scene) { return !source_of(scene).experiment.trials.empty(); }
 
 /// First reason why the choices cannot become a trial; empty if they can.
@@ -94,6 +96,7 @@ std::string problem_of(const ui::commands::Scene& scene, const ui::commands::Imp
     }
     if (names.empty()) return "No label is a marker of the body yet.";
     const experiment::Experiment& experiment = source_of(scene).experiment;
+    // Displacements are relative to the rest pose, so every marker of the body must be visible before the start.
     if (has_trials(scene) && experiment.markers.compare == experiment::Comparison::displacement)
         for (const experiment::MarkerDeclaration& own : experiment.markers.on_body) {
             const auto found = std::find_if(choices.markers.begin(), choices.markers.end(),
@@ -224,6 +227,7 @@ Result<ui::commands::ImportChoices> propose_recording_markers(const ui::commands
         Matrix3Xd rest(3, static_cast<Index>(markers.size()));
         for (std::size_t m = 0; m < markers.size(); ++m) rest.col(static_cast<Index>(m)) = markers[m].rest_m;
         const Matrix3Xd seen = places_before(file, choices.start_s);
+        // Markers may deviate from their rest positions by 3 % of the body's diagonal.
         const Result<measurement::MarkerMatch> match = measurement::match_markers(rest, seen, 0.03 * size,
                                                                                   rotation_of(choices.axes));
         if (!match) return match.error();
@@ -241,6 +245,7 @@ Result<ui::commands::ImportChoices> propose_recording_markers(const ui::commands
         return proposed;
     }
     const ui::commands::ImportView view = view_recording(scene, file, choices);
+    // Three placed markers determine the rigid motion; the others follow from it and are projected onto the surface.
     const auto placed = std::count_if(choices.markers.begin(), choices.markers.end(),
                                       [](const ui::commands::ImportedMarker& m) { return m.rest_m.has_value(); });
     if (placed < 3) return Error{"Click where three of the markers sit on the body; the others can then be told.", ""};
