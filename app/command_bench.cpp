@@ -93,8 +93,8 @@ void print_quantity(const report::Json& quantity) {
     };
     std::string text = number("value", 5) + " " + quantity["unit"].get<std::string>();
     if (!quantity["error"].is_null()) {
-        const double hundredths = std::round(1e4 * quantity["error"].get<double>()) +
-                                  0.0;  // smaller differences are rounding; + 0.0 avoids "-0"
+        // Smaller differences are rounding; + 0.0 avoids "-0".
+        const double hundredths = std::round(1e4 * quantity["error"].get<double>()) + 0.0;
         text += " (expected " + number("expected", 5) + ": " + format_number(0.01 * hundredths, 2) + " %" +
                 aimed_at(quantity) + ")";
     }
@@ -189,6 +189,7 @@ report::Json print_scaling(const report::Json& rows, const std::string& figure, 
     return {{"time_over_dofs", time}, {"memory_over_dofs", memory}};
 }
 
+/// Runs the selected cases and writes the requested files. A failed run is reported and the others continue.
 int run_bench(const BenchCall& call) {
     Console console(false, false);
     for (const auto& [option, file] : {std::pair{"--json", call.json}, std::pair{"--figure", call.figure}})
@@ -207,8 +208,8 @@ int run_bench(const BenchCall& call) {
             const OwnProcessResult process = run_in_own_process([&] {
                 solver::use_one_blas_thread();
                 Result<bench::BenchFigures> figures = Error{"did not run", run.name};
-                parallel_tasks(1, 1,
-                               [&](int) { figures = run.run(); });  // one thread, unless the run itself starts more
+                // One thread, unless the run itself starts more.
+                parallel_tasks(1, 1, [&](int) { figures = run.run(); });
                 return report::json_line(figures ? figures_json(*figures)
                                                  : report::Json{{"error", figures.error().text()}});
             });
@@ -239,6 +240,7 @@ int run_bench(const BenchCall& call) {
 
 }  // namespace
 
+// The shared pointer keeps the parsed call alive until the action runs; the same in all commands.
 std::function<int()> declare_bench(CLI::App& app) {
     auto call = std::make_shared<BenchCall>();
     app.add_option("case", call->id, "One of: " + join(bench::bench_ids()) + "; all of them when left out");

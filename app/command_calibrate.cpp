@@ -36,6 +36,7 @@ std::string deviation_parts(const calibration::Calibration& calibration, Eigen::
     return text + "; ";
 }
 
+/// Fitted parameters with standard deviations and start values, one per line.
 std::string parameter_lines(const calibration::Calibration& calibration) {
     std::string text;
     char line[256];
@@ -54,6 +55,7 @@ std::string parameter_lines(const calibration::Calibration& calibration) {
     return text;
 }
 
+/// Outcome of each start, if there are several.
 std::string start_lines(const calibration::Calibration& calibration) {
     std::string text;
     if (calibration.starts.size() < 2) return text;
@@ -73,6 +75,7 @@ std::string start_lines(const calibration::Calibration& calibration) {
     return text + "\n";
 }
 
+/// rms per trial before and after the fit.
 std::string trial_lines(const setup::Setup& setup, const calibration::Calibration& calibration) {
     std::size_t width = 5;
     for (const setup::PreparedTrial& trial : setup.trials) width = std::max(width, trial.name.size());
@@ -93,6 +96,7 @@ std::string trial_lines(const setup::Setup& setup, const calibration::Calibratio
     return text;
 }
 
+/// Writes calibrate.json, traces and report.html.
 Result<void> write_results(const CalibrateCall& call, const setup::Setup& setup,
                            const calibration::Calibration& calibration, const results::RunFacts& facts) {
     const report::Json json = results::calibrate_json(setup, calibration, facts);
@@ -123,12 +127,14 @@ int end_status(const CalibrateCall& call, const calibration::Calibration& calibr
     return status_failed;
 }
 
+/// Opens the experiment, runs checks, fits, checks the result, writes and reports it.
 int calibrate_command(const CalibrateCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     const Progress progress = console.progress();
     OpenedExperiment opening = open_command(call, TrialChoice::all, first_evaluation, console, progress);
     if (!opening.setup) return opening.status;
     std::optional<setup::Setup>& setup = opening.setup;
+    // Checked before any simulation, with the reason.
     if (prediction::free_parameters(*setup, call.parameters).empty())
         return console.refuse(
             {"nothing is left to fit: material.calibrate names nothing that is not exact, and nothing else is unknown; "
@@ -150,6 +156,7 @@ int calibrate_command(const CalibrateCall& call) {
     console.print(setup->experiment.name + "\n" + size_line(*setup));
 
     calibration::Calibration calibration = calibration::calibrate_with_chosen_steps(*setup, settings, progress);
+    // Evaluations of the resumed call count, so that the file shows the total cost.
     calibration.earlier_evaluations += earlier.evaluations;
     if (!calibration.usable()) {
         if (calibration.stopped) return stopped_before(first_evaluation, console);
@@ -177,6 +184,7 @@ std::function<int()> declare_calibrate(CLI::App& app) {
     const auto call = std::make_shared<CalibrateCall>();
     call->fits = true;
     declare_experiment_call(app, *call);
+    // Known before the run, so that inputs are never overwritten.
     call->outputs = [own = call.get()](const experiment::Experiment& experiment) {
         return trace_files_and(*own, experiment, {"calibrate.json", "report.html"});
     };

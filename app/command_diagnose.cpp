@@ -35,6 +35,7 @@ std::string report_name(const experiment::Experiment& experiment) {
     return std::filesystem::weakly_canonical(experiment.folder).filename().string();
 }
 
+/// Candidates in the order of the screening, with rms, held-out rms, systematic residual and weight of those fitted.
 std::string candidate_lines(const diagnosis::Diagnosis& d) {
     char line[256];
     std::snprintf(line, sizeof line, "%-22s %10s %12s %12s %12s %8s", "candidate", "explains", "rms [mm]", "held out",
@@ -65,6 +66,7 @@ std::string candidate_lines(const diagnosis::Diagnosis& d) {
     return text;
 }
 
+/// Verdict with confidence, reason, confusable effects, notes and inferred force.
 std::string verdict_lines(const diagnosis::Diagnosis& d) {
     std::string text = "verdict: ";
     if (d.verdict.kind == diagnosis::VerdictKind::none) text += "none";
@@ -87,6 +89,7 @@ std::string verdict_lines(const diagnosis::Diagnosis& d) {
     return text;
 }
 
+/// rms per trial before and after.
 std::string trial_lines(const setup::Setup& setup, const diagnosis::Diagnosis& d) {
     std::string text;
     char line[256];
@@ -102,6 +105,7 @@ std::string trial_lines(const setup::Setup& setup, const diagnosis::Diagnosis& d
     return text;
 }
 
+/// Wall-clock time per part of the diagnosis.
 std::string cost_lines(const diagnosis::Diagnosis& d) {
     std::string text = "time:";
     for (const diagnosis::StageCost& cost : d.cost)
@@ -109,8 +113,10 @@ std::string cost_lines(const diagnosis::Diagnosis& d) {
     return text + " all " + format_number(d.seconds, 3) + " s";
 }
 
+/// Writes both JSON reports, the augmented experiment, traces and report.html.
 Result<void> write_results(const DiagnoseCall& call, const experiment::Experiment& experiment,
                            const setup::Setup& setup, const diagnosis::Diagnosis& d, const results::RunFacts& facts) {
+    // The augmented experiment is an edited copy of the declaration, which keeps its comments.
     const std::filesystem::path written = std::filesystem::is_directory(call.experiment)
                                               ? call.experiment / "experiment.toml"
                                               : call.experiment;
@@ -126,6 +132,7 @@ Result<void> write_results(const DiagnoseCall& call, const experiment::Experimen
     return report::write_html(call.out / "report.html", diagnosis::diagnosis_report(setup, d, facts));
 }
 
+/// Opens the experiment, runs checks, diagnoses, checks the result, writes and reports it.
 int diagnose_command(const DiagnoseCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     const Progress progress = console.progress();
@@ -138,6 +145,7 @@ int diagnose_command(const DiagnoseCall& call) {
     console.print(setup.experiment.name + "\n" + size_line(setup));
     diagnosis::DiagnoseSettings settings;
     settings.without = call.without;
+    // Fits are stored as they finish, so a stopped diagnosis can be resumed.
     settings.fits = call.out / fits_file;
     // Stored fits are reused on request only: they may belong to other settings.
     if (!call.resume) std::filesystem::remove(*settings.fits);

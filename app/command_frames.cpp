@@ -39,6 +39,7 @@ report::Json frames_json(const FrameBench& bench) {
             {"situations", rows}};
 }
 
+/// Measures in a temporary folder, which is removed afterwards.
 int frames_command(const fs::path& json) {
     Console console(false, false);
     const Progress progress = console.progress();

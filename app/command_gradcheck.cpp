@@ -22,6 +22,7 @@ struct GradcheckCall : ExperimentCall {
     int steps = 8;  // time steps of the checked run
 };
 
+/// One line per parameter: adjoint, finite difference, relative error.
 std::string table_of(const sensitivity::GradientCheck& check) {
     char line[256];
     std::snprintf(line, sizeof line, "%-44s %16s %16s %14s", "parameter", "adjoint", "difference", "relative error");
@@ -92,6 +93,7 @@ int gradcheck_command(const GradcheckCall& call) {
             !written)
             return console.fail(written.error());
     if (run.check.worst_error() <= most_relative_error) return status_done;
+    // The message names the worst parameter, where the search for the error should begin.
     const auto worst = std::max_element(
         run.check.rows.begin(), run.check.rows.end(),
         [](const sensitivity::GradientCheckRow& a, const sensitivity::GradientCheckRow& b) {
@@ -106,6 +108,7 @@ int gradcheck_command(const GradcheckCall& call) {
 
 std::function<int()> declare_gradcheck(CLI::App& app) {
     const auto call = std::make_shared<GradcheckCall>();
+    // Only an optional JSON file is written, so no output folder is locked.
     call->writes_folder = false;
     call->step_choice = StepChoice::half_interval;
     call->outputs = [own = call.get()](const experiment::Experiment&) {

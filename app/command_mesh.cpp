@@ -44,6 +44,7 @@ struct MeshOutcome {
     std::vector<std::string> warnings;
 };
 
+// In lower case: files from other systems are often in capitals.
 std::string extension_of(const std::filesystem::path& file) {
     std::string extension = file.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -76,7 +77,7 @@ Result<mesh::SurfaceMesh> open_surface(const MeshCall& call, std::vector<std::st
     return surface;
 }
 
-/// Checks that the options fit the element and that the number of elements is within the limit.
+/// Checks that the options suit the element and that the number of elements is within the limit.
 Result<void> check_surface_call(const MeshCall& call, const mesh::SurfaceMesh& surface) {
     if (!call.type) return Error{"choose the element of the mesh: hex8, tet4 or tet10", "--type"};
     const bool hexahedra = *call.type == mesh::CellType::hex8;
@@ -94,6 +95,7 @@ Result<void> check_surface_call(const MeshCall& call, const mesh::SurfaceMesh& s
     return {};
 }
 
+/// Meshes a surface file with the requested element.
 Result<MeshOutcome> mesh_surface(const MeshCall& call, const Progress& progress) {
     MeshOutcome outcome;
     const Result<mesh::SurfaceMesh> surface = open_surface(call, outcome.warnings);
@@ -163,6 +165,7 @@ report::Json outcome_json(const MeshCall& call, const MeshOutcome& outcome) {
     return json;
 }
 
+/// Counts, volume, angles and a histogram of the element quality.
 std::string outcome_text(const MeshOutcome& outcome) {
     const mesh::QualityReport& q = outcome.quality;
     std::string text = std::to_string(q.cells) + " " + to_string(outcome.mesh.type) + " elements, " +
@@ -191,6 +194,7 @@ std::string outcome_text(const MeshOutcome& outcome) {
     return text;
 }
 
+/// Meshes a surface or checks a volume mesh, by the extension of the file.
 int mesh_command(const MeshCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     if (call.file.empty()) return console.refuse({"name a surface or a volume mesh", ""});

@@ -24,6 +24,7 @@ struct OptimizeCall : ExperimentCall {
     int starts = 1;
 };
 
+/// Settings of the search from the options of the call.
 calibration::OptimizeSettings settings_of(const OptimizeCall& call) {
     calibration::OptimizeSettings settings;
     settings.frequency_Hz = call.frequency_Hz.value_or(settings.frequency_Hz);
@@ -49,6 +50,7 @@ std::string deviation_words(const inverse::ActuationDeviations& deviations, Eige
     return ", ± " + format_number(*middle, 2) + " (median)";
 }
 
+/// rms per marker, ranges of the signals, registration, remaining distance, cost.
 std::string result_lines(const setup::Setup& setup, const calibration::Optimization& result) {
     char line[256];
     std::snprintf(line, sizeof line, "%-32s %9s  %9s", "marker, rms [mm]", "before", "after");
@@ -98,6 +100,7 @@ Result<void> write_results(const OptimizeCall& call, const setup::Setup& setup, 
     return report::write_html(call.out / "report.html", results::optimize_report(setup, result, facts));
 }
 
+/// Reports an incomplete search and returns the exit status.
 int end_status(const OptimizeCall& call, const calibration::Optimization& result, Console& console) {
     const std::string kept = "; the best signals so far are written to " + call.out.string() +
                              ", --resume goes on from them";
@@ -110,6 +113,7 @@ int end_status(const OptimizeCall& call, const calibration::Optimization& result
     return status_failed;
 }
 
+/// Opens the trial, searches signals, checks the result, writes and reports it.
 int optimize_command(const OptimizeCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     const Progress progress = console.progress();
@@ -147,6 +151,7 @@ int optimize_command(const OptimizeCall& call) {
     }
     for (const std::string& warning : result.warnings) console.warn(warning);
     results::RunFacts facts = run_facts(call, setup_s);
+    // After a cancellation only the checks before the search are known.
     facts.findings = before;
     if (!result.stopped) {
         const prediction::SetupRun run = calibration::run_with_found_signals(setup, result, progress);
@@ -164,6 +169,7 @@ int optimize_command(const OptimizeCall& call) {
 
 std::function<int()> declare_optimize(CLI::App& app) {
     const auto call = std::make_shared<OptimizeCall>();
+    // The search itself shortens the step if its signals require it.
     call->step_choice = StepChoice::half_interval;
     declare_experiment_call(app, *call);
     call->outputs = [own = call.get()](const experiment::Experiment& experiment) {

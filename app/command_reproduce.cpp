@@ -28,6 +28,7 @@ struct ReproduceCall {
     WorkOptions work;
 };
 
+// A dash for values that do not exist, as in the HTML report.
 std::string cell_text(const report::Cell& cell, const report::Column& column) {
     if (const auto* text = std::get_if<std::string>(&cell.content)) return *text;
     const double value = std::get<double>(cell.content);
@@ -71,6 +72,7 @@ int list_cases() {
     return status_done;
 }
 
+/// Runs one case and writes its results; without a case, lists all.
 int reproduce_command(const ReproduceCall& call) {
     if (call.id.empty()) return list_cases();
     Console console(call.work.quiet, call.work.json_progress);
@@ -106,6 +108,7 @@ int reproduce_command(const ReproduceCall& call) {
     const double seconds = watch.seconds();
     result->values["seconds"] = seconds;
     result->values["coarse"] = call.coarse;
+    // Sentences about the paper's meshes do not hold for coarse ones.
     if (call.coarse)
         result->warnings.push_back(
             "--coarse: these are not the paper's meshes; what is said about them holds for the full run only");

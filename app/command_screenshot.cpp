@@ -28,6 +28,7 @@ struct ScreenshotCall {
     bool json_progress = false;
 };
 
+/// Parses "1600x900", sides 320 ... 8192 pixels.
 void parse_size(const std::string& text, ui::panels::ScreenshotOptions& picture) {
     const auto side = [](std::string_view word, int& value) {
         const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -55,12 +56,14 @@ std::vector<std::filesystem::path> files_drawn(const ui::panels::ScreenshotOptio
 int screenshot_command(const ScreenshotCall& call) {
     Console console(call.quiet, call.json_progress);
     if (call.out.empty()) return console.refuse({"name the picture to write", "--out"});
+    // The only format that is written.
     if (call.out.extension() != ".png")
         return console.refuse({"'" + call.out.string() + "' does not end in .png", "--out"});
     const Result<void> kept = check_overwrites("--out", {call.out}, files_drawn(call.picture));
     if (!kept) return console.refuse(kept.error());
     const Progress progress = console.progress();
     ui::panels::ScreenshotOptions picture = call.picture;
+    // Calibration and search contain a run of their own.
     picture.run = !call.as_opened && !call.picture.calibrate && !call.picture.optimize;
     picture.theme = call.theme == "light" ? ui::platform::ThemeName::light : ui::platform::ThemeName::dark;
     picture.scale = 0.01f * static_cast<float>(call.percent);

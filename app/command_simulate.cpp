@@ -23,6 +23,7 @@ struct SimulateCall : ExperimentCall {
 /// Frames per trial, sufficient for an animation.
 constexpr int series_frames = 100;
 
+/// Material values of the run; an assumed damping is marked.
 std::string values_line(const setup::Setup& setup, const prediction::ParameterValues& values) {
     return "E = " + format_number(1e-3 * values.youngs_modulus_Pa, 5) + " kPa, Poisson's ratio " +
            format_number(setup.experiment.material.poissons_ratio, 4) + ", density " +
@@ -31,6 +32,7 @@ std::string values_line(const setup::Setup& setup, const prediction::ParameterVa
            (setup.experiment.material.damping_s ? "" : " (assumed: none is declared)");
 }
 
+/// rms per trial with the worst marker.
 std::string score_table(const setup::Setup& setup, const prediction::SetupRun& run) {
     std::size_t width = 5;
     for (const prediction::TrialScore& score : run.scores) width = std::max(width, score.name.size());
@@ -59,6 +61,7 @@ std::string score_table(const setup::Setup& setup, const prediction::SetupRun& r
     return text;
 }
 
+/// Writes simulate.json, traces and optional VTU series.
 Result<void> write_results(const SimulateCall& call, const setup::Setup& setup, const prediction::SetupRun& run,
                            const results::RunFacts& facts, const Progress& progress) {
     if (run.scores.empty()) return {};

@@ -45,7 +45,6 @@ std::string record_line(const validation::CaseRecord& r) {
 
 /// validation.json and validation.html of all cases that the folder holds.
 template <class Record, class Summary>
-/// Writes validation.json and validation.html over all cases of the folder.
 int write_summary(const ValidateCall& call, const Summary& summary, const report::HtmlReport& report, Console& console,
                   const std::vector<Record>& records) {
     if (records.empty()) return status_done;
@@ -59,6 +58,7 @@ int write_summary(const ValidateCall& call, const Summary& summary, const report
     return status_done;
 }
 
+/// Validation of the diagnosis: runs missing cases, then summarises all records of the folder.
 int diagnosis_validation(const ValidateCall& call, const Progress& progress, Console& console) {
     int finished = 0;
     const Result<void> run = validation::run_validation(call.options, call.out, progress,
@@ -79,6 +79,7 @@ int diagnosis_validation(const ValidateCall& call, const Progress& progress, Con
                          *records);
 }
 
+/// Validation of the defaults: runs missing cases, then summarises all records of the folder.
 int defaults_validation(const ValidateCall& call, const Progress& progress, Console& console) {
     int finished = 0;
     const Result<void> run = validation::run_defaults_validation({call.options.choice.seed, call.options.range},
@@ -98,9 +99,11 @@ int run_validate(ValidateCall call) {
     Console console(call.work.quiet, call.work.json_progress);
     if (call.out.empty()) return console.refuse({"name a folder for the results", "--out"});
     const validation::CaseChoice& choice = call.options.choice;
+    // These options belong to the validation of the diagnosis and would be ignored silently.
     if (call.defaults && !(choice.families.empty() && choice.effects.empty()))
         return console.refuse(
             {"draws its own bodies and has no effects; leave --geometry and --effects out", "--defaults"});
+    // The same seed draws the same cases.
     call.options.choice.seed = call.work.seed.value_or(1);
     call.options.range.threads = call.work.threads > 0 ? call.work.threads : hardware_threads();
     const Progress progress = console.progress();

@@ -23,18 +23,32 @@ const std::vector<Subcommand>& commands();
 std::vector<std::string> command_names();
 
 // One declaration per file command_<name>.cpp; see Subcommand::declare.
+
+/// Simulates the trials of an experiment with its declared model.
 std::function<int()> declare_simulate(CLI::App& app);
+/// Finds the effect that the declared model lacks.
 std::function<int()> declare_diagnose(CLI::App& app);
+/// Validates diagnosis or defaults on synthetic experiments.
 std::function<int()> declare_validate(CLI::App& app);
+/// Fits the declared unknowns.
 std::function<int()> declare_calibrate(CLI::App& app);
+/// Finds the actuation that follows a recorded motion.
 std::function<int()> declare_optimize(CLI::App& app);
+/// Compares the adjoint gradient with finite differences.
 std::function<int()> declare_gradcheck(CLI::App& app);
+/// Meshes a surface or checks a volume mesh.
 std::function<int()> declare_mesh(CLI::App& app);
+/// Draws the workbench off screen.
 std::function<int()> declare_screenshot(CLI::App& app);
+/// Reproduces an experiment of the paper.
 std::function<int()> declare_reproduce(CLI::App& app);
+/// Measures speed and memory of the solver.
 std::function<int()> declare_bench(CLI::App& app);
+/// Measures frame times of the workbench.
 std::function<int()> declare_frames(CLI::App& app);
+/// Lists the catalogue of effects.
 std::function<int()> declare_effects(CLI::App& app);
+/// Prints version, libraries and catalogues.
 std::function<int()> declare_info(CLI::App& app);
 
 /// The call as recorded in result files: program name without its folder, then the arguments.

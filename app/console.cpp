@@ -22,6 +22,7 @@ std::string one_line(std::string text) {
     return text;
 }
 
+// Rounded to the unit that matters: seconds, minutes with seconds, hours.
 std::string duration_words(double seconds) {
     char text[32];
     if (seconds < 60.0)
@@ -68,6 +69,7 @@ Progress Console::progress() {
 }
 
 void Console::show(const ProgressEvent& event) {
+    // Progress arrives from worker threads.
     const std::lock_guard<std::mutex> lock(mutex_);
     if (json_progress_) {
         const std::string line = progress_line(event) + "\n";
@@ -76,10 +78,12 @@ void Console::show(const ProgressEvent& event) {
     }
     if (!terminal_ || quiet_) return;
     const Clock::time_point now = Clock::now();
+    // A new task restarts the clock of its bar.
     if (event.task != task_) {
         task_ = event.task;
         task_start_ = now;
     }
+    // The last report is always drawn; others are throttled.
     const bool last = event.total > 0.0 && event.done >= event.total;
     if (!last && !throttle_.ready()) return;
     bar_shown_ = true;

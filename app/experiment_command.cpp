@@ -28,6 +28,7 @@
 namespace myo::app {
 namespace {
 
+// Total memory of the machine, not what is free now.
 double physical_memory_bytes() {
     return static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGE_SIZE));
 }
@@ -46,7 +47,7 @@ Result<void> check_resolution(const ExperimentCall& call, const experiment::Expe
                  "--resolution"};
 }
 
-/// Rejects steps whose stored states would not fit in memory: position and velocity, 6 doubles per node and step.
+/// Rejects steps whose stored states would exceed the memory: position and velocity, 6 doubles per node and step.
 Result<void> check_steps(const setup::Setup& setup) {
     double bytes = 0.0, steps = 0.0;
     for (const setup::PreparedTrial& trial : setup.trials) {
@@ -87,11 +88,13 @@ Result<setup::Setup> open_setup(const ExperimentCall& call, const experiment::Ex
     if (const Result<void> fine = check_resolution(call, experiment); !fine) return fine.error();
     Result<setup::Setup> setup = setup::prepare_setup(experiment, setup_settings(call.setup, call.work), progress);
     if (!setup) return setup.error();
+    // Only commands that fit need trials for testing.
     if (const auto untested = prediction::untested_fit(*setup); untested && call.fits)
         setup->warnings.push_back(*untested);
     const bool choosable_steps = prediction::choosable(setup->settings);
     if (call.step_choice == StepChoice::before && choosable_steps) {
         told = check::findings_on_units(*setup);
+        // A wrong unit is reported first, since the choice of steps may then take long.
         tell_findings(told, {}, console);
         check::choose_declared_steps(*setup, told, progress);
     }
@@ -121,6 +124,7 @@ OpenedExperiment open_command(const ExperimentCall& call, TrialChoice choice, co
                               Console& console, const Progress& progress) {
     OpenedExperiment opening;
     Result<experiment::Experiment> experiment = open_experiment(call, opening.lock);
+    // The trial name is checked before the mesh is made.
     const Result<std::size_t> trial = experiment ? prediction::find_trial(*experiment, call.trial)
                                                  : Result<std::size_t>(experiment.error());
     if (!trial) {

@@ -20,7 +20,7 @@ namespace myo::app {
 enum class StepChoice {
     before,         // before the command runs
     in_run,         // by the run, from the vibrations that it shows
-    half_interval,  // half a sampling interval at first; a search adapts it, and a single run does not justify a choice
+    half_interval,  // half a sampling interval at first: a search adapts it; for a single run a choice costs too much
 };
 
 /// Parsed call of a command on an experiment folder.
@@ -53,16 +53,16 @@ struct OpenedExperiment {
     experiment::Experiment experiment;    // complete, also if the setup has one trial
     Stopwatch stopwatch;                  // since the command began
     std::optional<FolderLock> lock = {};  // on the output folder
-    std::vector<check::Finding> told =
-        {};  // findings printed before the choice of steps, which takes long with a wrong unit
+    /// Findings printed before the choice of steps, which takes long if a unit is wrong.
+    std::vector<check::Finding> told = {};
 };
 
 /// Reads and prepares the experiment of a command, reduced to one trial (with_one_trial) for TrialChoice::one. An
 /// unknown call.trial is rejected in both cases. The integration is checked as well.
 ///
-/// @param first_result  for the message after an early cancellation: "stopped before <first_result>; nothing was
-/// written" Errors: in `status`, already printed: those of the call, of the input and of the output folder; outputs
-/// that would replace an input; --resolution or --dt that exceed the memory.
+/// @param first_result  what an early cancellation prevents, for the message "stopped before <first_result>; ..."
+/// Errors: in `status`, already printed: those of the call, of the input and of the output folder; outputs that would
+/// replace an input; --resolution or --dt that exceed the memory.
 OpenedExperiment open_command(const ExperimentCall& call, TrialChoice choice, const std::string& first_result,
                               Console& console, const Progress& progress);
 

@@ -152,6 +152,7 @@ private:
 
     Result<void> draw_plate(const std::filesystem::path& folder) {
         if (const auto written = write_plate(folder / "plate"); !written) return written;
+        // Every panel once still and once rotating, then playback, then a background search.
         if (const auto opened = open(folder / "plate", layer_m); !opened) return opened;
         workbench_.execute(ui::commands::Run{});
         if (const auto ran = wait(); !ran) return ran;
@@ -230,6 +231,7 @@ private:
             const ImVec2 at{view->lowest.x + share * view->width(), view->center().y};
             window_->input().push(ui::platform::MouseMoved{at.x, at.y});
             if (const auto settled = settle(); !settled) return settled;
+            // The stroke is visible when the tints of the surface differ.
             const Eigen::Matrix4Xf before = window_->scene().tints;
             window_->input().push(ui::platform::MouseButton{0, true, {}});
             double waited = 0.0;

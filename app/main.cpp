@@ -26,12 +26,14 @@
 namespace myo::app {
 namespace {
 
+/// Prints a single line on standard error and returns the status of a wrong call.
 int complain(std::string sentence) {
     std::replace(sentence.begin(), sentence.end(), '\n', ' ');
     std::fprintf(stderr, "myoloop: %s\n", sentence.c_str());
     return status_wrong;
 }
 
+// Long option names of a command, for suggestions.
 std::vector<std::string> option_names(const CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options())
@@ -71,15 +73,18 @@ void note_former_name(const std::string& word) {
             std::fprintf(stderr, "myoloop: note: '%s' is now called '%s'\n", word.c_str(), command.name.c_str());
 }
 
+/// Parses the call and runs the command, or opens the window.
 int run(int argc, char** argv) {
     remember_command_line(argc, argv);
     if (argc > 1) note_former_name(argv[1]);
     CLI::App app("Myoloop: a workbench for soft robots. Without a command it opens the window.", "myoloop");
     app.set_version_flag("--version", "myoloop " MYOLOOP_VERSION);
+    // Extra arguments are reported by surplus(), with a suggestion, instead of by CLI11.
     app.allow_extras();
     std::string file;
     app.add_option("FILE", file, "experiment folder or mesh to open in the workbench")->type_name("");
 
+    // All commands are declared; only the chosen one runs.
     std::map<const CLI::App*, std::function<int()>> actions;
     for (const Subcommand& command : commands()) {
         CLI::App* sub = app.add_subcommand(command.name, command.summary);
@@ -119,6 +124,7 @@ int with_output(int status) {
 }  // namespace myo::app
 
 int main(int argc, char** argv) {
+    // Before any file is opened, see standard_output.hpp. BLAS threads would compete with the program's own.
     myo::app::keep_closed_streams_closed();
     myo::solver::use_one_blas_thread();
     try {

@@ -13,10 +13,12 @@
 namespace myo::app {
 namespace {
 
+// CLI11 prints the option and the sentence.
 [[noreturn]] void reject(const std::string& option, const std::string& sentence) {
     throw CLI::ValidationError(option, sentence);
 }
 
+/// A finite number; the entire word must be a number.
 double number_of(const std::string& option, const std::string& text) {
     double value = 0.0;
     if (!parse_number(text, value) || !std::isfinite(value)) reject(option, "'" + text + "' is not a number");
@@ -36,6 +38,7 @@ Integer integer_of(const std::string& option, const std::string& text, Integer l
 }  // namespace
 
 std::string unknown_word(const std::string& word, const std::vector<std::string>& known) {
+    // The list of known words follows in any case, so that one message suffices.
     const std::string near = closest_word(word, known);
     return "'" + word + "' is not known" + (near.empty() ? "" : "; did you mean '" + near + "'?") +
            (near.empty() ? "; known: " : " Known: ") + join(known);

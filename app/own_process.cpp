@@ -51,6 +51,7 @@ OwnProcessResult run_in_own_process(const std::function<std::string()>& work) {
     close(ends[1]);
     std::string text;
     std::array<char, 4096> buffer{};
+    // Read until the child closes its end: a pipe holds less than the text.
     while (child > 0) {
         const ssize_t count = read(ends[0], buffer.data(), buffer.size());
         if (count < 0 && errno == EINTR) continue;
@@ -61,6 +62,7 @@ OwnProcessResult run_in_own_process(const std::function<std::string()>& work) {
     int status = 0;
     if (child > 0) waitpid(child, &status, 0);
     const std::size_t line = text.find('\n');
+    // A child that was killed has written no complete answer.
     result.crashed = child <= 0 || status != 0 || line == std::string::npos;
     if (result.crashed) return result;
     result.peak_bytes_over_start = std::stol(text.substr(0, line));

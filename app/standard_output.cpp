@@ -22,6 +22,7 @@ void print_text(const std::string& text) {
 }
 
 void print_format(const char* format, ...) {
+    // First pass for the length, second for the text: values can be of any length.
     std::va_list values, again;
     va_start(values, format);
     va_copy(again, values);

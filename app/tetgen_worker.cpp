@@ -51,6 +51,7 @@ void describe(const myo::mesh::TetgenExchange& request, tetgenio& input) {
     std::copy(request.holes.begin(), request.holes.end(), input.holelist);
 }
 
+// Reads the request, runs TetGen and writes the answer; returns the exit status.
 int run(const std::string& request_path, const std::string& answer_path, std::string switches) {
     myo::mesh::TetgenExchange request, answer;
     if (!myo::mesh::read_exchange(request_path, request) || request.points.empty() || request.cells.empty()) {
@@ -80,6 +81,7 @@ int main(int argc, char** argv) {
     limit(RLIMIT_AS, std::strtoull(argv[4], nullptr, 10));
 #endif
     limit(RLIMIT_CPU, std::strtoull(argv[5], nullptr, 10));
+    // A crash of TetGen is expected for some surfaces and must not leave core files.
     const rlimit no_core{0, 0};
     setrlimit(RLIMIT_CORE, &no_core);
     try {

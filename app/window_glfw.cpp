@@ -44,6 +44,7 @@ struct DestroyWindow {
     void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
 };
 
+/// ImGui key of a GLFW key, or -1.
 int key_of(int key) {
     static constexpr std::pair<int, int> keys[] = {{GLFW_KEY_TAB, ImGuiKey_Tab},
                                                    {GLFW_KEY_LEFT, ImGuiKey_LeftArrow},
@@ -105,6 +106,7 @@ ui::panels::WorkbenchWindow& workbench_of(GLFWwindow* window) {
     return *static_cast<ui::panels::WorkbenchWindow*>(glfwGetWindowUserPointer(window));
 }
 
+// Input is queued and handled with the next frame, both off screen and in the window.
 void push(GLFWwindow* window, const ui::platform::InputEvent& event) {
     workbench_of(window).input().push(event);
     workbench_of(window).wake();
@@ -143,6 +145,7 @@ void set_callbacks(GLFWwindow* window) {
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { workbench_of(w).wake(); });
 }
 
+// ImGui has no clipboard of the system by itself.
 void share_clipboard(GLFWwindow* window) {
     ImGuiIO& io = ImGui::GetIO();
     io.ClipboardUserData = window;
@@ -225,6 +228,7 @@ private:
     Clock::time_point last_ = Clock::now();
 };
 
+/// Applies stored preferences and offers unsaved work of earlier runs.
 void take_up(ui::commands::Workbench& workbench) {
     if (const auto file = backend::preferences_file(); !file.empty()) {
         if (const Result<ui::commands::Preferences> kept = backend::read_preferences(file))
@@ -251,6 +255,7 @@ Result<void> draw_frames(GLFWwindow* window, ui::commands::Workbench& workbench,
             view.wake();
             continue;
         }
+        // Frames are drawn on demand only: an idle window uses no processor time.
         const bool works = workbench.state().works();
         if (view.must_draw()) {
             glfwPollEvents();
@@ -319,6 +324,7 @@ Result<void> run_window(std::shared_ptr<ui::commands::Backend> backend, const Wi
     float across = 1.0f;
     float down = 1.0f;
     glfwGetWindowContentScale(window.get(), &across, &down);
+    // Preferences first: they contain theme and scale of the first frame.
     take_up(workbench);
     if (const ui::commands::Preferences& kept = workbench.state().preferences; options.scale || !(kept.scale > 0.0f))
         workbench.execute(ui::commands::SetTheme{kept.theme, options.scale.value_or(across)});

@@ -48,6 +48,7 @@ std::vector<experiment::MuscleDeclaration> declared_muscles(const experiment::Ex
             if (own.name == muscle.declared) declared = own;
         declared.stiffness_Pa = muscle.stiffness_Pa;
         if (muscle.paint) declared.part = experiment::MuscleMask{muscle.paint, std::nullopt};
+        // A muscle either follows another one or has its own signal.
         declared.follows.reset();
         declared.signal.reset();
         if (muscle.follows.empty())
@@ -82,6 +83,7 @@ Matrix3Xd shown_measurement(const setup::Setup& setup, const setup::PreparedTria
     return shown;
 }
 
+/// Markers, trials, settings and vibration of a prepared experiment, as the window displays them.
 void fill_from_setup(const setup::Setup& setup, ui::commands::Scene& scene) {
     const experiment::Experiment& experiment = setup.experiment;
     for (const experiment::MarkerDeclaration& marker : experiment.markers.on_body)
@@ -209,6 +211,7 @@ ui::commands::Scene plain_scene(const fs::path& path, mesh::SurfaceMesh surface)
     return scene;
 }
 
+/// Scene of a volume mesh; its boundary becomes the surface.
 Result<ui::commands::Scene> open_volume(const fs::path& path, double metres_per_unit) {
     Result<mesh::VolumeMesh> read = mesh::read_volume(path, metres_per_unit);
     if (!read) return read.error();

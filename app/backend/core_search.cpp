@@ -25,6 +25,7 @@ namespace {
 
 constexpr double nothing_known = std::numeric_limits<double>::quiet_NaN();
 
+/// Row of a parameter in displayed units; start, value and deviation in SI.
 ui::commands::ParameterRow parameter_row(const prediction::ModelParameter& parameter, const setup::Setup& setup,
                                          double start, double value, double deviation) {
     const results::ReadableParameter shown = results::readable_parameter(parameter, setup);
@@ -58,6 +59,7 @@ std::shared_ptr<const ui::commands::RunResult> run_of(const setup::Setup& setup,
         shown_run(setup, prediction::scored_run(setup, values, std::move(all), trials)));
 }
 
+/// Indices of the trials that enter the fit.
 std::vector<std::size_t> fit_trials(const setup::Setup& setup) {
     std::vector<std::size_t> trials;
     for (std::size_t t = 0; t < setup.trials.size(); ++t)
@@ -89,6 +91,7 @@ ui::commands::Settings with_signals(ui::commands::Settings settings, const std::
     return settings;
 }
 
+/// Smallest and largest value of each signal, at the start and now.
 std::vector<ui::commands::ParameterRow> signal_rows(const inverse::ActuationProblem& problem,
                                                     const Eigen::MatrixXd& start, const Eigen::MatrixXd& values) {
     std::vector<ui::commands::ParameterRow> rows;
@@ -120,6 +123,7 @@ public:
 
     void show(const inverse::ActuationFit& fit) {
         const inverse::ActuationIterate& line = fit.log.back();
+        // A failed evaluation is an empty point, so that the count of evaluations stays right.
         view_.log.push_back(line.ok
                                 ? ui::commands::SearchPoint{1e6 * line.loss_m2, line.rms_m, 1e6 * line.gradient_norm_m2}
                                 : ui::commands::SearchPoint{});
@@ -127,6 +131,7 @@ public:
             const std::vector<fibre::Signal> activation = inverse::activations_of(problem_.sought, fit.values);
             view_.parameters = signal_rows(problem_, start_, fit.values);
             view_.settings = with_signals(settings_, activation);
+            // Only an evaluation that is the best so far changes the picture.
             if (line.ok && line.loss_m2 == fit.best.loss_m2 && pace_.due()) {
                 const Stopwatch watch;
                 if (auto run = run_with(fit.values, fit.best.placement))
@@ -139,6 +144,7 @@ public:
 
     /// The trial with the final signals. After a cancellation, only the part of the motion that is already known.
     ui::commands::RunResult found(const inverse::ActuationFit& fit) const {
+        // The last displayed run is reused if it has the final signals.
         if (view_.best && shown_.size() > 0 && shown_ == fit.values) return *view_.best;
         if (auto run = run_with(fit.values, fit.best.placement)) return std::move(*run);
         return with_prediction(with_signals_of(fit.values),
@@ -147,6 +153,7 @@ public:
     }
 
 private:
+    /// The setup with these signals in all trials.
     setup::Setup with_signals_of(const Eigen::MatrixXd& found) const {
         setup::Setup setup = setup_;
         for (setup::PreparedTrial& trial : setup.trials)
@@ -154,6 +161,7 @@ private:
         return setup;
     }
 
+    /// Displayable run from the prediction of the one trial, with the found marker placement.
     ui::commands::RunResult with_prediction(const setup::Setup& setup, prediction::TrialPrediction prediction,
                                             const inverse::MarkerPlacement& placement) const {
         std::vector<prediction::TrialPrediction> predictions(setup.trials.size());
@@ -203,6 +211,7 @@ Result<ui::commands::SearchResult> calibrate_scene(const ui::commands::Scene& sc
     const prediction::ParameterValues declared = prediction::declared_values(*setup);
     ui::commands::SearchView view;
     Pace pace;
+    // Every evaluation extends the log; parameters and picture change only with a better one.
     calibration::CalibrationSettings how;
     how.evaluated = [&](const calibration::CalibrationStep& step) {
         view.log.push_back(std::isfinite(step.cost)
@@ -241,6 +250,7 @@ Result<ui::commands::SearchResult> calibrate_scene(const ui::commands::Scene& sc
         result.problem = "The fit did not converge: " + calibration.fit.message;
     for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
         const auto k = static_cast<Eigen::Index>(i);
+        // Final rows have standard deviations; the live ones have none.
         result.parameters.push_back(parameter_row(calibration.parameters[i], *setup, calibration.fit.start(k),
                                                   calibration.fit.values(k), calibration.deviation(i)));
     }
@@ -272,6 +282,7 @@ Result<ui::commands::SearchResult> optimize_scene(const ui::commands::Scene& sce
     if (!trial) return trial.error();
     setup::Setup one = prediction::with_one_trial(*setup, *trial);
     calibration::OptimizeSettings how;
+    // At most one knot per time step.
     how.frequency_Hz = std::min(request.frequency_Hz, 1.0 / one.trials.front().options.h_s);
     how.lowest = request.lowest;
     how.highest = request.highest;

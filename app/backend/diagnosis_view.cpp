@@ -32,6 +32,7 @@ std::string capitalised(std::string text) {
     return text;
 }
 
+/// Key of a row from the ids of its effects: "a+b".
 std::string key_of(const std::vector<effect::EffectDeclaration>& effects) {
     std::vector<std::string> ids;
     for (const effect::EffectDeclaration& effect : effects) ids.push_back(effect.id);
@@ -55,6 +56,7 @@ std::string readable_words(const effect::EffectParameters& parameters) {
     return words;
 }
 
+/// An effect of the core as the window stores it; inverse of declaration().
 ui::commands::AddedEffect added(const effect::EffectDeclaration& effect) {
     ui::commands::AddedEffect result{effect.id, {}, results::effect_name(effect.id), readable_words(effect.parameters)};
     for (const auto& [name, value] : effect.parameters) {
@@ -102,10 +104,12 @@ std::vector<double> rms_of_trials(const setup::Setup& setup, const diagnosis::Fi
     return result;
 }
 
+/// Whether the run contains a completed prediction of this trial.
 bool is_predicted(const prediction::SetupRun& run, std::size_t trial) {
     return trial < run.predictions.size() && run.predictions[trial].ok();
 }
 
+/// rms of a trial [m], or `otherwise` if the trial did not complete.
 double score_of(const prediction::SetupRun& run, const std::string& trial, double otherwise) {
     const prediction::TrialScore* const score = results::find_score(run, trial);
     return score ? score->rms_m : otherwise;
@@ -150,6 +154,7 @@ public:
     }
 
 private:
+    /// Headline and chosen row of the verdict.
     void set_verdict() {
         const diagnosis::Verdict& verdict = d_.verdict;
         view_.confidence = verdict.confidence;
@@ -191,7 +196,9 @@ private:
         return text;
     }
 
+    /// Residual of the declared model per trial, and the coordinate with the largest mean square.
     void set_trials() {
+        // Displayed as measurement minus prediction [m]; the fit's residual is prediction minus measurement over noise.
         const VectorXd flat = -d_.declared.fit.residual.cwiseProduct(d_.data.noise_m);
         const std::vector<std::vector<Matrix3Xd>> left = on_samples(setup_, d_.data, flat);
         const std::vector<double> rms = rms_of_trials(setup_, d_.data, d_.declared.fit.residual);
@@ -204,6 +211,7 @@ private:
                     trial.residual_m.push_back(-residual);
             view_.trials.push_back(std::move(trial));
         }
+        // The coordinate with the largest mean, not the largest sum: series differ in their number of visible samples.
         double most = -1.0;
         for (const statistics::ResidualSeries& series : d_.data.layout.series) {
             const double mean = series.size() > 0 ? flat.segment(series.begin, series.size()).squaredNorm() /
@@ -217,6 +225,7 @@ private:
         }
     }
 
+    /// Fitted parameters in words; `brief` is the short form for a narrow column.
     void set_value(ui::commands::DiagnosisRow& row, const diagnosis::JointFit& fit) const {
         row.value = diagnosis::fitted_words(setup_, fit);
         const std::vector<diagnosis::EffectEstimate> numbers = diagnosis::effect_estimates(setup_, fit);
@@ -226,6 +235,7 @@ private:
         row.one_number = row.value.ends_with(row.brief);  // otherwise words follow the number
     }
 
+    /// Row of a fitted candidate: parameters, rms, predicted change, and the settings that adopt it.
     ui::commands::DiagnosisRow fitted_row(const std::string& key, const std::string& name,
                                           const diagnosis::JudgedFit& fit) const {
         ui::commands::DiagnosisRow row;
@@ -253,11 +263,13 @@ private:
         row.settings.youngs_modulus_Pa = last.fit.values.youngs_modulus_Pa;
         row.settings.damping_s = last.fit.values.damping_s;
         row.settings.effects.clear();
+        // Effects of the file stay in the file; only the additional ones become settings.
         for (std::size_t e = source_.file_effects; e < last.fit.values.effects.size(); ++e)
             row.settings.effects.push_back(added(last.fit.values.effects[e]));
         return row;
     }
 
+    /// Row of a candidate of the catalogue: fitted, or with its linear prediction only.
     ui::commands::DiagnosisRow candidate_row(const diagnosis::Candidate& candidate) const {
         const std::string& id = candidate.score.id;
         ui::commands::DiagnosisRow row;
@@ -276,6 +288,7 @@ private:
         return row;
     }
 
+    /// Rows in order: declared model, missing force, fitted candidates by criterion, unfitted ones.
     void add_rows() {
         ui::commands::DiagnosisRow declared = fitted_row(declared_key, "Declared model", d_.declared);
         declared.kind = ui::commands::DiagnosisRow::Kind::declared;
@@ -301,6 +314,7 @@ private:
                 view_.rows.push_back(candidate_row(candidate));
     }
 
+    /// Row of the force that would explain the residual, by its modes.
     ui::commands::DiagnosisRow missing_force_row() {
         const diagnosis::MissingForce& force = *d_.missing_force;
         ui::commands::DiagnosisRow row;
@@ -339,6 +353,7 @@ ui::commands::PatchForces in_patches(const diagnosis::BodyPatches& patches, cons
     return result;
 }
 
+/// Superposes the modes of the missing force at each time; only the trial in which it was determined has one.
 void add_missing_force(const setup::Setup& setup, const diagnosis::MissingForce& force,
                        const diagnosis::BodyPatches& patches, ui::commands::DiagnosisRow& row) {
     std::vector<Matrix3Xd> forces;

@@ -15,11 +15,14 @@ struct DiagnosisSource {
 };
 
 /// Displayed form of a diagnosis, complete or in progress; without forces.
+///
+/// Empty until the declared model is fitted. Forces cost extra simulations and are added by add_forces().
 ui::commands::DiagnosisView diagnosis_view(const DiagnosisSource& source, const diagnosis::Diagnosis& diagnosis);
 
-/// Adds the forces of the fitted effects along the motion, and the missing force. The motion is that of the model with
-/// the verdict's effects for these, otherwise of the declared model. Costs several evaluations of the body's forces
-/// each: about a second. Asserts a complete diagnosis.
+/// Adds the forces of the fitted effects along the motion, and the missing force.
+///
+/// The motion is that of the model with the verdict's effects for these, otherwise of the declared model. Costs several
+/// evaluations of the body's forces each: about a second. Asserts a complete diagnosis.
 void add_forces(const DiagnosisSource& source, const diagnosis::Diagnosis& diagnosis,
                 ui::commands::DiagnosisView& view);
 

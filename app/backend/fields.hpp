@@ -15,7 +15,12 @@ struct RunModels {
 /// Names, units and explanations of all fields.
 const std::vector<ui::commands::FieldKind>& field_catalogue();
 
-/// Values of a field at the nodes [SI] in one frame; empty if the id is unknown or the run has no model on this mesh.
+/// Values of a field at the nodes of the displayed mesh in one frame.
+///
+/// @param id     of a field of the catalogue
+/// @param trial  index of the trial in the run
+/// @param frame  index of the stored frame
+/// @return       one value per node [SI]; empty if the id is unknown or the run has no model on this mesh
 Eigen::VectorXd field_values(const std::string& id, const ui::commands::MeshedBody& body,
                              const ui::commands::RunResult& run, std::size_t trial, std::size_t frame);
 

@@ -35,6 +35,7 @@ std::string size_label(std::uintmax_t bytes) {
 
 ui::commands::ReportLine cannot_be_opened(const Error& error) { return {"Cannot be opened", error.text(), true}; }
 
+/// Name, trials with role, number of markers and muscles of an experiment. Traces are not read.
 std::vector<ui::commands::ReportLine> experiment_lines(const fs::path& path) {
     const Result<experiment::Experiment> experiment = experiment::read_experiment(path);
     if (!experiment) return {cannot_be_opened(experiment.error())};
@@ -50,6 +51,7 @@ std::vector<ui::commands::ReportLine> experiment_lines(const fs::path& path) {
     return lines;
 }
 
+/// Source, element and muscles of a project.
 std::vector<ui::commands::ReportLine> project_lines(const fs::path& path) {
     const Result<ui::commands::Project> project = read_project_file(path);
     if (!project) return {cannot_be_opened(project.error())};
@@ -76,6 +78,7 @@ void add_sizes(const Eigen::Matrix3Xd& places, std::vector<ui::commands::ReportL
     }
 }
 
+/// Size and counts of a mesh, read with 1 m per unit.
 std::vector<ui::commands::ReportLine> mesh_lines(const fs::path& path) {
     std::vector<ui::commands::ReportLine> lines;
     if (is_volume_file(path)) {
@@ -93,6 +96,7 @@ std::vector<ui::commands::ReportLine> mesh_lines(const fs::path& path) {
     return lines;
 }
 
+/// Format, markers, frames, rate and duration of a recording.
 std::vector<ui::commands::ReportLine> recording_lines(const fs::path& path) {
     const Result<ui::commands::RecordingFile> file = read_recording_file(path, {});
     if (!file) return {};  // other tables have the same extensions

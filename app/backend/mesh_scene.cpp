@@ -85,6 +85,7 @@ Result<ui::commands::RunResult> run_mesh_scene(const ui::commands::Scene& scene,
         mesh->mesh, setup::held_part(experiment.clamp_box_m, mesh::bounding_box(scene.surface.vertices)));
     if (held.empty()) return Error{"no node lies at the held end; choose a finer resolution", experiment.name};
     model::Model model;
+    // The same choice of element as in prepare_setup().
     const bool fine = effect::any_varies_within_cells(experiment.effects);
     model.body = model::make_body(mesh->mesh, fine ? fem::fine_element(mesh->element) : mesh->element, held);
     model.material = material::find_material(settings.material);
@@ -111,9 +112,11 @@ Result<ui::commands::RunResult> run_mesh_scene(const ui::commands::Scene& scene,
     ui::commands::RunResult result;
     result.seconds = watch.seconds();
     result.steps = std::max(0.0, static_cast<double>(trace.times_s.size()) - 1.0);
+    // A shortened run serves interaction and skips the check of the integration.
     if (!only)
         result.warnings = setup::check_integration(affected.model, affected.options.integrator, affected.options.h_s)
                               .warnings;
+    // Without a recording there is no error.
     result.rms_m = std::numeric_limits<double>::quiet_NaN();
     if (!trace.complete()) result.problem = trace.message;
     ui::commands::SimulatedTrial shown;

@@ -34,6 +34,7 @@ constexpr ViewSwitch view_switches[] = {
     {"labels", &ui::commands::ViewOptions::labels},     {"clamp", &ui::commands::ViewOptions::clamp},
     {"fibres", &ui::commands::ViewOptions::fibres},     {"effect_force", &ui::commands::ViewOptions::effect_force}};
 
+/// Value of an effect parameter as TOML: number, text, or an array of either.
 std::string effect_value(const ui::commands::AddedEffect::Value& value) {
     if (const auto* const one = std::get_if<double>(&value)) return toml::toml_number(*one);
     if (const auto* const word = std::get_if<std::string>(&value)) return toml::toml_text(*word);
@@ -114,6 +115,7 @@ std::string seen_from(const fs::path& path, const fs::path& folder) {
     return near.empty() || ups > 3 ? path.generic_string() : near.generic_string();
 }
 
+/// Mesh, material, time and effects as TOML.
 std::string settings_text(const ui::commands::Settings& s) {
     std::string text = "\n[mesh]\nelement = " + toml::toml_text(to_string(s.element)) +
                        "\nresolution_m = " + toml::toml_number(s.resolution_m) + "\n";
@@ -135,6 +137,8 @@ std::string settings_text(const ui::commands::Settings& s) {
     return text;
 }
 
+/// A muscle as TOML.
+/// @param mask  path of its mask file relative to the project; empty: no paint
 std::string muscle_text(const ui::commands::Muscle& m, const std::string& mask) {
     std::string text = "\n[[muscle]]\nname = " + toml::toml_text(m.name) + "\n";
     if (!m.declared.empty()) text += "declared = " + toml::toml_text(m.declared) + "\n";
@@ -150,6 +154,7 @@ std::string muscle_text(const ui::commands::Muscle& m, const std::string& mask) 
     return text;
 }
 
+/// View options as TOML; field ranges are in SI.
 std::string view_text(const ui::commands::ViewOptions& view) {
     std::string text = "\n[view]\n";
     for (const ViewSwitch& each : view_switches)
@@ -168,6 +173,8 @@ std::string view_text(const ui::commands::ViewOptions& view) {
     return text;
 }
 
+/// Array of finite numbers; a failure names the key.
+/// @param holder  the same table as parsed, since the reader returns no arrays of free length
 std::vector<double> numbers_of(const toml::TomlReader& table, const std::string& key, const toml::TomlValue& holder) {
     const toml::TomlValue* const array = holder.find(key);
     if (array == nullptr || array->kind != toml::TomlValue::Kind::array) table.fail(key, "must be an array of numbers");
@@ -180,6 +187,7 @@ std::vector<double> numbers_of(const toml::TomlReader& table, const std::string&
     return numbers;
 }
 
+/// Inline signal: as many values as times, ascending.
 fibre::Signal read_signal(const toml::TomlReader& muscle, const toml::TomlValue& value) {
     const toml::TomlReader table = muscle.table("signal", {"time_s", "a"});
     const fibre::Signal signal{numbers_of(table, "time_s", value), numbers_of(table, "a", value)};
@@ -227,6 +235,7 @@ std::vector<ui::commands::Muscle> read_project_muscles(const toml::TomlReader& d
     }
     for (const ui::commands::Muscle& muscle : muscles) {
         if (muscle.follows.empty()) continue;
+        // One level only: a follower of a follower is rejected.
         const auto leads = [&](const ui::commands::Muscle& other) {
             return other.name == muscle.follows && other.follows.empty();
         };
@@ -237,6 +246,7 @@ std::vector<ui::commands::Muscle> read_project_muscles(const toml::TomlReader& d
     return muscles;
 }
 
+/// Effects added in the window. Their parameter names are not checked here.
 std::vector<ui::commands::AddedEffect> read_project_effects(const toml::TomlReader& document,
                                                             const toml::TomlValue& root) {
     std::vector<ui::commands::AddedEffect> effects;
@@ -264,6 +274,7 @@ std::vector<ui::commands::AddedEffect> read_project_effects(const toml::TomlRead
     return effects;
 }
 
+/// Settings; values outside the limits of the window's fields are rejected.
 ui::commands::Settings read_settings(const toml::TomlReader& document, const toml::TomlValue& root,
                                      const fs::path& folder, std::vector<std::string>& warnings) {
     const auto within = [](const ui::commands::Limits& limits) { return toml::between(limits.lowest, limits.highest); };
@@ -292,6 +303,7 @@ ui::commands::Settings read_settings(const toml::TomlReader& document, const tom
     return s;
 }
 
+/// View options; missing keys keep their defaults.
 ui::commands::ViewOptions read_view(const toml::TomlReader& document) {
     ui::commands::ViewOptions result;
     std::vector<std::string> keys{"opacity", "field", "color_map", "cut", "field_ranges"};
@@ -316,6 +328,7 @@ ui::commands::ViewOptions read_view(const toml::TomlReader& document) {
     return result;
 }
 
+/// A project from its parsed file; throws TomlFailure.
 ui::commands::Project read_document(const toml::TomlValue& root, const fs::path& file) {
     if (const toml::TomlValue* const named = root.find("schema"); named == nullptr || named->text != schema)
         throw toml::TomlFailure{Error{"schema: this is not a project; this program reads \"" + schema + "\"",
@@ -329,6 +342,7 @@ ui::commands::Project read_document(const toml::TomlValue& root, const fs::path&
     project.source = source.is_absolute() ? source : (file.parent_path() / source).lexically_normal();
     if (!fs::exists(project.source, ignored))
         document.fail("source", "\"" + project.source.string() + "\" is not there");
+    // A trailing slash is removed, so that paths compare equal.
     if (project.source.filename().empty()) project.source = project.source.parent_path();
     project.metres_per_unit = document.optional_number("metres_per_unit", toml::positive());
     project.trial = document.text_or("trial", "");
@@ -354,6 +368,7 @@ Result<void> write_project_file(const fs::path& file, const ui::commands::Projec
         std::string mask;
         if (muscle.paint && muscle.paint->count() > 0) {
             const std::string name = mask_name(muscle.name, *muscle.paint);
+            // An existing file of this name has the same content.
             if (!fs::exists(files / name, ignored))
                 if (const Result<void> written = fibre::write_painted_mask(files / name, *muscle.paint); !written)
                     return written;

@@ -56,6 +56,7 @@ Matrix3Xd places_before(const ui::commands::RecordingFile& file, double start_s)
     return pose ? pose->positions_m : Matrix3Xd::Constant(3, static_cast<Index>(file.recording->labels.size()), unseen);
 }
 
+/// The declared marker with this name, or null.
 const ui::commands::SceneMarker* declared(const std::vector<ui::commands::SceneMarker>& markers,
                                           const std::string& name) {
     const auto found = std::find_if(markers.begin(), markers.end(),
@@ -63,20 +64,23 @@ const ui::commands::SceneMarker* declared(const std::vector<ui::commands::SceneM
     return found != markers.end() ? &*found : nullptr;
 }
 
+/// Whether the scene is a bundled example, which must not be modified.
 bool is_bundled(const ui::commands::Scene& scene) {
-    static const std::vector<ui::commands::Example>
-        examples = bundled_examples();  // constant during a session of the program
+    // Constant while the program runs.
+    static const std::vector<ui::commands::Example> examples = bundled_examples();
     std::error_code ignored;
     return std::any_of(examples.begin(), examples.end(), [&](const ui::commands::Example& example) {
         return fs::equivalent(example.path, scene.path, ignored);
     });
 }
 
+/// Whether the scene is an experiment with trials; only then are its markers fixed.
 bool has_trials(const ui::commands::Scene& scene) { return !source_of(scene).experiment.trials.empty(); }
 
 /// First reason why the choices cannot become a trial; empty if they can.
 std::string problem_of(const ui::commands::Scene& scene, const ui::commands::ImportChoices& choices,
                        const ui::commands::ImportView& view) {
+    // A signed permutation has determinant 1 or -1; -1 is a reflection, 0 a repeated axis.
     if (rotation_of(choices.axes).determinant() < 0.5) return "The axes mirror the body: turn one of them round.";
     std::set<std::string> names;
     for (std::size_t i = 0; i < choices.markers.size(); ++i) {
@@ -92,6 +96,7 @@ std::string problem_of(const ui::commands::Scene& scene, const ui::commands::Imp
     }
     if (names.empty()) return "No label is a marker of the body yet.";
     const experiment::Experiment& experiment = source_of(scene).experiment;
+    // Displacements are relative to the rest pose, so every marker of the body must be visible before the start.
     if (has_trials(scene) && experiment.markers.compare == experiment::Comparison::displacement)
         for (const experiment::MarkerDeclaration& own : experiment.markers.on_body) {
             const auto found = std::find_if(choices.markers.begin(), choices.markers.end(),
@@ -222,6 +227,7 @@ Result<ui::commands::ImportChoices> propose_recording_markers(const ui::commands
         Matrix3Xd rest(3, static_cast<Index>(markers.size()));
         for (std::size_t m = 0; m < markers.size(); ++m) rest.col(static_cast<Index>(m)) = markers[m].rest_m;
         const Matrix3Xd seen = places_before(file, choices.start_s);
+        // Markers may deviate from their rest positions by 3 % of the body's diagonal.
         const Result<measurement::MarkerMatch> match = measurement::match_markers(rest, seen, 0.03 * size,
                                                                                   rotation_of(choices.axes));
         if (!match) return match.error();
@@ -239,6 +245,7 @@ Result<ui::commands::ImportChoices> propose_recording_markers(const ui::commands
         return proposed;
     }
     const ui::commands::ImportView view = view_recording(scene, file, choices);
+    // Three placed markers determine the rigid motion; the others follow from it and are projected onto the surface.
     const auto placed = std::count_if(choices.markers.begin(), choices.markers.end(),
                                       [](const ui::commands::ImportedMarker& m) { return m.rest_m.has_value(); });
     if (placed < 3) return Error{"Click where three of the markers sit on the body; the others can then be told.", ""};
@@ -265,6 +272,7 @@ Result<double> align_recording(const ui::commands::Scene& scene, const ui::comma
             simulated.push_back(run.markers[m]);
             recorded.push_back(view.rotation * file.recording->tracks[i]);
         }
+    // At least one marker must be in the recording and in the run.
     if (simulated.empty()) return Error{"No marker of the recording has been simulated.", ""};
     const Result<measurement::TimeAlignment> found = measurement::align_in_time(time_s, simulated,
                                                                                 file.recording->time_s, recorded);
@@ -289,6 +297,7 @@ Result<fs::path> add_recording_trial(const ui::commands::Scene& scene, const ui:
     std::snprintf(about, sizeof about, " from %.6g s on, registered with %.3g mm rms", choices.start_s,
                   1e3 * view.rms_m);
     trial.origin = "From " + file.path.filename().string() + about + ".";
+    // The trial is written in the mesh frame and in trial time; no registration remains to be done.
     trial.recording.time_s = placed.time_s;
     trial.recording.rate_Hz = placed.rate_Hz;
     const auto add = [&](const std::string& name, Matrix3Xd track) {

@@ -4,8 +4,12 @@
 
 namespace myo::backend {
 
-/// One trial up to `end_s`, identical step by step to a full run. Later samples are NaN, other trials have status
-/// not_run.
+/// One trial up to `end_s`, identical step by step to a full run.
+///
+/// @param values  of all parameters, also those that do not affect this trial
+/// @param trial   index in the setup
+/// @param end_s   end of the simulated time [s]
+/// @return        later samples are NaN, other trials have status not_run
 prediction::SetupRun short_run(const setup::Setup& setup, const prediction::ParameterValues& values, std::size_t trial,
                                double end_s, const Progress& progress = {});
 

@@ -59,6 +59,7 @@ ui::commands::RunResult shown_run(const setup::Setup& setup, const prediction::S
         result.trials.push_back(std::move(shown));
     }
     result.rms_m = prediction::rms(all);
+    // Fields such as stress are evaluated later, on demand, from these models.
     auto models = std::make_shared<RunModels>();
     for (std::size_t t = 0; t < setup.trials.size(); ++t)
         models->trials.push_back(prediction::trial_model(setup, t, run.values));

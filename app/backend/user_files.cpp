@@ -35,6 +35,7 @@ std::string quoted(const std::string& text) {
     return result + "'";  // TOML literal string; paths with an apostrophe are not stored
 }
 
+/// Paths as a TOML array; those that a literal string cannot hold are left out.
 std::string list(const std::vector<fs::path>& paths) {
     std::string text;
     for (const fs::path& path : paths)
@@ -50,6 +51,7 @@ std::string step_costs(const std::vector<ui::commands::StepCost>& costs) {
     return text;
 }
 
+/// Preferences from the parsed file; missing keys keep their defaults. Throws TomlFailure.
 ui::commands::Preferences read_document(const toml::TomlValue& root) {
     const toml::TomlReader document(
         root, "", {"theme", "scale", "side_width", "strip_height", "recent", "bookmarks", "step_cost"});
@@ -75,6 +77,7 @@ ui::commands::Preferences read_document(const toml::TomlValue& root) {
                                                                             {"tet10", mesh::CellType::tet10}}),
                                     cost.number("dofs", toml::positive()), cost.number("seconds", toml::positive())});
     std::error_code ignored;
+    // Recent files that no longer exist are dropped.
     std::erase_if(p.recent, [&](const fs::path& path) { return !fs::exists(path, ignored); });
     return p;
 }
@@ -121,6 +124,7 @@ std::vector<fs::path> found_recoveries(const fs::path& folder) {
     for (fs::directory_iterator it(folder, ignored), end; !ignored && it != end; it.increment(ignored)) {
         const std::string stem = it->path().stem().string();
         if (!ui::commands::is_project(it->path()) || stem.rfind(recovery_stem, 0) != 0) continue;
+        // The file name contains the process id; a running process still owns its file.
         if (is_alive(std::atol(stem.c_str() + recovery_stem.size()))) continue;
         std::error_code other;
         found.emplace_back(fs::last_write_time(it->path(), other), it->path());

@@ -58,6 +58,7 @@ public:
         };
         const std::string mu = "μ = E / (2 (1 + ν))", lambda = "λ = E ν / ((1 + ν) (1 − 2ν))",
                           rotation = "F = R U with the rotation R";
+        // Labels and explanations for display; laws without an entry are listed by their id.
         const std::map<std::string, Words> words = {
             {"neo_hookean",
              {"Neo-Hookean", mu + ", κ = E / (3 (1 − 2ν)), J = det F. Nearly incompressible, for large strain (Bonet & "
@@ -86,6 +87,7 @@ public:
 
     std::vector<ui::commands::Choice> integrators() const override {
         const auto entry = [](dynamics::Integrator integrator, const char* label, const char* explanation) {
+            // Numerical damping ratio of a vibration with the settings of the window.
             const auto damping = [integrator](double omega, const ui::commands::Settings& s) {
                 const dynamics::TimeScheme scheme{integrator, s.spectral_radius};
                 return omega > 0.0
@@ -182,6 +184,7 @@ public:
     Result<ui::commands::MeshedBody> mesh(const ui::commands::Scene& scene, const ui::commands::Settings& settings,
                                           const Progress& progress) override {
         const SceneSource& source = source_of(scene);
+        // The mesh of the opened experiment or file is reused while the settings request the same.
         std::shared_ptr<const setup::BodyMesh> made = source.mesh;
         if (!made || !is_mesh_of(*made, settings)) {
             Result<setup::BodyMesh> fresh = setup::mesh_body(
@@ -217,6 +220,7 @@ public:
                 {"Made from", made == source.mesh ? "the file's own elements" : "the file's surface", false,
                  "A volume mesh keeps its own elements as long as their type and edge length are left as they were "
                  "opened."});
+        // Paint of the declared muscles on this mesh, as a starting point for the brush.
         const Result<std::vector<fibre::FibreGroup>> groups = setup::muscle_groups(source.experiment, *made);
         if (!groups) return groups.error();
         for (const fibre::FibreGroup& group : *groups)
@@ -280,6 +284,7 @@ public:
         const experiment::Experiment& experiment = source_of(scene).experiment;
         std::vector<fs::path> outputs = results::trace_files(folder, experiment);
         for (const char* const name : {"fit.html", "diagnosis.html"}) outputs.push_back(folder / name);
+        // A report must not overwrite files that the experiment is read from.
         const Result<void> kept = check_overwrites(folder.string(), outputs,
                                                    results::files_read(experiment.folder, experiment));
         if (!kept) return kept.error();
@@ -289,6 +294,7 @@ public:
         for (const ui::commands::SceneTrial& trial : scene.trials) trials.push_back(trial.name);
         trials = results::trial_file_names(trials);
         for (std::size_t t = 0; t < run.trials.size() && t < scene.trials.size(); ++t) {
+            // Trials that did not run have no markers.
             if (names.empty() || run.trials[t].markers.size() != names.size()) continue;
             files.push_back(trials[t] + ".csv");
             measurement::Recording simulated;

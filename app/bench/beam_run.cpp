@@ -73,6 +73,7 @@ model::Model bench_beam(const BenchBeam& beam) {
     if (beam.tip_force_N != 0.0) {
         const mesh::SurfaceIntegral tip = mesh::surface_weights(model.body->mesh, model.body->boundary,
                                                                 {Eigen::Vector3d(0.1, 0.0, 0.0), box.highest + margin});
+        // Spread over the end face by area.
         model::DeadForce force;
         force.share = tip.weight / tip.weight.sum();
         force.force_N = Eigen::Vector3d(0.0, 0.0, beam.tip_force_N);

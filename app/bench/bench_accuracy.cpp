@@ -35,6 +35,7 @@ BarShape bar_of(const AccuracyRow& row) {
     return bar;
 }
 
+/// Static deflection, first frequency and modal damping against beam theory.
 void add_bending(const BarShape& bar, SmallMotions& motions, const Eigen::VectorXd& tip, BenchFigures& figures) {
     constexpr double gravity_m_s2 = 0.01;  // small: the formulas are linear
     const double target = bar.poissons_ratio > 0.49 ? nearly_incompressible_target : stiffness_target;
@@ -49,6 +50,7 @@ void add_bending(const BarShape& bar, SmallMotions& motions, const Eigen::Vector
                                   dynamics::slender_damping_factor(bar.poissons_ratio), field_target});
 }
 
+/// Torsional stiffness from the work of a unit torque.
 void add_torsion(const BarShape& bar, const model::Model& model, SmallMotions& motions, BenchFigures& figures) {
     const Eigen::Matrix3Xd torque = unit_torque(*model.body);
     const double stiffness = 1.0 / torque.cwiseProduct(motions.under(torque)).sum();
@@ -67,6 +69,7 @@ void add_gradient(const BarShape& bar, model::Model model, const Eigen::VectorXd
                                   "mm", 1e3 * deflection_of_graded_bar(bar, relative_change, pull_N), field_target});
 }
 
+/// Bending by a muscle in the upper half, linearised in its contraction.
 void add_muscle(const BarShape& bar, model::Model model, const Eigen::VectorXd& tip, BenchFigures& figures) {
     constexpr double stiffness_Pa = 1e5, contraction = 1e-4;
     // The muscle fills the upper half, so its line of action is a quarter of the height off the axis.
@@ -95,6 +98,7 @@ public:
         return force_N() * bar_.length_m / bar_.bending_stiffness_N_m2() * 0.5 * bar_.height_m;
     }
 
+    /// Relative change of the deflection by a law, against beam theory with the same law.
     Result<BenchQuantity> change(const std::string& name, const StretchLaw& law) {
         if (!plain_m_)
             if (const Result<void> found = find_plain(); !found) return found.error();
@@ -146,6 +150,7 @@ Result<void> add_laws(const BarShape& bar, const model::Model& model, const Eige
     return {};
 }
 
+/// All quantities of one mesh.
 Result<BenchFigures> measure_accuracy(const AccuracyRow& row) {
     const double start = thread_time_s();
     const BarShape bar = bar_of(row);
@@ -185,6 +190,7 @@ BenchCase bench_accuracy() {
     const auto add = [&](AccuracyRow row) {
         result.runs.push_back({row.name, [row] { return measure_accuracy(row); }});
     };
+    // Three series per element: layers and Poisson's ratio, aspect ratio, distortion.
     for (const fem::ElementKind element : {fem::ElementKind::hex8, fem::ElementKind::tet10}) {
         for (const int layers : {1, 2, 4})
             for (const double nu : {0.0, 0.3, 0.49, 0.4995})

@@ -20,7 +20,7 @@ struct BenchReference {
 struct BenchQuantity {
     std::string name;  // "tip under gravity, nu 0.499"
     double value = 0.0;
-    std::string unit;                // as shown: "mm", "%"  // as displayed: "mm", "%"
+    std::string unit;                // as displayed: "mm", "%"
     std::optional<double> expected;  // same unit, from an independent source
     std::optional<double> target{};  // largest relative error aimed at
 

@@ -6,23 +6,37 @@ namespace myo::bench {
 
 // Builders of the benchmarks, one per file bench_<id>.cpp; the summary of each is in the case itself.
 
-// Time per step.
+// Builders of the benchmarks, one per file bench_<id>.cpp; the summary of each is in the case itself.
+
+/// The beam released under gravity.
 BenchCase bench_release();
+/// Sudden force on the tip of the beam.
 BenchCase bench_tip_load();
+/// The default time step with every element.
 BenchCase bench_elements();
+/// The beam of linear tetrahedra, released under gravity.
 BenchCase bench_tetrahedra();
+/// An arm under strong actuation.
 BenchCase bench_arm();
+/// One run on two threads.
 BenchCase bench_threads();
-// Derivatives.
+/// Forward sensitivities together with the run.
 BenchCase bench_tangents();
+/// Adjoint gradient with respect to all moduli and signals.
 BenchCase bench_backward();
+/// Adjoint gradient of a long run within a memory budget.
 BenchCase bench_gradient_memory();
-// Cost over size, and accuracy against published traces, converged values and beam theory.
+/// Time and memory over the number of degrees of freedom.
 BenchCase bench_scaling();
+/// The published formulation against traces of the published program.
 BenchCase bench_published();
+/// Static deflection with every element at several Poisson's ratios.
 BenchCase bench_locking();
+/// Richardson limits of these deflections.
 BenchCase bench_converged();
+/// A slender bar against beam theory.
 BenchCase bench_accuracy();
+/// Default meshes against an independent program.
 BenchCase bench_default_meshes();
 
 }  // namespace myo::bench

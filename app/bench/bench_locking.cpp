@@ -30,6 +30,7 @@ BenchCase bench_locking() {
     for (const std::string& id : fem::element_ids()) {
         BenchBeam beam;
         fem::parse_element(id, beam.element);
+        // Near-cubic cells from 2 to 14 layers.
         for (const auto& [length, width] : {std::pair{7, 2}, {10, 3}, {13, 4}, {20, 6}, {23, 7}, {32, 9}, {46, 14}}) {
             if (fem::cell_type(beam.element) == mesh::CellType::tet10 && width > 7)
                 continue;  // quadratic elements have as many nodes as linear ones with twice the cells

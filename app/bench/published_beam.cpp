@@ -30,6 +30,7 @@ model::DeadForce force_on_upper_tip_edge(const mesh::VolumeMesh& mesh, double fo
 }
 
 const std::vector<PublishedTrace>& published_traces() {
+    // Edges that reproduce the published counts of cubes; the force as in the published scripts.
     static const double coarse = 0.1 / 23.5, fine = 0.1 / 32.9, newtons = -1.00062;
     static const std::vector<PublishedTrace> traces = {
         {"hexA1_4608_h0.01_tol1e-7.csv", coarse, 0.0, 0.01, 6e-6, -6.046, -4.434},

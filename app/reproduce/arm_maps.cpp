@@ -98,6 +98,7 @@ ArmPrediction predict_arm(const FittedArm& arm, const std::vector<std::size_t>& 
     const bool published = arm.variant.body.published;
     const MuscleConfiguration& configuration = arm.response->configuration();
     ArmPrediction result;
+    // The published map has no condition at zero pressure; ours starts at rest.
     result.signals = (published ? polynomial_map(pressures, signals) : map_from_rest(pressures, signals, lengths))
                          .at(pressure_mbar);
     // Polynomials can leave the admissible range between or beyond the known pressures.

@@ -48,8 +48,8 @@ Result<FittedArm> fit_arm(const std::shared_ptr<const TipResponse>& response, co
 /// Prediction for a pressure from a map through some of the trials.
 struct ArmPrediction {
     Eigen::VectorXd signals;  // from the map, limited to the admissible range
-    Eigen::Vector3d tip_m = Eigen::Vector3d::Constant(
-        std::nan(""));  // displacement of the tip centre; NaN: no equilibrium at these signals
+    /// Displacement of the tip centre; NaN if there is no equilibrium at these signals.
+    Eigen::Vector3d tip_m = Eigen::Vector3d::Constant(std::nan(""));
 };
 /// Predicts the tip at a pressure.
 ///

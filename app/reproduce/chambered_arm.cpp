@@ -90,6 +90,7 @@ Result<ChamberedArm> make_chambered_arm(const ReproduceSettings& settings, doubl
         arm.model = silicone(plain_mesh(edge_m), fem::ElementKind::hex8);
     }
     const model::Body& body = *arm.model.body;
+    // Closed cavities of the boundary are the chambers, in a file of the user as well.
     for (const std::vector<int>& chamber : model::closed_cavities(body)) {
         ++arm.chambers;
         double x = 0.0;

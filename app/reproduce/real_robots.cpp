@@ -32,7 +32,7 @@ struct Layout {
     Vector3d tracked_mm = Vector3d::Zero();
 };
 
-/// Marker layouts of the published scripts: the sweep, the steps, and the steps of another session.
+/// Marker layouts of the published scripts: the sweep, the steps, and the steps of another recording.
 const std::vector<Layout>& arm_layouts() {
     static const std::vector<Vector3d> triangle{{-9.645, -26.5, 0},  {-9.645, 26.5, 0},   {-28.2, 0, 0},
                                                 {-50.5, -20.5, 102}, {-30.5, -50.5, 102}, {-10.5, 50.5, 102},

@@ -147,6 +147,7 @@ report::Series path(const std::string& name, const std::vector<Vector3d>& tips, 
 std::string mm(double m) { return format_number(1e3 * m, 3); }
 
 Result<Reproduction> run(const ReproduceSettings& settings, const Progress& progress) {
+    // The same edge length for chambers and muscle models, so that they are comparable.
     const double edge = settings.coarse ? 9e-3 : 5e-3;
     const Result<ChamberedArm> arm = make_chambered_arm(settings, edge);
     if (!arm) return arm.error();
@@ -163,6 +164,7 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
     if (trials->empty()) result.warnings.push_back(missing_data(settings, "arm_pressure_sweep"));
     std::vector<double> pressures;
     for (const RobotTrial& trial : *trials) pressures.push_back(trial.pressure_mbar);
+    // Without recordings, the pressures of the paper.
     if (pressures.empty()) pressures = {75.0, 125.0, 175.0, 225.0, 275.0, 325.0, 375.0};
 
     const Result<Inflation> inflation = pressurise(*arm, pressures, progress);
@@ -178,6 +180,7 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
     const Result<MuscleFit> tied = imitate(poses, tied_muscles(), edge, progress);
     if (!tied) return tied.error();
 
+    // One row per pressure, chambers first, then the two muscle models and the real arm.
     report::Table table;
     table.caption = "Tip of the arm with its chambers at +x under pressure, and the muscle level that comes nearest";
     table.columns = {{"pressure", "mbar"},        {"tip x", "mm"},      {"tip z", "mm"},      {"bent by", "deg"},

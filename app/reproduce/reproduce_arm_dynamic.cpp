@@ -55,6 +55,7 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
         result.warnings.push_back(missing_geometry(settings, paper_arm()));
     if (!result.warnings.empty()) return result;
     const RobotTrial& trial = trials->front();
+    // All variants follow the same recording in parallel.
     const Result<std::vector<SignalFit>> fits = fit_all_signals(settings, paper_arm(), variants(settings.coarse), trial,
                                                                 progress);
     if (!fits) return fits.error();

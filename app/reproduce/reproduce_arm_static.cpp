@@ -106,6 +106,7 @@ Score predict(const FittedArm& arm, const std::vector<std::size_t>& known, const
     return {what, pressure_mbar, outside, predict_arm(arm, known, pressure_mbar), measured_m};
 }
 
+/// Fits a variant and predicts pressures left out: every second one, each one, and other recordings if `in_full`.
 Result<Assessment> assess(const std::shared_ptr<const TipResponse>& response, const ArmVariant& variant,
                           const std::vector<RobotTrial>& map, const std::vector<RobotTrial>& others, Instant instant,
                           bool in_full, const Progress& progress) {
@@ -141,6 +142,7 @@ Result<Assessment> assess(const std::shared_ptr<const TipResponse>& response, co
 /// Per variant, at both instants.
 using Assessments = std::vector<std::array<Result<Assessment>, 2>>;
 
+/// Bodies of all variants with their rest equilibrium.
 Result<std::vector<std::shared_ptr<const TipResponse>>> responses(const ReproduceSettings& settings,
                                                                   const std::vector<ArmVariant>& list,
                                                                   const Progress& progress) {
@@ -155,6 +157,7 @@ Result<std::vector<std::shared_ptr<const TipResponse>>> responses(const Reproduc
     return result;
 }
 
+/// Mean errors per variant and kind of test.
 report::Table errors_table(const std::vector<ArmVariant>& list, const Assessments& all) {
     report::Table table{
         "Mean error of the tip centre's displacement on pressures left out: |predicted - measured| / |measured|; the "
@@ -182,6 +185,7 @@ report::Table errors_table(const std::vector<ArmVariant>& list, const Assessment
     return table;
 }
 
+/// Fitted signals and their remaining distance, pose by pose.
 report::Table fits_table(const std::vector<ArmVariant>& list, const Assessments& all) {
     report::Table table{"Poses at the end of the records: signals, and where they leave the tip centre",
                         {{"model"},
@@ -220,6 +224,7 @@ void add_scores(report::Table& table, const std::string& kind, const std::vector
     }
 }
 
+/// Predictions of the chosen variant for pressures of the map that were left out.
 report::Table predictions_table(const Assessment& early, const Assessment& late) {
     report::Table table{early.arm.variant.name + ": predictions, at the end of the records and 0.7 s after the onset",
                         {{"left out"},
@@ -248,6 +253,7 @@ double creep(const RobotTrial& trial, double until_s) {
     return most / then - 1.0;
 }
 
+/// Predictions of the chosen variant for recordings outside the map.
 report::Table others_table(const Assessment& early, const Assessment& late, const std::vector<RobotTrial>& others,
                            double as_long_s) {
     report::Table table{early.arm.variant.name + ": recordings that are not of the map, at 0.7 s and at " +
@@ -275,6 +281,7 @@ report::Table others_table(const Assessment& early, const Assessment& late, cons
     return table;
 }
 
+/// Predictions on a regular grid of pressures.
 report::Json grid_json(const Assessment& early, const Assessment& late) {
     report::Json rows = report::Json::array();
     for (std::size_t k = 0; k < late.grid.size(); ++k) {
@@ -291,6 +298,7 @@ report::Json grid_json(const Assessment& early, const Assessment& late) {
     return rows;
 }
 
+/// Map from pressure to the signal of muscle 1, all variants.
 std::string map_figure(const std::vector<ArmVariant>& list, const Assessments& all) {
     report::LineChart chart{.title = "Activation of muscle 1 over pressure",
                             .x = {.label = "pressure", .unit = "mbar", .lowest = 0.0},
@@ -322,6 +330,7 @@ std::string map_figure(const std::vector<ArmVariant>& list, const Assessments& a
     return report::svg(chart);
 }
 
+/// Mean errors as bars.
 std::string error_figure(const std::vector<ArmVariant>& list, const Assessments& all) {
     report::BarChart chart{.title = "Error on pressures left out",
                            .categories = {},
@@ -335,6 +344,7 @@ std::string error_figure(const std::vector<ArmVariant>& list, const Assessments&
     return report::svg(chart);
 }
 
+/// Tip coordinates over pressure, each predicted without its own recording.
 std::string pose_figure(const Assessments& all) {
     const Assessment &published = *all[1][1], &own = *all[chosen_variant][1];
     report::LineChart chart{
@@ -381,6 +391,7 @@ Reproduction response_only(const std::vector<ArmVariant>& list,
     return result;
 }
 
+/// All variants at both instants, in parallel.
 Result<Assessments> assess_all(const ReproduceSettings& settings, const std::vector<ArmVariant>& list,
                                const std::vector<std::shared_ptr<const TipResponse>>& bodies,
                                const std::vector<RobotTrial>& map, const std::vector<RobotTrial>& others,
@@ -401,6 +412,7 @@ Result<Assessments> assess_all(const ReproduceSettings& settings, const std::vec
 
 std::string percent(double share) { return format_number(100.0 * share, 3) + " %"; }
 
+/// The results in sentences.
 std::vector<std::string> findings_of(const Assessments& all) {
     const auto error = [&](std::size_t v, std::size_t k) { return mean_error(all[v][k]->every_second); };
     const Assessment &early = *all[chosen_variant][0], &late = *all[chosen_variant][1];
@@ -436,6 +448,7 @@ std::vector<std::string> findings_of(const Assessments& all) {
     return findings;
 }
 
+/// The case: data, fits, predictions, tables and figures.
 Result<Reproduction> run(const ReproduceSettings& settings, const Progress& progress) {
     const Result<std::vector<RobotTrial>> sweep = read_arm_sweep(settings), steps = read_arm_steps(settings);
     if (!sweep) return sweep.error();

@@ -114,6 +114,7 @@ struct ModulusFit {
     std::vector<double> path_Pa;  // one value per simulation
 };
 
+/// One fit from one start, in the compliance.
 Result<ModulusFit> fit_modulus(const StaticFit& problem, double start_Pa, const Progress& progress) {
     const inverse::Parameter compliance{.name = "compliance_1_Pa",
                                         .value = 1.0 / start_Pa,
@@ -167,6 +168,7 @@ struct Summary {
     int starts = 0;
 };
 
+/// Agreement over the starts of a target.
 Summary summarise(const std::vector<Job>& jobs, std::size_t target) {
     Summary result;
     double lowest = 0.0, highest = 0.0;
@@ -191,6 +193,7 @@ struct Targets {
     std::size_t repeated = 0;
 };
 
+/// Targets: commercial solver, mean of the recordings (our model and as published), each recording alone.
 Targets make_targets(const std::vector<BeamTrial>& trials, bool coarse) {
     PaperBeam own;
     own.cells = coarse ? Eigen::Vector3i(10, 3, 3) : Eigen::Vector3i(32, 9, 9);
@@ -213,6 +216,7 @@ Targets make_targets(const std::vector<BeamTrial>& trials, bool coarse) {
     return targets;
 }
 
+/// Modulus over the simulations of each fit.
 std::string path_figure(const std::vector<Job>& jobs, std::size_t target, const std::string& title) {
     report::ChartPanel panel{
         .y = {.label = "Young's modulus", .unit = "Pa", .logarithmic = true}, .series = {}, .height_px = 300.0};
@@ -229,6 +233,7 @@ std::string path_figure(const std::vector<Job>& jobs, std::size_t target, const 
     return report::svg(report::LineChart{.title = title, .x = {.label = "simulation"}, .panels = {panel}});
 }
 
+/// All fits in parallel.
 Result<std::vector<Job>> fit_all(const Targets& targets, const ReproduceSettings& settings, const Progress& progress) {
     std::vector<StaticFit> problems;
     for (const Target& target : targets.all) problems.emplace_back(target);
@@ -290,6 +295,7 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
                                       std::to_string(s.simulations) + " simulations each.");
     }
     if (!trials->empty()) {
+        // The difference of the two models on the same data is the model error that the published modulus contains.
         const double own = summarise(*jobs, 1).mean_Pa, published = summarise(*jobs, 2).mean_Pa;
         result.findings.push_back(
             "Fitted to the same recordings, the formulation as published gives " + format_number(published) + " Pa, " +

@@ -51,6 +51,7 @@ std::vector<StaticCase> static_cases(bool coarse) {
 enum Step : std::size_t { published, true_mass, true_size, no_locking, standard_energy, step_count };
 constexpr const char* step_names[] = {"as published", "true mass", "true size", "no locking", "our model"};
 
+/// Model of a case after the corrections up to `step`.
 PaperBeam beam_at(const StaticCase& one, std::size_t step) {
     PaperBeam beam;
     if (one.hexahedra) {
@@ -91,6 +92,7 @@ Result<double> left_dz_mm(const model::Model& model) {
     return 1e3 * beam_point_displacements(bind_beam_points(model), *x - model.body->mesh.nodes)(2, left_marker);
 }
 
+/// All cases with all corrections, in parallel.
 Result<std::vector<StaticRow>> solve_all(const ReproduceSettings& settings, const Progress& progress) {
     std::vector<StaticRow> rows;
     for (const StaticCase& one : static_cases(settings.coarse)) rows.push_back({.one = one});
@@ -140,6 +142,7 @@ double measured_dz_mm(const std::vector<BeamTrial>& trials, double force_N) {
     return count > 0 ? sum / count : std::nan("");
 }
 
+/// Deflection after each correction.
 report::Table step_table(const std::vector<StaticRow>& rows, const std::vector<BeamTrial>& trials) {
     report::Table table{"dz of Left at rest, one correction after the other",
                         {{"case"}, {"mesh"}, {"DOF", "", 6}, {"force", "N", 4}, {"mass as published", "%", 3}},
@@ -183,6 +186,7 @@ report::Table share_table(const std::vector<StaticRow>& rows) {
     return table;
 }
 
+/// The recordings in static equilibrium.
 report::Table trial_table(const std::vector<BeamTrial>& trials) {
     report::Table table{
         "The real beam at rest: displacement from the held pose, mean of the last fifth of each recording",
@@ -200,6 +204,7 @@ report::Table trial_table(const std::vector<BeamTrial>& trials) {
     return table;
 }
 
+/// Deflections as bars.
 std::string step_figure(const std::vector<StaticRow>& rows, const std::vector<BeamTrial>& trials) {
     report::BarChart chart{.title = "Sinking of the tip, case by case",
                            .categories = {},
@@ -227,6 +232,7 @@ const StaticRow& row_of(const std::vector<StaticRow>& rows, bool hexahedra, cons
     });
 }
 
+/// The results in sentences.
 std::vector<std::string> findings_of(const std::vector<StaticRow>& rows) {
     const auto mm = [](double value) { return format_number(value, 3) + " mm"; };
     const StaticRow &hex_a = row_of(rows, true, "A-1"), &tet_a = row_of(rows, false, "A-1"),

@@ -57,6 +57,7 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
         return report::in_mm(fit.rms_m(0)) + ", " + report::in_mm(fit.rms_m(1)) + ", " + report::in_mm(fit.rms_m(2)) +
                " mm rms in x, y, z";
     };
+    // Order of variants().
     const SignalFit &published = (*fits)[0], &tied = (*fits)[1], &both = (*fits)[2];
     result.findings = {"On a way of " + report::in_mm(tied.measured_m.colwise().norm().maxCoeff()) +
                            " mm the tied muscles follow with " + said(tied) + " in our model and " + said(published) +

@@ -69,6 +69,7 @@ struct LambdaRow {
     double critical_amplitude = 0.0;  // the release keeps its amplitude
 };
 
+/// Decay rate of a release with implicit Euler and this Lambda.
 Result<double> rate_with(const RingingBeam& beam, double h, double lambda, const Progress& progress) {
     const Result<RungBeam> run = ring(
         beam, {.scheme = dynamics::Integrator::implicit_euler, .h_s = h, .velocity_force_1_s = lambda, .end_s = 0.9},
@@ -77,6 +78,7 @@ Result<double> rate_with(const RingingBeam& beam, double h, double lambda, const
     return run->vibration.rate_1_s;
 }
 
+/// All values for one beam and one time step.
 Result<LambdaRow> lambda_row(const RingingBeam& beam, double h, const Progress& progress) {
     const double omega = beam.mode.omega_rad_s;
     LambdaRow row{0.0, linear_lambda(omega, h, envelope_rate),
@@ -136,6 +138,7 @@ Result<void> at_all_steps(const ReproduceSettings& settings, const Progress& pro
     return {};
 }
 
+/// All time steps of one beam.
 Result<std::vector<LambdaRow>> all_rows(const RingingBeam& beam, const std::string& name,
                                         const ReproduceSettings& settings, const Progress& progress) {
     std::vector<LambdaRow> rows(step_count);
@@ -149,6 +152,7 @@ Result<std::vector<LambdaRow>> all_rows(const RingingBeam& beam, const std::stri
     return rows;
 }
 
+/// Damping fitted at 10 ms, and the decay at all steps.
 Result<BetterWay> better_way(const RingingBeam& beam, double lambda_of_ten_ms, const ReproduceSettings& settings,
                              const Progress& progress) {
     const auto damped = [&](double h, double damping_s) {
@@ -183,6 +187,7 @@ Result<BetterWay> better_way(const RingingBeam& beam, double lambda_of_ten_ms, c
     return way;
 }
 
+/// Our beam and the published one.
 Result<Work> simulate_all(const ReproduceSettings& settings, const Progress& progress) {
     PaperBeam own;
     if (settings.coarse) own.cells = {7, 2, 2};
@@ -200,6 +205,7 @@ Result<Work> simulate_all(const ReproduceSettings& settings, const Progress& pro
     return Work{std::move(*honest), std::move(*published), *own_rows, *published_rows, *better};
 }
 
+/// Fitted and critical Lambda of our beam.
 report::Table own_table(const std::vector<LambdaRow>& rows, const std::string& caption) {
     report::Table table{caption,
                         {{"h", "ms", 3},
@@ -215,6 +221,7 @@ report::Table own_table(const std::vector<LambdaRow>& rows, const std::string& c
     return table;
 }
 
+/// Fitted and critical Lambda of the published beam, in the published unit.
 report::Table published_table(const std::vector<LambdaRow>& rows, double factor_kg) {
     report::Table table{"The beam as published, in the published unit: times 2 vertex masses (" +
                             format_number(1e3 * factor_kg, 4) + " g), as the force acted on every second vertex",
@@ -234,6 +241,7 @@ report::Table published_table(const std::vector<LambdaRow>& rows, double factor_
     return table;
 }
 
+/// Decay at each step with parameters fitted once.
 report::Table better_table(const BetterWay& way) {
     report::Table table{"Decay at every step with a number that was found once, at 10 ms; wanted: " +
                             format_number(envelope_rate, 4) + " 1/s",
@@ -248,6 +256,7 @@ report::Table better_table(const BetterWay& way) {
     return table;
 }
 
+/// Lambda over the time step.
 std::string lambda_figure(const Work& work, double factor_kg) {
     report::Series fitted{.name = "fitted, as published, ours"}, critical{.name = "critical, as published, ours"};
     report::Series paper_fitted{.name = "fitted, the paper", .style = report::SeriesStyle::dots},

@@ -33,6 +33,7 @@ struct Setup {
     }
 };
 
+/// Releases of our beam and the published one with implicit Euler, and of our beam with TR-BDF2.
 Result<std::vector<Setup>> simulate_all(const ReproduceSettings& settings, const Progress& progress) {
     PaperBeam own;
     if (settings.coarse) own.cells = {7, 2, 2};
@@ -59,6 +60,7 @@ Result<std::vector<Setup>> simulate_all(const ReproduceSettings& settings, const
     return studies;
 }
 
+/// Damping ratios per time step, simulated and by the formula.
 report::Table ratio_table(const std::vector<Setup>& studies) {
     report::Table table{"Damping ratio of the first vibration over the time step, nothing in the model damps",
                         {{"h", "ms", 3},
@@ -78,6 +80,7 @@ report::Table ratio_table(const std::vector<Setup>& studies) {
     return table;
 }
 
+/// Damping ratio over the time step.
 std::string ratio_figure(const std::vector<Setup>& studies, double measured) {
     report::Series formula{.name = "the paper's formula, our beam"},
         published_formula{.name = "the same, as published", .style = report::SeriesStyle::dashed},
@@ -111,6 +114,7 @@ std::string ratio_figure(const std::vector<Setup>& studies, double measured) {
                                          .panels = {panel}});
 }
 
+// First second of the Left marker.
 report::Series left_series(const std::string& name, const Eigen::VectorXd& t, const Eigen::VectorXd& dz) {
     report::Series series{.name = name};
     for (Eigen::Index k = 0; k < t.size(); ++k)

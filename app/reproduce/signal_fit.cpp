@@ -22,6 +22,7 @@ using Eigen::Vector3d;
 constexpr double step_s = 0.01;  // of the recordings, and of the paper
 constexpr double least_smoothness_m_s = 2e-5;
 
+/// Unknown signals of a variant; as published they are piecewise constant.
 inverse::SoughtSignals sought_signals(const SignalVariant& variant, double end_s) {
     inverse::SoughtSignals sought;
     sought.groups = variant.configuration.muscles;
@@ -72,6 +73,7 @@ Result<MatrixXd> start_values(const TipResponse& response, const inverse::Sought
     return values;
 }
 
+/// Largest jump, rate and range of the activations, and values at bounds.
 void measure_smoothness(SignalFit& result) {
     for (const fibre::Signal& signal : result.activation) {
         const auto [low, high] = std::minmax_element(signal.values.begin(), signal.values.end());
@@ -135,6 +137,7 @@ Result<SignalFit> fit_signals(const ReproduceSettings& settings, const MuscleRob
     const measurement::MarkerTracks tracks = measurement::observe(result.fit.best.motion, body->points, result.times_s),
                                     origin = measurement::observe(result.fit.best.motion, body->points,
                                                                   Eigen::VectorXd::Zero(1));
+    // Displacements from the equilibrium at t = 0, rotated back to the frame of the robot.
     result.simulated_m = to_robot * (tracks.positions[0].colwise() - Vector3d(origin.positions[0].col(0)));
     result.rms_m = (result.simulated_m - result.measured_m).rowwise().squaredNorm().cwiseSqrt() /
                    std::sqrt(static_cast<double>(result.times_s.size()));

@@ -37,7 +37,8 @@ struct SignalFit {
 ///
 /// As published: held from knot to knot, implicit Euler, x and z. Otherwise linear between knots, TR-BDF2, and x, y, z,
 /// with bending in the plane of the recording's final pose. Smoothness, see ActuationProblem, is weighted with the
-/// noise of the recording, at least 0.02 mm s. Errors: geometry, a run that failed; "stopped".
+/// noise of the recording, at least 0.02 mm s.
+/// Errors: geometry, a run that failed; "stopped".
 Result<SignalFit> fit_signals(const ReproduceSettings& settings, const MuscleRobot& robot, const SignalVariant& variant,
                               const RobotTrial& trial, const Progress& progress);
 

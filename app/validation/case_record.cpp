@@ -23,6 +23,7 @@ VectorXd as_vector(const effect::EffectParameter& value) {
     return {};
 }
 
+// JSON has no NaN; it is stored as null.
 double number_or_nan(const report::Json& json) {
     return json.is_number() ? json.get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
@@ -66,6 +67,7 @@ std::vector<ParameterError> parameter_errors(const effect::EffectDeclaration& tr
 }
 
 CaseRecord judged_case(const MadeExperiment& made, const setup::Setup& setup, const diagnosis::Diagnosis& d) {
+    // Starts as a failed case: without a complete diagnosis it remains one.
     CaseRecord record = failed_case(made.truth, d.failure);
     record.level = made.level;
     record.make_s = made.seconds;
@@ -89,6 +91,7 @@ CaseRecord judged_case(const MadeExperiment& made, const setup::Setup& setup, co
     }
     std::sort(record.group.begin(), record.group.end());
     record.group.erase(std::unique(record.group.begin(), record.group.end()), record.group.end());
+    // Parameters are only comparable if the effect is right.
     if (record.kind == CaseKind::named && !d.verdict.effects.empty() && d.verdict.effects.front().id == record.truth)
         record.errors = parameter_errors(*made.truth.effect, d.verdict.effects.front());
     record.before_over_noise = d.before.validation_rms_m / made.truth.noise_m;

@@ -23,11 +23,11 @@ struct CaseRecord {
     CaseKind kind = CaseKind::none;
     std::string family;
     bool muscles = false;
-    std::string truth;   // id; "none"  // id of the effect; "none"
+    std::string truth;   // id of the effect; "none"
     double level = 0.0;  // size of the effect, in noise levels
     report::Json truth_parameters = report::Json::object();
-    std::vector<std::string>
-        answer;  // ids asserted, "none" or "unknown" alone  // ids asserted; or "none" or "unknown" alone
+    /// Ids of the asserted effects; or "none" or "unknown" alone.
+    std::vector<std::string> answer;
     report::Json answer_parameters = report::Json::object();  // of the first asserted effect
     std::vector<std::string> ranking;                         // first five entries
     double confidence = 0.0;                                  // stated by the verdict, 0 ... 1
@@ -53,9 +53,15 @@ struct CaseRecord {
 };
 
 /// Compares a diagnosis with the truth.
+///
+/// @param made       the experiment with its true effect and level
+/// @param setup      as the diagnosis received it, read from the folder
+/// @return           a failed case if the diagnosis is not complete
 CaseRecord judged_case(const MadeExperiment& made, const setup::Setup& setup, const diagnosis::Diagnosis& diagnosis);
 
 /// Record of a case that could not be made or diagnosed.
+///
+/// @param failure  reason, a sentence for the report
 CaseRecord failed_case(const SyntheticCase& drawn, const std::string& failure);
 
 /// JSON form of a record.
@@ -64,6 +70,9 @@ report::Json record_json(const CaseRecord& record);
 Result<CaseRecord> record_from_json(const report::Json& json);
 
 /// Errors of an effect's parameters; names are skipped. A tilt counts as the vector along its axis.
+///
+/// @param truth  the true effect
+/// @param found  the same effect as fitted
 std::vector<ParameterError> parameter_errors(const effect::EffectDeclaration& truth,
                                              const effect::EffectDeclaration& found);
 

@@ -128,6 +128,7 @@ Result<setup::Setup> settled_mesh(const SyntheticCase& c, const setup::Setup& pr
         const std::vector<double> now = frequencies_rad_s(prediction::trial_model(*setup, 0, true_values(c, *setup)));
         if (now.empty()) return Error{"the truth has no first vibration", c.name()};
         truth.frequency_Hz = now.front() / (2.0 * std::numbers::pi);
+        // Converged if refinement by two layers changes no frequency by more than the policy allows.
         truth.frequency_change = change_of(now, before);
         if (truth.frequency_change < p.most_change) {
             // If the change is tiny the coarser mesh suffices, with the modulus that corrects its frequency.
@@ -158,6 +159,7 @@ Result<ConvergedTruth> converged_truth(const SyntheticCase& c, const experiment:
     values.youngs_modulus_Pa *= truth.modulus_factor;
     for (setup::PreparedTrial& trial : setup->trials)
         setup::set_step(trial, step_within(trial, 1.0 / (p.steps_per_period * truth.frequency_Hz)));
+    // The step is halved until the extrapolation changes the path by less than the policy allows.
     Result<Motions> coarse = motions(*setup, values, 1.0, silent);
     if (!coarse) return coarse.error();
     double part = 1.0;

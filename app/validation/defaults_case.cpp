@@ -52,6 +52,7 @@ SyntheticBody shaped_body(const Shape& shape, double length, double thickness, d
         for (Eigen::Index i = 0; i < body.surface.vertices.cols(); ++i)
             body.surface.vertices.col(i) = body.tapered(body.surface.vertices.col(i));
     }
+    // Boxes extend beyond the body, so that rounding does not exclude nodes of the face.
     const double beyond = 0.05 * thickness, face = 0.005 * length;
     body.clamp = {body.bounds.lowest - Vector3d::Constant(beyond), body.bounds.highest + Vector3d::Constant(beyond)};
     body.end = body.clamp;
@@ -68,9 +69,8 @@ struct Cantilever {
 
     double bending_stiffness() const { return E * width * std::pow(thickness, 3) / 12.0; }
     double weight_N() const { return rho * gravity_m_s2 * length * thickness * width; }
-    double sag() const {
-        return weight_N() * std::pow(length, 2) / (8.0 * bending_stiffness());
-    }  // under its weight, relative to the length
+    /// Deflection under the own weight over the length.
+    double sag() const { return weight_N() * std::pow(length, 2) / (8.0 * bending_stiffness()); }
     double end_force_N(double share) const { return 3.0 * bending_stiffness() * share / std::pow(length, 2); }
     /// Weight over the buckling load of a column under its own weight (Greenhill): q L^3 = 7.837 EI.
     double column_load() const { return weight_N() * std::pow(length, 2) / (7.837 * bending_stiffness()); }
@@ -152,6 +152,7 @@ bool draw_experiment(DefaultsCase& d, RandomStream& random) {
     if (shape.upright && !hangs && beam.column_load() > p.most_column_load) return false;
     if (!shape.upright && beam.sag() > p.most_sag) return false;
     c.rate_Hz = rounded(random.log_uniform(p.least_rate_Hz, p.most_rate_Hz));
+    // A few periods, but enough samples for a slow camera and not too many of a fast one.
     double end_s = random.uniform(p.least_periods, p.most_periods) / d.frequency_Hz;
     end_s = std::min(std::max(end_s, p.least_samples / c.rate_Hz), p.most_samples / c.rate_Hz);
     const double periods = end_s * d.frequency_Hz;
@@ -161,6 +162,7 @@ bool draw_experiment(DefaultsCase& d, RandomStream& random) {
     c.body = shaped_body(shape, beam.length, beam.thickness, beam.width, random);
     if (shape.upright) c.gravity_m_s2 = Vector3d(hangs ? gravity_m_s2 : -gravity_m_s2, 0.0, 0.0);
     c.material.youngs_modulus_Pa = beam.E;
+    // The declared modulus is a guess within the tolerance of 30 %.
     c.material.declared_modulus_Pa = rounded(beam.E * random.uniform(0.8, 1.25));
     c.material.poissons_ratio = drawn_ratio(random);
     c.material.density_kg_m3 = beam.rho;
@@ -170,12 +172,13 @@ bool draw_experiment(DefaultsCase& d, RandomStream& random) {
     c.markers = drawn_markers(c.body, 3 + random.below(4), random);
     c.trials = {drawn_trial(c, beam, end_s, shape.upright, random)};
     if (!shape.upright && random.chance(p.muscles)) add_muscles(c, random);
+    // Noise relative to the amplitude, as a camera is chosen for the motion.
     const double swing = c.trials.front().loads.empty() ? beam.sag() : p.least_swing;
     c.noise_m = rounded(random.log_uniform(p.least_noise, p.most_noise) * swing * beam.length);
     return true;
 }
 
-/// Every third case has a slip, in the order of the catalogue.
+/// Every third case has a declaration error, in the order of the catalogue.
 const Slip* slip_of(int number) {
     constexpr int round = static_cast<int>(1.0 / defaults_policy.slips + 0.5);
     if (number % round != round - 1) return nullptr;
@@ -186,8 +189,9 @@ const Slip* slip_of(int number) {
 
 DefaultsCase drawn_defaults_case(std::uint64_t seed, int number) {
     DefaultsCase d;
+    // The declaration error depends on the number only.
     const Slip* const slip = slip_of(number);
-    // Rejection sampling: draws until the experiment is plausible and the slip applies to it.
+    // Rejection sampling: draws until the experiment is plausible and the declaration error applies to it.
     for (std::uint64_t attempt = 0;; ++attempt) {
         d = {};
         RandomStream random{seed, the_body, static_cast<std::uint64_t>(number), attempt};

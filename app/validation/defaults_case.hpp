@@ -8,7 +8,8 @@
 
 namespace myo::validation {
 
-/// Ranges from which experiments are drawn that test the defaults.
+/// Ranges from which experiments are drawn that test the defaults. Quantities with a unit are in SI; all others are
+/// ratios.
 struct DefaultsPolicy {
     double least_length_m = 2e-3, most_length_m = 0.5;
     double least_modulus_Pa = 5e3, most_modulus_Pa = 50e6;
@@ -22,7 +23,7 @@ struct DefaultsPolicy {
     double least_noise = 0.003, most_noise = 0.02;  // over the deflection
     double least_damping_ratio = 0.01, most_damping_ratio = 0.1;
     double muscles = 0.15;     // share of experiments with two antagonists
-    double slips = 1.0 / 3.0;  // share of experiments with a slip
+    double slips = 1.0 / 3.0;  // share of experiments with a declaration error
 };
 inline constexpr DefaultsPolicy defaults_policy;
 
@@ -35,6 +36,8 @@ struct DefaultsCase {
 };
 
 /// Case `number` of a validation with this seed; independent of count, order and number of processes.
+///
+/// The declaration error depends on `number`; body, material, camera and trials on seed and number.
 DefaultsCase drawn_defaults_case(std::uint64_t seed, int number);
 
 }  // namespace myo::validation

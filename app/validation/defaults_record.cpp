@@ -35,6 +35,7 @@ bool all_right(const DefaultsRecord& record) {
            });
 }
 
+// An undetermined standard deviation is null.
 report::Json numbers_json(const std::vector<FittedNumber>& numbers) {
     report::Json list = report::Json::array();
     for (const FittedNumber& n : numbers)

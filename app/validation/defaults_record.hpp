@@ -58,10 +58,10 @@ struct DefaultsJudgement {
 };
 inline constexpr DefaultsJudgement defaults_judgement;
 
-/// Whether a value lies within the tolerances.
+/// Whether a value lies within the tolerances of defaults_judgement.
 bool is_right(const FittedNumber& number);
 
-/// Judgement of a record.
+/// Class of a record.
 enum class DefaultsAnswer {
     right,          // all numbers are right, or those undetermined are reported
     cause_named,    // a number is wrong, or nothing was fitted, and the true cause is named
@@ -71,7 +71,10 @@ enum class DefaultsAnswer {
 };
 /// Readable name.
 std::string to_string(DefaultsAnswer answer);
-/// Judges a record; the causes that count are those of its slip.
+/// Class of a record.
+///
+/// The causes that count are the checks of its declaration error (Slip::checks); a rejected experiment counts as
+/// cause_named if the message contains Slip::refusal.
 DefaultsAnswer judged(const DefaultsRecord& record);
 
 /// Whether a correct experiment with right numbers has an unjustified remark, or was rejected.

@@ -46,11 +46,13 @@ std::string remark_words(const DefaultsRecord& r) {
     return join(words, ", ");
 }
 
+// Refusal, failure and remarks of a case in one phrase.
 std::string what_was_said(const DefaultsRecord& r) {
     if (!r.refusal.empty()) return "refused: " + r.refusal;
     return (r.failure.empty() ? "" : "failed: " + r.failure + "; ") + remark_words(r);
 }
 
+/// Rates with one-sided confidence bounds, in total, by declaration error and by shape.
 report::Table rate_table(const DefaultsSummary& s) {
     report::Table table{"Bounds are one-sided at 95 % (Clopper and Pearson).",
                         {{"What"}, {"Cases"}, {"Of"}, {"Share", "%", 3}, {"At least", "%", 3}, {"At most", "%", 3}},
@@ -67,6 +69,7 @@ report::Table rate_table(const DefaultsSummary& s) {
     return table;
 }
 
+/// Cases that are not right, and false alarms.
 report::Table case_table(const std::vector<DefaultsRecord>& records) {
     report::Table table{"Cases that are not right, and false alarms.",
                         {{"Case"}, {"Experiment"}, {"Slip"}, {"Answer"}, {"Errors"}, {"Said"}},
@@ -100,6 +103,7 @@ DefaultsSummary defaults_summary(const std::vector<DefaultsRecord>& records) {
         s.by_slip[r.slip.empty() ? "none" : r.slip].add(right);
         s.by_shape[r.shape].add(right);
         if (r.fit_s > 0.0) fit_s.push_back(r.fit_s);
+        // The remaining statistics need a correct declaration.
         if (!r.slip.empty()) continue;
         s.false_alarms.add(is_false_alarm(r));
         const bool was_right = all_tell_the_truth(r.with_half_interval);

@@ -16,12 +16,14 @@ struct DefaultsSummary {
     std::map<DefaultsAnswer, int> answers;
     Proportion right;         // right numbers or the true cause named, of all answered cases
     Proportion silent;        // wrong without any remark, of all answered cases
-    Proportion false_alarms;  // of cases without a slip
-    std::map<std::string, Proportion> by_slip,
-        by_shape;                    // right; "none": without a slip  // right; key "none": without a slip
-    Proportion half_interval_right;  // right numbers with half a sampling interval as step, of cases without a slip
-    std::map<std::string, double>
-        normalised_rms;  // per parameter: rms of error over standard deviation, cases without a slip
+    Proportion false_alarms;  // of cases with a correct declaration
+    /// Right answers by declaration error and by body; key "none": correct declaration.
+    std::map<std::string, Proportion> by_slip, by_shape;
+    /// Right numbers with half a sampling interval as step, of cases with a correct declaration.
+    Proportion half_interval_right;
+    /// Per parameter: rms of error over standard deviation, cases with a correct declaration. One if the stated
+    /// deviations are realistic.
+    std::map<std::string, double> normalised_rms;
     /// Time of a fit over that with half a sampling interval, where the latter was right.
     double median_time_ratio = 0.0;
     Proportion twice_the_time_at_most;
@@ -39,7 +41,9 @@ std::string summary_text(const DefaultsSummary& summary);
 /// The same numbers as JSON.
 report::Json summary_json(const DefaultsSummary& summary);
 
-/// HTML report: rates, slips, and the cases that were not right.
+/// HTML report: rates, declaration errors, and the cases that were not right.
+///
+/// @param command_line  printed in the report, so that it can be repeated
 report::HtmlReport defaults_report(const std::vector<DefaultsRecord>& records, const std::string& command_line);
 
 }  // namespace myo::validation

@@ -60,6 +60,7 @@ Result<ConvergedTruth> write_case(const DefaultsCase& d, const std::filesystem::
     if (!experiment) return experiment.error();
     Result<ConvergedTruth> truth = converged_truth(d.truth, *experiment, progress);
     if (!truth) return truth;
+    // The declared experiment replaces the true one; the motions stay true.
     if (const Result<void> written = write_still_experiment(d.declared, folder); !written) return written.error();
     if (const Result<void> written = write_traces(d.declared, truth->positions_m, folder); !written)
         return written.error();
@@ -72,6 +73,7 @@ Result<ConvergedTruth> write_case(const DefaultsCase& d, const std::filesystem::
     return truth;
 }
 
+// Modulus and damping only: the other unknowns have no counterpart in the truth.
 std::vector<FittedNumber> fitted_numbers(const DefaultsCase& d, const calibration::Calibration& calibration) {
     std::vector<FittedNumber> numbers;
     for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
@@ -104,6 +106,7 @@ void fit_with_defaults(const DefaultsCase& d, const experiment::Experiment& expe
     }
     r.dofs = setup->body->dofs();
     check::choose_declared_steps(*setup, check::findings_on_units(*setup), progress);
+    // The sequence of `myoloop calibrate`: units, steps, checks, fit, checks.
     const std::vector<check::Finding> before = check::check_before(*setup);
     const calibration::Calibration calibration = calibration::calibrate_with_chosen_steps(*setup, {}, progress);
     r.fit_s = watch.seconds();
@@ -118,6 +121,7 @@ void fit_with_defaults(const DefaultsCase& d, const experiment::Experiment& expe
     if (!calibration.fit.converged()) r.failure = calibration.fit.message;
 }
 
+/// The former default: fixed steps of half a sampling interval.
 void fit_with_half_interval(const DefaultsCase& d, const experiment::Experiment& experiment, const Progress& progress,
                             DefaultsRecord& r) {
     const Stopwatch watch;

@@ -9,7 +9,7 @@
 
 namespace myo::validation {
 
-/// Validation of the defaults: experiments of all sizes, moduli and cameras, a third of them with a slip.
+/// Validation of the defaults: experiments of all sizes, moduli and cameras, a third of them with a declaration error.
 struct DefaultsValidationOptions {
     std::uint64_t seed = 1;
     CaseRange range;
@@ -30,7 +30,7 @@ Result<void> run_defaults_validation(const DefaultsValidationOptions& options, c
                                      const Progress& progress = {},
                                      const std::function<void(const DefaultsRecord&)>& done = {});
 
-/// All records of a folder. Errors: one cannot be read.
+/// All records of a folder, by case number. Errors: one cannot be read.
 Result<std::vector<DefaultsRecord>> defaults_records(const std::filesystem::path& out);
 
 }  // namespace myo::validation

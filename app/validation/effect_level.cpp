@@ -74,6 +74,7 @@ std::optional<effect::EffectDeclaration> visible_effect(const SyntheticCase& c, 
     const EffectDraw& draw = *find_effect_draw(c.effect->id);
     effect::EffectDeclaration effect = *c.effect;
     std::optional<EffectLevel::Level> found = levels.of(effect);
+    // An effect without amount is visible as it is, or the case is drawn again.
     if (draw.amount.empty()) {
         level = found ? levels.fitted(*found) : 0.0;
         return level > least_fitted ? std::optional(effect) : std::nullopt;

@@ -7,20 +7,23 @@
 
 namespace myo::validation {
 
-/// A plausible mistake in the declaration of an experiment.
+/// A plausible declaration error: what a user could write wrongly in experiment.toml or in a recording.
+///
+/// The truth stays as drawn; only the declaration or the written files change. A check of `myoloop calibrate` should
+/// name the cause, or the experiment should be rejected with a message about it.
 struct Slip {
     std::string id;
-    std::vector<std::string> checks;  // that name its cause
+    std::vector<std::string> checks;  // ids of the checks that name this cause
     std::string refusal;              // words of the message if the experiment may be rejected; empty: it is accepted
-    /// Whether it is a mistake in this experiment.
+    /// Whether it is an error in this experiment; a wrong start, for example, needs a visible sag.
     bool (*fits)(const SyntheticCase& truth);
-    /// Applies it to the declaration or to how files are written.
+    /// Introduces the error into `declared`, which starts as a copy of the truth.
     void (*make)(SyntheticCase& declared, RandomStream& random);
 };
 
-/// All slips; a new one is a line in slip.cpp.
+/// All declaration errors; a new one is a line in slip.cpp.
 const std::vector<Slip>& slips();
-/// The slip with this id, or null.
+/// The declaration error with this id, or null.
 const Slip* find_slip(const std::string& id);
 
 }  // namespace myo::validation

@@ -37,6 +37,7 @@ int turn_of(int number) {
     return named_in_round * round + place - (place < deleted_at ? 1 : 2);
 }
 
+// Bodies that bend by an antagonist pair along their length.
 bool may_have_muscles(BodyFamily family) { return family == BodyFamily::beam || family == BodyFamily::tail; }
 
 std::vector<BodyFamily> families_of(const CaseChoice& choice) {
@@ -219,6 +220,7 @@ std::vector<SyntheticTrial> drawn_trials(const SyntheticCase& c, const EffectNee
     // With muscles, the passive release provides a straight start.
     if (needs.straight_start && trials.front().start != experiment::StartState::straight)
         trials.front() = make.release();
+    // Trials are minutes apart, which matters for effects that drift during a session.
     double session_s = 0.0;
     for (SyntheticTrial& trial : trials) {
         trial.session_time_s = session_s;
@@ -229,6 +231,7 @@ std::vector<SyntheticTrial> drawn_trials(const SyntheticCase& c, const EffectNee
     return trials;
 }
 
+// Schemes with little numerical damping, each different from the default TR-BDF2.
 TruthScheme drawn_scheme(RandomStream& random) {
     switch (random.below(3)) {
         case 0: return {{dynamics::Integrator::trapezoidal}, 4};
@@ -271,6 +274,7 @@ SyntheticCase drawn_case(const CaseChoice& choice, int number, int attempt) {
     EffectNeeds needs;
     if (const EffectDraw* const draw = find_effect_draw(id)) needs = draw->needs;
     const BodyFamily family = drawn_family(choice, needs, random);
+    // Some cases have muscles that their effect does not need.
     const bool muscles = needs.muscles || (may_have_muscles(family) && !needs.hung_weight && random.chance(0.3));
     c.body = drawn_body(family, needs.deep_clamp, random);
     c.material = drawn_material(c.body, needs.known_damping || random.chance(0.25), random);
@@ -279,6 +283,7 @@ SyntheticCase drawn_case(const CaseChoice& choice, int number, int attempt) {
     c.noise_m = 1e-6 * std::round(1e6 * random.uniform(5e-5, 1.5e-4));
     c.noise_is_declared = random.chance(0.75);
     c.occluded = random.chance(0.2) ? random.uniform(0.02, 0.1) : 0.0;
+    // A quarter of the cases has an unknown registration, within the declared limits.
     c.registration_is_known = random.chance(0.75);
     if (!c.registration_is_known) {
         for (double& t : c.translation_m) t = random.uniform(-8e-4, 8e-4);
@@ -288,6 +293,7 @@ SyntheticCase drawn_case(const CaseChoice& choice, int number, int attempt) {
     c.truth = drawn_scheme(random);
     if (!id.empty()) {
         c.effect = drawn_effect(id, c, random);
+        // Within the range of least_level and most_level.
         c.wanted_level = random.log_uniform(3.5, 13.0);
     }
     c.seed = choice.seed;

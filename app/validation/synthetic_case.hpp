@@ -88,9 +88,9 @@ struct SyntheticCase {
     double rate_Hz = 100.0;
     Eigen::Vector3d gravity_m_s2{0.0, 0.0, -9.81};
     bool registration_is_known = true;
-    Eigen::Vector3d translation_m = Eigen::Vector3d::Zero(),
-                    rotation_rad = Eigen::Vector3d::Zero();  // true registration, mesh to camera frame
-    std::vector<SyntheticTrial> trials;                      // fit trials first
+    /// True registration, mesh to camera frame.
+    Eigen::Vector3d translation_m = Eigen::Vector3d::Zero(), rotation_rad = Eigen::Vector3d::Zero();
+    std::vector<SyntheticTrial> trials;  // fit trials first
     TruthScheme truth;
     std::optional<effect::EffectDeclaration> effect;  // empty for CaseKind::none
     double wanted_level = 0.0;                        // intended size of the effect at the markers, in noise levels

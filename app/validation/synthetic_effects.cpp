@@ -29,6 +29,7 @@ effect::EffectParameters place(const SyntheticCase& c, RandomStream& random) {
     return {{"position_m", VectorXd(outer_point(c, random))}};
 }
 
+/// A cable from a surface point to an anchor outside the body.
 effect::EffectParameters cable(const SyntheticCase& c, RandomStream& random) {
     const Vector3d at = outer_point(c, random);
     return {{"position_m", VectorXd(at)},
@@ -41,6 +42,7 @@ effect::EffectParameters level_axis(const SyntheticCase&, RandomStream& random) 
     return {{"axis", VectorXd(Vector3d(std::cos(angle), std::sin(angle), 0.0))}};
 }
 
+/// An offset across the body, in the first trial that starts straight.
 effect::EffectParameters held(const SyntheticCase& c, RandomStream& random) {
     const double angle = random.uniform(0.0, 2.0 * std::numbers::pi);
     for (const SyntheticTrial& trial : c.trials)
@@ -65,6 +67,7 @@ effect::EffectParameters gradient(const SyntheticCase&, RandomStream& random) {
     return {{"axis", random.chance(0.6) ? 0.0 : across(random)}};
 }
 
+/// A sphere on the axis of the body, with a radius below its thickness.
 effect::EffectParameters patch(const SyntheticCase& c, RandomStream& random) {
     const Vector3d size = c.body.bounds.size();
     Vector3d centre = c.body.bounds.lowest + 0.5 * size;
@@ -98,6 +101,7 @@ effect::EffectParameters slipped(const SyntheticCase& c, RandomStream& random) {
             {"trial", some_fit_trial(c, random)}};
 }
 
+/// Two different markers that exchange their labels at a time.
 effect::EffectParameters swapped(const SyntheticCase& c, RandomStream& random) {
     const int count = static_cast<int>(c.markers.size()), first = random.below(count),
               second = (first + 1 + random.below(count - 1)) % count;

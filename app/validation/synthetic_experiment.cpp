@@ -22,6 +22,7 @@ Result<MadeExperiment> visible_case(const CaseChoice& choice, int number, const 
         made.attempts = attempt + 1;
         std::error_code ignored;
         std::filesystem::remove_all(folder, ignored);
+        // Level and truth are computed from the declaration on disk, as a user would read it.
         if (const Result<void> written = write_still_experiment(made.truth, folder); !written) return written.error();
         const Result<experiment::Experiment> experiment = experiment::read_experiment(folder);
         if (!experiment) return experiment.error();
@@ -29,6 +30,7 @@ Result<MadeExperiment> visible_case(const CaseChoice& choice, int number, const 
         Result<setup::Setup> setup = setup::prepare_setup(*experiment, {}, progress.with_sink({}));
         if (!setup) return setup.error();
         const EffectLevel levels(made.truth, std::move(*setup), progress);
+        // Either the trials do not run without the effect, or no plausible amount is visible: another draw.
         if (!levels.ready()) continue;
         const std::optional<effect::EffectDeclaration> effect = visible_effect(made.truth, levels, made.level);
         if (!effect) continue;
@@ -50,6 +52,7 @@ Result<MadeExperiment> make_experiment(const CaseChoice& choice, int number, con
     const SyntheticCase& c = made->truth;
     const Result<experiment::Experiment> experiment = experiment::read_experiment(folder);
     if (!experiment) return experiment.error();
+    // The truth is simulated with its own cells, step and scheme.
     const Result<setup::Setup> setup = truth_setup(c, *experiment, progress.with_sink({}));
     if (!setup) return setup.error();
     made->truth_dofs = setup->body->dofs();

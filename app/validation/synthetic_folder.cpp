@@ -66,6 +66,7 @@ std::string trial_text(const SyntheticTrial& trial) {
     return text;
 }
 
+// Whole sampling intervals from t = 0 to the end of the trial.
 Eigen::VectorXd sample_times(const SyntheticCase& c, const SyntheticTrial& trial) {
     const auto count = static_cast<Index>(std::lround(trial.end_s * c.rate_Hz)) + 1;
     return Eigen::VectorXd::LinSpaced(count, 0.0, static_cast<double>(count - 1) / c.rate_Hz);
@@ -112,6 +113,7 @@ Result<void> write_actuation(const SyntheticCase& c, const SyntheticTrial& trial
         for (Index i = 0; i < table.time_s.size(); ++i)
             table.values(static_cast<Index>(m), i) = trial.activation[m].value(table.time_s(i));
     }
+    // Declaration error of the unit: times in ms if signal_unit_s is 1e-3.
     table.time_s /= trial.signal_unit_s;
     return measurement::write_actuation_csv(path, table);
 }
@@ -156,6 +158,7 @@ Result<void> write_traces(const SyntheticCase& c, const std::vector<std::vector<
     for (std::size_t t = 0; t < positions_m.size(); ++t) {
         const SyntheticTrial& trial = c.trials[t];
         measurement::Recording seen = seen_recording(c, trial, positions_m[t], random);
+        // Declaration error of the clock: the file does not start at t = 0.
         seen.time_s.array() += trial.clock_s;
         if (const Result<void> file = measurement::write_trace_csv(folder / (trial.name + ".csv"), seen); !file)
             return file;

@@ -86,6 +86,7 @@ Result<setup::Setup> truth_setup(const SyntheticCase& c, const experiment::Exper
     settings.spectral_radius = c.truth.scheme.rho_inf;
     settings.h_s = 1.0 / (c.rate_Hz * c.truth.steps_per_sample);
     settings.fine_element = c.effect && effect::any_varies_within_cells({*c.effect});
+    // Element and edge length by family; always different from the default of the diagnosis.
     const bool deep = c.body.held_m > 0.0;
     settings.mesh.element = deep ? fem::ElementKind::hex8_mean_dilatation : fem::ElementKind::tet10;
     if (deep)
@@ -107,6 +108,7 @@ prediction::ParameterValues true_values(const SyntheticCase& c, const setup::Set
     values.translation_m = c.translation_m;
     values.rotation_rad = c.rotation_rad;
     values.effects.clear();
+    // A slipped clamp is part of the mesh here, see as_held().
     if (c.effect && !is_slipped_clamp(c)) values.effects.push_back(*c.effect);
     return values;
 }

@@ -53,6 +53,7 @@ CaseRecord run_case(const ValidationOptions& options, int number, const std::fil
     if (!setup) return failed_case(c, setup.error().text());
     diagnosis::DiagnoseSettings settings = options.diagnose;
     settings.fits = folder / "fits.json";  // lets an interrupted case continue
+    // A deleted effect is withheld from the diagnosis; the right answer is then "unknown".
     if (c.kind == CaseKind::deleted) settings.without.push_back(c.effect->id);
     const diagnosis::Diagnosis diagnosis = diagnosis::diagnose(*setup, settings, silent);
     if (progress.cancelled()) return failed_case(c, cancelled_words);

@@ -16,7 +16,8 @@ struct ValidationOptions {
     diagnosis::DiagnoseSettings diagnose;  // `without` and `fits` are set per case
 };
 
-/// Makes the experiment of a case in `folder`, reads and diagnoses it like any other, and judges the answer.
+/// Makes the experiment of a case in `folder`, reads and diagnoses it like any other, and compares the answer with the
+/// truth.
 ///
 /// The folder also receives truth.json, which no reader uses, and report.json of the diagnosis.
 /// Errors: none; see CaseRecord::failure, "cancelled" after cancellation.

@@ -56,6 +56,7 @@ Result<std::vector<report::Json>> ValidationFolder::records() const {
         if (!json.is_object() || !json.contains("case") || !json.at("case").is_number_integer())
             return Error{"is not the record of a case", file.string() + ":" + std::to_string(count)};
         const int number = json.at("case").get<int>();
+        // A repeated number replaces the earlier record.
         by_number[number] = std::move(json);
     }
     for (auto& [number, record] : by_number) records.push_back(std::move(record));
@@ -75,6 +76,7 @@ Result<void> ValidationFolder::run(const CaseRange& range, const std::function<r
     std::set<int> finished;
     for (const report::Json& record : *there) finished.insert(record.at("case").get<int>());
     std::vector<int> numbers;
+    // Shares interleave, so that processes started together finish together.
     for (int number = range.first; number < range.first + range.cases; ++number)
         if (number % range.shares == range.share && finished.count(number) == 0) numbers.push_back(number);
 

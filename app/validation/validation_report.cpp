@@ -23,6 +23,7 @@ report::KeyFigure key_figure(const std::string& label, const Proportion& p, bool
                 (from_below ? ", at least " + percent(p.lower()) : ", at most " + percent(p.upper())) + " %"};
 }
 
+/// Rates with one-sided confidence bounds.
 report::Table rate_table(const ValidationSummary& s) {
     report::Table table{"Bounds are one-sided at 95 % (Clopper and Pearson).",
                         {{"What"}, {"Cases"}, {"Of"}, {"Share", "%", 3}, {"At least", "%", 3}, {"At most", "%", 3}},
@@ -44,6 +45,7 @@ report::Table rate_table(const ValidationSummary& s) {
     return table;
 }
 
+/// Confusion matrix: truth against answer.
 report::Table confusion_table(const ValidationSummary& s) {
     std::set<std::string> answers;
     for (const auto& [truth, row] : s.confusion)
@@ -62,6 +64,7 @@ report::Table confusion_table(const ValidationSummary& s) {
     return table;
 }
 
+/// Accuracy of the parameters of correctly named effects.
 report::Table parameter_table(const ValidationSummary& s) {
     report::Table table{
         "Of effects named rightly.", {{"Effect"}, {"Parameter"}, {"Median error"}, {"Good"}, {"Of"}}, {}};
@@ -79,6 +82,7 @@ std::string case_name(const CaseRecord& record) {
     return text;
 }
 
+/// All cases with a wrong answer.
 report::Table wrong_table(const std::vector<CaseRecord>& records) {
     report::Table table{"",
                         {{"Case"},

@@ -15,6 +15,7 @@ constexpr double good_relative = 0.1, good_place_m = 5e-3, explained_over_noise 
 /// Bins are narrower near 1, where stated confidences accumulate.
 constexpr double bin_edges[] = {0.0, 0.5, 0.7, 0.85, 0.95, 1.0};
 
+/// Share of right answers per confidence bin; the last bin includes 1.
 std::vector<ConfidenceBin> reliability_of(const std::vector<CaseRecord>& records) {
     std::vector<ConfidenceBin> bins;
     for (std::size_t i = 0; i + 1 < std::size(bin_edges); ++i) {
@@ -45,6 +46,7 @@ double calibration_error_of(const std::vector<ConfidenceBin>& bins) {
     return count > 0.0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
 }
 
+/// Median error and share of good values per effect and parameter.
 std::vector<ParameterQuality> qualities_of(const std::vector<CaseRecord>& records) {
     std::map<std::pair<std::string, std::string>, std::vector<ParameterError>> all;
     for (const CaseRecord& record : records)
@@ -71,6 +73,7 @@ ValidationSummary validation_summary(const std::vector<CaseRecord>& records) {
     for (const CaseRecord& record : records) {
         ++s.cases;
         ++s.families[record.family + (record.muscles ? " with muscles" : "")];
+        // Failed cases count in no rate.
         if (!record.answered()) {
             ++s.failed;
             continue;
@@ -83,6 +86,7 @@ ValidationSummary validation_summary(const std::vector<CaseRecord>& records) {
         if (record.kind == CaseKind::none) s.false_alarms.add(!says_none);
         if (record.kind == CaseKind::deleted) {
             s.unknown.add(says_unknown);
+            // Another effect that predicts the held-out trial within the noise cannot be refuted by this experiment.
             const bool mimicked = !says_unknown && !says_none && record.after_over_noise <= explained_over_noise;
             s.mimicked.add(mimicked);
             if (!mimicked) s.unknown_unmimicked.add(says_unknown);
@@ -92,6 +96,7 @@ ValidationSummary validation_summary(const std::vector<CaseRecord>& records) {
         s.top_1.add(record.right());
         s.top_2.add(record.right_within(2));
         s.in_group.add(record.right_or_grouped());
+        // Separable: no other effect is declared indistinguishable.
         if (!record.grouped()) {
             s.separable_top_1.add(record.right());
             s.separable_top_2.add(record.right_within(2));

@@ -29,8 +29,8 @@ struct ValidationSummary {
     int cases = 0, failed = 0;
     std::map<std::string, int> families;
     Proportion top_1, top_2;  // over all cases with an effect that the diagnosis knows
-    Proportion separable_top_1,
-        separable_top_2;            // of these, without an effect declared indistinguishable from the truth
+    /// Of these, without an effect that is declared indistinguishable from the truth.
+    Proportion separable_top_1, separable_top_2;
     Proportion in_group;            // right, or an effect declared indistinguishable from the truth
     Proportion false_alarms;        // cases without effect: an effect, or `unknown`
     Proportion missed;              // cases with effect: `none`
@@ -53,7 +53,7 @@ ValidationSummary validation_summary(const std::vector<CaseRecord>& records);
 /// Text for a terminal.
 std::string summary_text(const ValidationSummary& summary);
 
-/// The same numbers as JSON.
+/// The same numbers as JSON, rates with count, share and both bounds.
 report::Json summary_json(const ValidationSummary& summary);
 
 }  // namespace myo::validation

@@ -63,6 +63,7 @@ public:
         return values;
     }
 
+    /// Weighted residuals at p; keeps the predictions if they are the best so far and informs the listener.
     inverse::ResidualEvaluation residuals(const Eigen::VectorXd& p, const Progress& progress) {
         const prediction::ParameterValues values = values_at(p);
         std::vector<prediction::TrialPrediction> predictions = run(values, {}, progress);
@@ -74,6 +75,7 @@ public:
         return evaluation;
     }
 
+    /// Jacobian at p, from the tangents of a new run.
     Eigen::MatrixXd jacobian(const Eigen::VectorXd& p, const Progress& progress) {
         jacobian_ = prediction::weighted_residuals(setup_, trials_, run(values_at(p), parameters_, progress),
                                                    parameters_.size())
@@ -160,6 +162,7 @@ void set_runs(const setup::Setup& setup, const prediction::ParameterValues& decl
     for (const std::size_t t : validation) run(t, fitted, after[t]);
     std::vector<prediction::TrialPrediction> predicted(
         tasks.size(), {dynamics::RunStatus::cancelled, "stopped by the user", {}, {}, {}, {}, {}});
+    // Results of cancelled tasks keep the status "cancelled", so that missing runs are reported with a reason.
     if (!progress.cancelled()) predicted = prediction::predict_trials(setup, tasks, {}, progress);
     for (std::size_t i = 0; i < tasks.size(); ++i)
         *places[i] = tasks[i].values == &declared ? markers_only(predicted[i]) : std::move(predicted[i]);
@@ -205,6 +208,7 @@ std::vector<std::string> calibration_warnings(const setup::Setup& setup, const C
             warnings.push_back(name(i) + ": the data tell less of it than its bounds do (± " +
                                format_number(fit.deviations(i), 2) + ")");
         for (Eigen::Index j = 0; j < i; ++j)
+            // Above this correlation the two standard deviations are dominated by the common combination.
             if (std::abs(fit.correlation(i, j)) > 0.999)
                 warnings.push_back(name(j) + " and " + name(i) + ": these trials cannot tell them apart (correlation " +
                                    format_number(fit.correlation(i, j), 6) + ")");
@@ -275,14 +279,15 @@ Calibration calibrate(const setup::Setup& setup, const CalibrationSettings& sett
     Calibration result;
     result.settings = settings;
     result.parameters = prediction::free_parameters(setup, settings.names);
+    // Keeps the predictions of the best values, so that these need not be simulated again after the fit.
     FitRuns runs(setup, settings, result.parameters);
     const auto residuals = [&](const Eigen::VectorXd& p, const Progress& inner) { return runs.residuals(p, inner); };
     const auto jacobian = [&](const Eigen::VectorXd& p, const inverse::ResidualEvaluation&, const Progress& inner) {
         return runs.jacobian(p, inner);
     };
     std::mt19937_64 random(settings.seed);
-    std::vector<bool> unmoved(result.parameters.size(),
-                              false);  // parameters without influence, as found by the first start
+    // Parameters without influence, as found by the first start.
+    std::vector<bool> unmoved(result.parameters.size(), false);
     double done = 0.0;
     for (int s = 0; s < settings.starts && (s == 0 || !progress.cancelled()); ++s) {
         std::vector<inverse::Parameter> parameters;
@@ -298,10 +303,12 @@ Calibration calibrate(const setup::Setup& setup, const CalibrationSettings& sett
             progress.report(
                 {event.task, done + event.done, event.total * settings.starts, event.unit, words + event.message});
         });
+        // Each start has its own budget of evaluations.
         inverse::LeastSquaresOptions options;
         options.max_evaluations = settings.max_evaluations;
         inverse::LeastSquaresReport fit = inverse::fit_least_squares(parameters, residuals, jacobian, options, inner);
         done += static_cast<double>(fit.history.size());
+        // Without influence on the data, a random start of such a parameter would only add noise to the comparison.
         if (s == 0)
             for (const inverse::Undetermined& group : fit.undetermined)
                 if (group.parameters.size() == 1) unmoved[static_cast<std::size_t>(group.parameters.front())] = true;
@@ -313,6 +320,7 @@ Calibration calibrate(const setup::Setup& setup, const CalibrationSettings& sett
     }
     result.stopped = progress.cancelled();
     if (result.usable()) {
+        // Validation trials get levels predicted from those of the fit trials, before and after the fit.
         set_runs(setup, prediction::with_predicted_levels(setup, prediction::declared_values(setup)),
                  prediction::with_predicted_levels(setup, runs.values_at(result.fit.values)), runs.take(), progress,
                  result);

@@ -12,6 +12,7 @@ Result<EarlierCalibration> read_calibration(const fs::path& folder, const setup:
     if (!fs::exists(file, code)) return Error{"there is nothing to resume: no calibrate.json", folder.string()};
     const Result<report::Json> json = report::read_json(file);
     if (!json) return json.error();
+    // A file that does not match is an error: continuing from other parameters would give a wrong start silently.
     const auto refuse = [&](const std::string& what) {
         return Error{what + "; without --resume it starts anew", file.string()};
     };

@@ -9,6 +9,7 @@
 namespace myo::calibration {
 namespace {
 
+// Evaluations of this fit and of those that it continues.
 int all_evaluations(const Calibration& calibration) {
     return calibration.evaluations() + calibration.earlier_evaluations;
 }
@@ -48,6 +49,7 @@ Calibration fit_of_all_periods(setup::Setup& setup, CalibrationSettings settings
     calibration.seconds = first_s + watch.seconds();
     if (settings.from.empty()) return calibration;
     settings.starts = 1;
+    // The second fit works on a copy, as its steps may become shorter than those of the first.
     setup::Setup other = setup;
     Calibration again = fit_with_chosen_steps(other, settings, progress);
     if (again.fit.converged() && again.fit.cost_after < calibration.fit.cost_after) {
@@ -64,6 +66,7 @@ Calibration fit_of_all_periods(setup::Setup& setup, CalibrationSettings settings
 Calibration calibrate_with_chosen_steps(setup::Setup& setup, CalibrationSettings settings, const Progress& progress) {
     Calibration calibration = fit_of_all_periods(setup, std::move(settings), progress);
     if (!calibration.usable()) return calibration;
+    // Only the final fit is analysed: the runs may take up to most_share of its time.
     calibration.numerical = numerical_deviations(setup, calibration, progress);
     calibration.seconds += calibration.numerical.seconds;
     if (!calibration.numerical.message.empty()) calibration.warnings.push_back(calibration.numerical.message);

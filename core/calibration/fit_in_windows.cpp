@@ -22,6 +22,7 @@ void keep_samples(measurement::Recording& recording, Index count) {
     for (VectorXd& residual : recording.residual_m) residual.conservativeResize(count);
 }
 
+// At least a few samples, so that a slow camera does not give an empty window.
 Index samples_until(const setup::PreparedTrial& trial, double end_s) {
     const VectorXd& times = trial.measured.time_s;
     return std::max<Index>(trial.first_sample + window_policy.least_samples, (times.array() <= end_s).count());
@@ -97,6 +98,7 @@ public:
         upper_Pa_ = modulus_->parameter.upper;
         lower_Pa_ = std::max(modulus_->parameter.lower, window_policy.least_share * upper_Pa_);
         doubt_rad_s_ = 0.5 * std::log(upper_Pa_ / lower_Pa_) * frequency_rad_s();
+        // Windows are measured from the onset: trials may begin with a long rest.
         double longest_s = 0.0;
         for (const setup::PreparedTrial& trial : setup_.trials) {
             onset_s_.push_back(onset(trial));

@@ -70,6 +70,7 @@ TrialGradientCheck gradcheck(const setup::Setup& setup, std::size_t index, int s
     const Stopwatch watch;
     const setup::PreparedTrial& trial = setup.trials[index];
     model::Model model = trial.model;
+    // Free levels are not passive here, so that their muscles act.
     for (const std::size_t muscle : trial.free_levels)
         model.activation = setup::with_level(setup.experiment, model.activation, muscle, 1.05);
     dynamics::SimulationOptions options = trial.options;

@@ -72,6 +72,8 @@ public:
               prediction::weighted_residuals(setup, trials_, residuals_of(calibration.after, trials_), 0).residuals),
           least_mesh_error_(least_mesh_error(setup, calibration, policy)) {
         const Eigen::MatrixXd& J = calibration.fit.jacobian;
+        // Columns are scaled, and parameters that the fit could not determine are left out, so the system is well
+        // conditioned.
         if (!ready()) return;
         std::vector<inverse::Parameter> parameters;
         for (const prediction::ModelParameter& p : calibration.parameters) parameters.push_back(p.parameter);
@@ -222,6 +224,7 @@ private:
 
     Errors of_steps(const Refitted& longer) const {
         if (longer.values.size() == 0) return {{}, longer.message};
+        // Order of the integrator: implicit Euler is the only first-order scheme.
         const double order = setup_.settings.integrator == dynamics::Integrator::implicit_euler ? 1.0 : 2.0,
                      error = extrapolation(policy_.longer_steps, order);
         return {error * (longer.values - calibration_.fit.values).cwiseAbs(), {}, error * refit_.rms(longer.left)};
@@ -233,6 +236,7 @@ private:
         for (const double edges : policy_.edges) {
             if (progress_.cancelled()) return {{}, "stopped by the user"};
             Result<setup::Setup> other = setup::refined_setup(longer, edges, progress_.with_sink({}));
+            // A mesh that is hardly different would amplify rounding by the extrapolation.
             if (!other || std::abs(std::log(edge_ratio(*other))) < std::log(policy_.another)) continue;
             message = "runs on another mesh would take too long";
             const double larger = static_cast<double>(other->body->dofs()) / static_cast<double>(setup_.body->dofs());

@@ -155,6 +155,7 @@ Result<inverse::ActuationProblem> actuation_problem(const setup::Setup& setup, c
     problem.model = trial.model;
     problem.options = trial.options;
     problem.target = prediction::trial_target(setup, 0, std::numeric_limits<double>::infinity());
+    // Signals after the last visible sample are not determined.
     problem.options.end_s = last_seen(problem.target);
     if (!(problem.options.end_s > 0.0))
         return Error{"trial " + trial.name + ": no marker was seen after the start",

@@ -35,12 +35,14 @@ TargetMiss target_miss(const setup::Setup& setup, const prediction::SetupRun& ru
 
     std::vector<prediction::MarkerScore> markers = run.scores.front().markers;
     std::erase_if(markers, [](const prediction::MarkerScore& marker) { return !std::isfinite(marker.rms_m); });
+    // Worst markers first; only those close to the worst are named.
     std::sort(markers.begin(), markers.end(),
               [](const prediction::MarkerScore& a, const prediction::MarkerScore& b) { return a.rms_m > b.rms_m; });
     for (const prediction::MarkerScore& marker : markers)
         if (miss.markers.size() < rule.most_markers && marker.rms_m >= rule.near_worst * markers.front().rms_m)
             miss.markers.push_back({marker.name, marker.rms_m});
 
+    // Error over time, rms over the markers at each sample.
     Eigen::VectorXd course(times.size());
     for (Index t = 0; t < times.size(); ++t) course(t) = rms_at(prediction, t);
     Index worst = -1;

@@ -7,6 +7,7 @@
 
 namespace myo::check {
 
+// Columns: id, question, when, source of the threshold, function, whether a violation can explain a residual.
 const std::vector<Check>& check_catalogue() {
     static const std::vector<Check> checks{
         {"units", "Are the numbers in SI units?", CheckTime::before,

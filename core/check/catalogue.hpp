@@ -16,8 +16,8 @@ struct Check {
     std::string question;  // "Is the time step short enough?"
     CheckTime time = CheckTime::before;
     std::string source;  // of its threshold
-    std::vector<Finding> (*find)(const CheckedJob&) =
-        nullptr;                     // the check itself; may return no finding if it does not apply
+    /// The check itself; returns no finding if it does not apply.
+    std::vector<Finding> (*find)(const CheckedJob&) = nullptr;
     bool explains_residual = false;  // a violation can cause a residual of the fit
 };
 

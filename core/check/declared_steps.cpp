@@ -10,6 +10,7 @@ namespace myo::check {
 
 std::vector<Finding> findings_on_units(const setup::Setup& setup) {
     std::vector<Finding> found;
+    // Only these two checks are needed before the choice of steps; the others run with the chosen steps.
     for (const char* const check : {"units", "time_unit"}) {
         std::vector<Finding> more = run_check(*find_check(check), {setup});
         std::move(more.begin(), more.end(), std::back_inserter(found));
@@ -20,7 +21,7 @@ std::vector<Finding> findings_on_units(const setup::Setup& setup) {
 void choose_declared_steps(setup::Setup& setup, const std::vector<Finding>& on_units, const Progress& progress) {
     const bool in_doubt = std::any_of(on_units.begin(), on_units.end(),
                                       [](const Finding& finding) { return finding.level != CheckLevel::fine; });
-    // Fixing h_s makes the steps not choosable(), so later stages keep them as well.
+    // Fixing h_s makes the steps not choosable(), so the rest of the command keeps them as well.
     if (in_doubt)
         setup.settings.h_s = prediction::shortest_step_s(setup);
     else

@@ -7,6 +7,8 @@ std::vector<Finding> check_influence(const CheckedJob& job) {
     if (job.calibration == nullptr) return findings;
     const calibration::Calibration& calibration = *job.calibration;
     for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
+        // The calibration has already decided by the singular values of its Jacobian; here the result becomes a
+        // finding.
         const std::string reason = calibration.undetermined_reason(i);
         if (reason.empty()) continue;
         const std::string& name = calibration.parameters[i].parameter.name;

@@ -50,6 +50,7 @@ std::vector<Finding> check_inside_out(const CheckedJob& job) {
     for (std::size_t t = 0; t < job.setup.trials.size(); ++t) {
         const dynamics::Trace& trace = job.run->predictions[t].trace;
         if (trace.positions.empty()) continue;
+        // Every stride-th state, about most_states of them.
         const std::size_t last = trace.positions.size() - 1, stride = last / inside_out_policy.most_states + 1;
         int most = 0;
         double since_s = 0.0;

@@ -20,6 +20,7 @@ struct PosePolicy {
 };
 constexpr PosePolicy pose_policy;
 
+/// The model with gravity and dead forces scaled by `share`.
 model::Model under_part_of_loads(model::Model model, double share) {
     model.gravity_m_s2 *= share;
     for (model::DeadForce& force : model.forces) force.force_N *= share;
@@ -47,9 +48,10 @@ std::vector<Finding> check_pose(const CheckedJob& job) {
     model::Model model = prediction::trial_model(job.setup, 0, prediction::declared_values(job.setup));
     model.activation.assign(model.activation.size(), fibre::Signal::constant(1.0));
     const std::optional<double> free = slowest(model, 0.0, 0.0), loaded = slowest(model, pose_policy.load_share, 0.0);
+    // Without modes or equilibrium the check does not apply; the support check reports a free body.
     if (!free || !loaded || !(*free > 0.0)) return {};
-    const double lost = (1.0 - *loaded / *free) /
-                        pose_policy.load_share;  // loss of stiffness under the full load, relative
+    // Loss of stiffness under the full load, relative.
+    const double lost = (1.0 - *loaded / *free) / pose_policy.load_share;
     Finding finding = fine_finding(trial.name, "the pose at rest is stable under its loads");
     finding.figure = lost;
     finding.threshold = 1.0 / pose_policy.doubtful_share;

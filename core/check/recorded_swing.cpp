@@ -28,6 +28,7 @@ double last_change_s(const fibre::Signal& signal) {
 
 }  // namespace
 
+// Jumps of loads and changes of signals; between them the body moves freely.
 double last_change_s(const model::Model& model) {
     double last = 0.0;
     for (const double jump : model::jump_times(model)) last = std::max(last, jump);
@@ -43,6 +44,7 @@ std::vector<double> turning_times(const Eigen::VectorXd& time_s, const Eigen::Ve
         if (!std::isfinite(x_m(k))) continue;
         if (low < 0 || x_m(k) < x_m(low)) low = k;
         if (high < 0 || x_m(k) > x_m(high)) high = k;
+        // Hysteresis: a reversal counts only after a return by `least_m`, so noise does not produce reversals.
         if (direction >= 0 && x_m(high) - x_m(k) > least_m) {
             if (direction > 0) turns.push_back(time_s(high));
             direction = -1;

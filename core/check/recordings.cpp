@@ -6,6 +6,7 @@ namespace myo::check {
 std::vector<Finding> check_recordings(const CheckedJob& job) {
     const experiment::Experiment& experiment = job.setup.experiment;
     std::vector<Finding> findings;
+    // One finding per validation trial; the sentence contains the remedy.
     for (const experiment::SharedRecording& shared : experiment::shared_recordings(experiment)) {
         Finding finding = fine_finding(experiment.trials[shared.validate].name,
                                        experiment::shared_recording_sentence(experiment, shared));

@@ -30,6 +30,7 @@ std::vector<Finding> suspects(const std::vector<Finding>& earlier) {
     return list;
 }
 
+/// Names of the suspects with their subjects, each once, in order of severity.
 std::string suspect_names(const std::vector<Finding>& earlier) {
     std::vector<std::string> names;
     for (const Finding& suspect : suspects(earlier)) {
@@ -61,6 +62,7 @@ std::string beside_noise(double rms_m, double ratio) {
     return report::length_words(rms_m) + " rms, is " + format_number(ratio, 3) + " times the noise";
 }
 
+/// Residual of a run with the declared values: the remedy is a fit.
 std::vector<Finding> of_declared_values(const CheckedJob& job) {
     const double left = rms_of_all(*job.run);
     if (!std::isfinite(left)) return {};
@@ -78,6 +80,7 @@ std::vector<Finding> of_declared_values(const CheckedJob& job) {
     return {finding};
 }
 
+/// Residual of the fit trials after a fit: the remedy is a diagnosis, unless earlier findings explain it.
 std::vector<Finding> of_fit(const CheckedJob& job) {
     if (!std::isfinite(job.run->fit_rms_m)) return {};
     const double ratio = job.run->fit_rms_m / setup::mean_noise(job.setup);

@@ -10,6 +10,7 @@ std::vector<Finding> check_signals(const CheckedJob& job) {
     std::vector<Finding> findings;
     for (const setup::MissedSignal& missed : setup::missed_signals(setup)) {
         Finding finding = fine_finding(setup.trials[missed.trial].name, setup::missed_signal_sentence(setup, missed));
+        // Without the muscle's motion a fit would explain the recording by other parameters.
         finding.level = CheckLevel::wrong;
         findings.push_back(std::move(finding));
     }

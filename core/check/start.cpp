@@ -78,6 +78,7 @@ std::vector<Finding> check_start(const CheckedJob& job) {
                                                        " rms from where the model begins (start = \"" +
                                                        (straight ? "straight" : "equilibrium") + "\")");
         finding.figure = off;
+        // The larger of both limits: a small motion is judged by noise, a large one by its range.
         finding.threshold = std::max(start_policy.noise_levels * noise, start_policy.doubtful_share * moved);
         finding.unit = "m";
         if (off > finding.threshold) {

@@ -22,6 +22,7 @@ constexpr SupportPolicy support_policy;
 
 std::vector<Finding> check_support(const CheckedJob& job) {
     const model::Body& body = *job.setup.body;
+    // Nodes of the clamp as the model has it, not the declared box.
     const std::vector<int> held = model::held_nodes(body);
     const Eigen::Matrix3Xd points = body.mesh.nodes(Eigen::all, held);
     const Eigen::Matrix3Xd apart = points.colwise() - points.rowwise().mean();

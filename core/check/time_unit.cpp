@@ -40,8 +40,10 @@ std::string guess(double interval_s, double ratio) {
     return {};
 }
 
+/// Frequency in words.
 std::string hertz(double frequency) { return format_number(frequency, 3) + " Hz"; }
 
+/// Finding from the ratio of the recorded frequency and the first natural frequency.
 Finding of_swing(const setup::PreparedTrial& trial, double swing_Hz, double first_Hz) {
     const double ratio = first_Hz / swing_Hz, off = std::max(ratio, 1.0 / ratio);
     const std::string swings = "trial " + trial.name + ": left to itself the body swings at " + hertz(swing_Hz) +
@@ -74,6 +76,7 @@ bool signals_are_known(const setup::PreparedTrial& trial) {
     return signals.empty() || !trial.free_levels.empty() || std::any_of(signals.begin(), signals.end(), changes);
 }
 
+/// Finding from the sampling rate alone, if no free oscillation is available.
 Finding of_rate(const setup::PreparedTrial& trial, double rate_Hz) {
     const std::string sentence = "trial " + trial.name + ": " + format_number(rate_Hz, 3) + " samples per second";
     Finding finding = fine_finding(trial.name, sentence + ", and nothing in the motion contradicts its times");

@@ -111,7 +111,7 @@ Result<mesh::SurfaceMesh> read_body_surface(const Experiment& experiment) {
     if (!report.closed)
         return declaration_error(experiment, "geometry.file",
                                  file + " is not closed: " + std::to_string(report.open_edges) + " open edges");
-    // A mixed orientation is tolerated here: the winding number of the whole surface is then still usable.
+    // "Outward" is only defined for a consistently oriented surface.
     if (report.oriented && !report.outward)
         return declaration_error(experiment, "geometry.file",
                                  file + " is turned inside out; its triangles must face outward");

@@ -42,7 +42,7 @@ struct MaterialDeclaration {
     double youngs_modulus_tolerance = 0.3;  // relative half-width
     double poissons_ratio = 0.0;            // strictly between 0 and 0.5
     double density_kg_m3 = 0.0;             // > 0
-    std::optional<double> damping_s;        // stiffness-proportional damping time [s]; absent = unknown
+    std::optional<double> damping_s;        // Kelvin-Voigt damping time [s]; absent = unknown
     std::vector<std::string> calibrate = {"youngs_modulus", "damping"};  // of youngs_modulus, damping, actuation_level
 };
 

@@ -43,6 +43,7 @@ std::vector<TrialPrediction> predict_trials(const setup::Setup& setup, const std
                                             const std::vector<ModelParameter>& parameters, const Progress& progress) {
     std::vector<TrialPrediction> predictions(tasks.size());
     JoinedProgress joined(setup, tasks, progress);
+    // Trials are independent; each prediction is written by one thread only.
     parallel_tasks(static_cast<int>(tasks.size()), setup.settings.threads, [&](int index) {
         const auto i = static_cast<std::size_t>(index);
         predictions[i] = predict_trial(setup, tasks[i].trial, *tasks[i].values, parameters, joined.of(i),

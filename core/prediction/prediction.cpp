@@ -23,6 +23,7 @@ bool is_calibrated(const setup::Setup& setup, const std::string& name, const std
 
 }  // namespace
 
+// Damping comes from the prepared model, as it may be assumed instead of declared.
 ParameterValues declared_values(const setup::Setup& setup) {
     ParameterValues values;
     values.youngs_modulus_Pa = setup.experiment.material.youngs_modulus_Pa;
@@ -212,6 +213,7 @@ TrialPrediction observe_trial(const setup::Setup& setup, std::size_t index, cons
     const measurement::ObservationError error = affected_trial(setup, index, values).seen;
     const measurement::MarkerTracks tracks = measurement::observe(
         trace, setup.markers, motion_times(setup.trials[index], error, values.start_shift_s[index]));
+    // Observation only: the motion is taken from the trace.
     SeenMotion seen = seen_motion(setup, index, values, error, tracks,
                                   measurement::observe(trace, setup.markers, Eigen::VectorXd::Zero(1)));
     return {trace.status,
@@ -241,6 +243,7 @@ TrialPrediction predict_trial(const setup::Setup& setup, std::size_t index, cons
             }
 
     TrialPrediction result;
+    // One simulation with forward sensitivities for all parameters that move the body, at the nodes of the markers.
     sensitivity::SensitiveTrace run = sensitivity::simulate_with_tangents(
         affected.model, affected.options, model_tangents, setup.markers.nodes, progress);
     result.status = run.trace.status;
@@ -250,6 +253,7 @@ TrialPrediction predict_trial(const setup::Setup& setup, std::size_t index, cons
         return result;
     }
 
+    // Sample times in the clock of the simulation, with clock errors and the fitted start shift.
     const Eigen::VectorXd times = motion_times(trial, affected.seen, values.start_shift_s[index]);
     const measurement::SensitiveTracks tracks = measurement::observe(run, setup.markers, times);
     const measurement::SensitiveTracks origin = measurement::observe(run, setup.markers, Eigen::VectorXd::Zero(1));
@@ -273,6 +277,7 @@ TrialPrediction predict_trial(const setup::Setup& setup, std::size_t index, cons
             }
         } else {
             ResidualTangent beside = residual_tangent(setup, index, values, parameters[p], result, progress);
+            // A failed difference run makes the prediction unusable for a fit, but keeps its status and message.
             if (!beside.ok()) {
                 result.status = beside.status;
                 result.message = beside.message;

@@ -15,7 +15,7 @@ namespace myo::prediction {
 /// Values of everything a fit may change, for all trials.
 struct ParameterValues {
     double youngs_modulus_Pa = 0.0;  // of the body; multiplied by Setup::modulus_factor in the cells
-    double damping_s = 0.0;          // stiffness-proportional damping time
+    double damping_s = 0.0;          // Kelvin-Voigt damping time
     Eigen::Vector3d translation_m = Eigen::Vector3d::Zero();  // camera = rotation(rotation_rad) mesh + translation
     Eigen::Vector3d rotation_rad = Eigen::Vector3d::Zero();   // rotation vector about the mesh origin
     std::vector<double> start_shift_s;                        // per trial: t = 0 is this much later than start_s

@@ -61,6 +61,7 @@ TrialScore score(const setup::Setup& setup, std::size_t trial, const TrialPredic
             error += prediction.residual_m[m].col(t);
             ++seen;
         }
+        // The mean over visible samples only; NaN if the marker was never visible in the steady part.
         const double share = seen > 0 ? 1.0 / seen : std::numeric_limits<double>::quiet_NaN();
         marker.steady_measured_m = share * measured;
         marker.steady_simulated_m = share * (measured + error);
@@ -93,6 +94,7 @@ SetupRun run_trials(const setup::Setup& setup, const ParameterValues& values, co
     for (std::size_t t = 0; t < setup.trials.size(); ++t)
         if (only_trial.empty() || setup.trials[t].name == only_trial) trials.push_back(t);
     std::vector<TrialPrediction> done = predict_trials_with(setup, values, trials, progress);
+    // Trials that were not requested keep the status not_run, so that indices match the setup.
     std::vector<TrialPrediction> predictions(setup.trials.size());
     for (std::size_t i = 0; i < trials.size(); ++i) predictions[trials[i]] = std::move(done[i]);
     SetupRun run = scored_run(setup, values, std::move(predictions), trials);

@@ -203,6 +203,7 @@ SetupRun run_with_chosen_steps(setup::Setup& setup, const ParameterValues& value
     for (std::size_t t = 0; t < setup.trials.size(); ++t)
         if (only_trial.empty() || setup.trials[t].name == only_trial)
             setup::set_step(setup.trials[t], std::min(setup.trials[t].options.h_s, probe_step(setup, t, values)));
+    // A first run with the provisional steps shows which vibrations are excited.
     SetupRun run = run_trials(setup, values, progress, only_trial);
     const Stopwatch watch;
     std::vector<std::size_t> asked;
@@ -225,6 +226,7 @@ SetupRun run_with_chosen_steps(setup::Setup& setup, const ParameterValues& value
         std::vector<TrialPrediction> again = predict_trials_with(setup, values, open, progress);
         for (std::size_t i = 0; i < open.size(); ++i) run.predictions[open[i]] = std::move(again[i]);
     }
+    // Scores are computed once, from the final predictions.
     const double seconds = run.seconds + watch.seconds();
     run = scored_run(setup, values, std::move(run.predictions), asked);
     run.seconds = seconds;

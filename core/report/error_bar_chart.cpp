@@ -84,7 +84,8 @@ std::string svg(const ErrorBarChart& chart) {
     for (std::size_t i = 0; i < chart.rows.size(); ++i)
         body += draw_row(chart.rows[i], x, area,
                          area.top + (static_cast<double>(i) + 0.5) * error_bar_chart_layout.row_height);
-    return open_svg(left + width + 22.0, area.bottom() + frame_layout.horizontal_axis_height, chart.title) + body + "</svg>\n";
+    return open_svg(left + width + 22.0, area.bottom() + frame_layout.horizontal_axis_height, chart.title) + body +
+           "</svg>\n";
 }
 
 }  // namespace myo::report

@@ -32,6 +32,7 @@ std::string deviation_words(const calibration::Calibration& calibration, Eigen::
     return shown.deviation.empty() ? "without a standard deviation" : "± " + shown.deviation + " " + unit;
 }
 
+/// Fitted modulus in kPa with its standard deviation and the declared value.
 report::KeyFigure modulus_figure(const calibration::Calibration& calibration, Eigen::Index row) {
     const ReadableEstimate shown = readable_estimate(1e-3 * calibration.fit.values(row),
                                                      1e-3 * calibration.deviation(static_cast<std::size_t>(row)));
@@ -48,6 +49,7 @@ double damping_factor_of(const setup::Setup& setup) {
                  : dynamics::slender_damping_factor(setup.experiment.material.poissons_ratio);
 }
 
+/// Damping time in ms with the damping ratio at the main frequency of the fitted motion.
 report::KeyFigure damping_figure(const setup::Setup& setup, const calibration::Calibration& calibration,
                                  Eigen::Index row) {
     const double damping = calibration.fit.values(row);
@@ -62,6 +64,7 @@ report::KeyFigure damping_figure(const setup::Setup& setup, const calibration::C
     return {"Damping", shown.value, "ms", note};
 }
 
+/// Headline values: modulus, damping, error of the fit, error of the prediction.
 std::vector<report::KeyFigure> key_figures(const setup::Setup& setup, const calibration::Calibration& calibration) {
     std::vector<report::KeyFigure> figures;
     for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
@@ -98,6 +101,7 @@ std::string fit_words(const calibration::Calibration& calibration) {
     return calibration.stopped ? "was stopped" : "did not converge";
 }
 
+/// One sentence on trials, convergence and cost, and the description of the experiment.
 std::vector<std::string> summary(const setup::Setup& setup, const calibration::Calibration& calibration) {
     int fitted = 0;
     for (const setup::PreparedTrial& trial : setup.trials) fitted += trial.role == experiment::TrialRole::fit ? 1 : 0;
@@ -114,6 +118,7 @@ std::vector<std::string> summary(const setup::Setup& setup, const calibration::C
     return lines;
 }
 
+/// Parameters with standard deviations, reasons for undetermined ones, starts and correlation.
 report::Section parameter_section(const setup::Setup& setup, const calibration::Calibration& calibration) {
     report::Section section{"Parameters", {parameter_table(setup, calibration)}};
     section.blocks.push_back(report::Paragraph{
@@ -127,6 +132,7 @@ report::Section parameter_section(const setup::Setup& setup, const calibration::
                                                        " is not determined: " + reason + "."});
     if (calibration.starts.size() > 1)
         section.blocks.push_back(report::Details{"Starts", {starts_table(setup, calibration)}});
+    // A single parameter has no correlation.
     if (calibration.parameters.size() < 2) return section;
     report::Table correlation{
         "How errors of the parameters go together: 1 and −1 mean that the data tell them apart badly.", {{""}}, {}};
@@ -137,6 +143,7 @@ report::Section parameter_section(const setup::Setup& setup, const calibration::
         std::vector<report::Cell> row{
             readable_parameter(calibration.parameters[static_cast<std::size_t>(i)], setup).name};
         for (Eigen::Index j = 0; j < n; ++j)
+            // Two decimals: a correlation has no more meaning.
             row.emplace_back(std::round(100.0 * calibration.fit.correlation(i, j)) / 100.0);
         correlation.rows.push_back(std::move(row));
     }
@@ -174,6 +181,7 @@ report::HtmlReport calibration_report(const setup::Setup& setup, const calibrati
     report.warnings.lines.insert(report.warnings.lines.begin(), found.begin(), found.end());
     if (const std::string end = ending(calibration); !end.empty())
         report.warnings.lines.insert(report.warnings.lines.begin(), end);
+    // Order of the sections: results first, details of the model last.
     report.sections.push_back({"Trials", {trial_table(setup, calibration)}});
     if (!facts.findings.empty()) report.sections.push_back(findings_section(facts.findings));
     report.sections.push_back(parameter_section(setup, calibration));

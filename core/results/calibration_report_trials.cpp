@@ -27,6 +27,7 @@ struct MarkerFigure {
     report::LineChart chart(std::size_t marker) const;
 };
 
+/// Chart of one marker: x, y, z before and after the fit, and the distance to the measurement.
 report::LineChart MarkerFigure::chart(std::size_t marker) const {
     const bool displacement = setup.experiment.markers.compare == experiment::Comparison::displacement;
     const std::vector<double> time(after.time_s.begin(), after.time_s.end());
@@ -65,6 +66,7 @@ report::LineChart MarkerFigure::chart(std::size_t marker) const {
     return chart;
 }
 
+/// Start, registration, occlusion and levels of a trial in words.
 std::string start_paragraph(const setup::Setup& setup, const calibration::Calibration& calibration, std::size_t index) {
     const setup::PreparedTrial& trial = setup.trials[index];
     std::string text = trial.start_message.empty() ? "" : "Start: " + trial.start_message + ".";
@@ -83,6 +85,7 @@ std::string start_paragraph(const setup::Setup& setup, const calibration::Calibr
     return text;
 }
 
+/// Three components in mm.
 std::string vector_words(const Eigen::Vector3d& metres) {
     if (!metres.allFinite()) return "–";
     const char* const apart = ",\u00a0";  // no-break space keeps the vector on one line
@@ -90,6 +93,7 @@ std::string vector_words(const Eigen::Vector3d& metres) {
            report::fixed_decimals(1e3 * metres.z(), 2);
 }
 
+/// Steady state per marker, measured and simulated, and rms over the trial.
 report::Table steady_table(const prediction::TrialScore* before, const prediction::TrialScore& after,
                            bool displacement) {
     report::Table table{
@@ -162,6 +166,7 @@ report::Section trial_section(const setup::Setup& setup, const calibration::Cali
     const MarkerFigure figures{setup, calibration, index,
                                before != nullptr ? std::optional(motion(calibration.before)) : std::nullopt,
                                motion(calibration.after)};
+    // Only the most informative marker is visible at once; the others are collapsed.
     const ShownOrder shown = shown_order(before, *after);
     const std::vector<std::size_t>& order = shown.markers;
     section.blocks.push_back(report::Paragraph{

@@ -12,6 +12,7 @@ namespace {
 constexpr std::array<check::CheckLevel, 3> worst_first{check::CheckLevel::wrong, check::CheckLevel::doubtful,
                                                        check::CheckLevel::fine};
 
+// Findings of one level, in their order.
 std::vector<check::Finding> of_level(const std::vector<check::Finding>& findings, check::CheckLevel level) {
     std::vector<check::Finding> list;
     std::copy_if(findings.begin(), findings.end(), std::back_inserter(list),
@@ -19,6 +20,7 @@ std::vector<check::Finding> of_level(const std::vector<check::Finding>& findings
     return list;
 }
 
+// A figure with its unit; empty if the check has none.
 std::string figure_words(double figure, const std::string& unit) {
     if (!std::isfinite(figure)) return {};
     return format_number(figure, 3) + (unit.empty() ? "" : " " + unit);

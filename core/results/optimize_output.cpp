@@ -51,6 +51,7 @@ fs::path actuation_file(const setup::Setup& setup) {
     return trial_file_names(setup.experiment).front() + actuation_ending;
 }
 
+/// Bounds, values and standard deviations per signal; "from_markers" is the part of the deviation due to the markers.
 report::Json signals_json(const inverse::SoughtSignals& sought, const MatrixXd& values,
                           const inverse::ActuationDeviations& deviations) {
     report::Json signals = report::Json::array();
@@ -71,6 +72,7 @@ report::Json signals_json(const inverse::SoughtSignals& sought, const MatrixXd& 
     return signals;
 }
 
+/// Signal and factor of each muscle, so that followers can be reconstructed.
 report::Json muscles_json(const setup::Setup& setup, const inverse::SoughtSignals& sought) {
     report::Json muscles = report::Json::array();
     for (std::size_t g = 0; g < sought.groups.size(); ++g)
@@ -80,6 +82,7 @@ report::Json muscles_json(const setup::Setup& setup, const inverse::SoughtSignal
     return muscles;
 }
 
+/// Every evaluation of the best start.
 report::Json history_json(const std::vector<inverse::ActuationIterate>& log) {
     report::Json history = report::Json::array();
     for (const inverse::ActuationIterate& line : log) {
@@ -94,6 +97,7 @@ report::Json history_json(const std::vector<inverse::ActuationIterate>& log) {
     return history;
 }
 
+/// Outcome of each start; losses are left out if nothing could be run.
 report::Json starts_json(const std::vector<calibration::StartEnding>& starts) {
     report::Json list = report::Json::array();
     for (const calibration::StartEnding& start : starts) {
@@ -181,6 +185,7 @@ Result<EarlierOptimization> read_optimization(const fs::path& folder, const setu
 
 report::Json optimize_json(const setup::Setup& setup, const calibration::Optimization& optimization,
                            const RunFacts& facts) {
+    // Stable keys: scripts read this file, and --resume does as well.
     assert(optimization.usable());
     const inverse::SoughtSignals& sought = optimization.problem.sought;
     const inverse::ActuationFit& fit = optimization.fit;

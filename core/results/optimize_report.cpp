@@ -13,6 +13,7 @@
 namespace myo::results {
 namespace {
 
+/// How the search ended; empty if it converged after more than one evaluation.
 std::string ending(const calibration::Optimization& optimization) {
     if (optimization.stopped) return "The user stopped the search: these are the best signals up to then.";
     if (optimization.fit.log.size() == 1 && optimization.fit.converged())
@@ -27,6 +28,7 @@ int evaluations_of(const calibration::Optimization& optimization) {
     return count;
 }
 
+/// Headline values: error, range of each signal, cost.
 std::vector<report::KeyFigure> key_figures(const setup::Setup& setup, const calibration::Optimization& optimization) {
     const inverse::SoughtSignals& sought = optimization.problem.sought;
     std::vector<report::KeyFigure> figures;
@@ -62,6 +64,7 @@ std::vector<fibre::Signal> band_of(const calibration::Optimization& optimization
     return widths;
 }
 
+/// Explanation of the band of standard deviations, or why there is none.
 std::string band_words(const calibration::Optimization& optimization) {
     const inverse::ActuationDeviations& deviations = optimization.deviations;
     if (!deviations.found) return " Standard deviations were " + deviations.reason + ".";
@@ -70,6 +73,7 @@ std::string band_words(const calibration::Optimization& optimization) {
            "seen; values without a band were not measured.";
 }
 
+/// Activations of all muscles over time, with bands of one standard deviation.
 report::LineChart signal_chart(const setup::Setup& setup, const calibration::Optimization& optimization) {
     const inverse::SoughtSignals& sought = optimization.problem.sought;
     const std::vector<fibre::Signal> signals = inverse::activations_of(sought, optimization.fit.values);
@@ -95,6 +99,7 @@ report::LineChart signal_chart(const setup::Setup& setup, const calibration::Opt
     return {"Signals", {.label = "time", .unit = "s"}, {panel}};
 }
 
+/// Loss and gradient over the evaluations, logarithmic.
 report::LineChart loss_chart(const calibration::Optimization& optimization) {
     report::ChartPanel loss{{.label = "rms of the loss", .unit = "mm", .logarithmic = true}, {}, 170.0},
         gradient{{.label = "gradient", .unit = "mm²", .logarithmic = true}, {}, 130.0};

@@ -45,6 +45,7 @@ std::vector<std::size_t> spread(const std::vector<double>& times_s, int count) {
     return chosen;
 }
 
+/// "<name>_frames/0007.vtu".
 fs::path frame_file(const std::string& name, int frame) {
     char number[16];
     std::snprintf(number, sizeof number, "%04d.vtu", frame);
@@ -59,6 +60,7 @@ void remove_series(const fs::path& folder, const std::string& name) {
     fs::remove(folder / frame_file(name, 0).parent_path(), code);  // fails, harmlessly, unless empty
 }
 
+/// Frames of one trial as VTU files and the PVD index.
 Result<void> write_trial_series(const fs::path& folder, const std::string& name, const setup::Setup& setup,
                                 const dynamics::Trace& trace, int frames, const Progress& progress) {
     std::vector<double> times;
@@ -89,6 +91,7 @@ std::vector<std::string> trial_file_names(const std::vector<std::string>& trial_
     for (const std::string& trial : trial_names) {
         const std::string wanted = safe_name(trial);
         std::string name = wanted;
+        // Two names can become equal by the replacement of characters.
         for (int i = 2; std::find(names.begin(), names.end(), name) != names.end(); ++i)
             name = wanted + "_" + std::to_string(i);
         names.push_back(name);

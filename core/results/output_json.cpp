@@ -26,6 +26,7 @@ void add_integration(const setup::Setup& setup, report::Json& json) {
         json["critical_velocity_force_1_s"] = report::json_number(*check.critical_velocity_force_1_s);
 }
 
+/// Mesh, material and integration keys that all result files share.
 report::Json size_json(const setup::Setup& setup) {
     // Trials can have different steps; dt_s of the file is that of the first, dt_s of a trial its own.
     const double h = setup.settings.h_s.value_or(setup.trials.front().options.h_s);
@@ -49,6 +50,7 @@ report::Json size_json(const setup::Setup& setup) {
     return json;
 }
 
+/// Keys about the run itself.
 void add_facts(const RunFacts& facts, report::Json& json) {
     json["version"] = facts.version;
     json["command"] = facts.command;
@@ -56,6 +58,7 @@ void add_facts(const RunFacts& facts, report::Json& json) {
     json["checks"] = findings_json(facts.findings);
 }
 
+/// Material values used in the run.
 report::Json values_json(const setup::Setup& setup, const prediction::ParameterValues& values) {
     return {{"youngs_modulus_Pa", values.youngs_modulus_Pa},
             {"poissons_ratio", setup.experiment.material.poissons_ratio},
@@ -65,6 +68,7 @@ report::Json values_json(const setup::Setup& setup, const prediction::ParameterV
             {"velocity_force_1_s", setup.settings.velocity_force_1_s}};
 }
 
+/// Scores per marker, keyed by name.
 report::Json markers_json(const prediction::TrialScore& score) {
     report::Json markers = report::Json::object();
     for (const prediction::MarkerScore& marker : score.markers)
@@ -75,6 +79,7 @@ report::Json markers_json(const prediction::TrialScore& score) {
     return markers;
 }
 
+/// Keys of a trial that do not depend on the result.
 report::Json trial_facts(const setup::Setup& setup, std::size_t index) {
     const setup::PreparedTrial& trial = setup.trials[index];
     report::Json json{{"name", trial.name},
@@ -86,6 +91,7 @@ report::Json trial_facts(const setup::Setup& setup, std::size_t index) {
     return json;
 }
 
+/// Actuation levels of a trial, if it has free ones.
 void add_levels(const setup::Setup& setup, std::size_t trial, const prediction::ParameterValues& values,
                 report::Json& json) {
     for (const auto& [muscle, level] : values.levels[trial])
@@ -138,6 +144,7 @@ report::Json history_json(const calibration::Calibration& calibration) {
     return history;
 }
 
+/// Outcome of each start; values and costs are left out if nothing could be run.
 report::Json starts_json(const calibration::Calibration& calibration) {
     report::Json list = report::Json::array();
     for (const calibration::CalibrationStart& start : calibration.starts) {
@@ -155,6 +162,7 @@ report::Json starts_json(const calibration::Calibration& calibration) {
     return list;
 }
 
+/// Correlation matrix with the order of its parameters.
 report::Json correlation_json(const calibration::Calibration& calibration) {
     report::Json names = report::Json::array();
     for (const prediction::ModelParameter& p : calibration.parameters) names.push_back(p.parameter.name);
@@ -189,6 +197,7 @@ report::Json simulate_json(const setup::Setup& setup, const prediction::SetupRun
     json.update(size_json(setup));
     std::size_t steps = 0;
     int iterations = 0;
+    // Trials without a score did not complete; `failure` names the first of them.
     report::Json trials = report::Json::array();
     for (std::size_t t = 0; t < setup.trials.size(); ++t) {
         const prediction::TrialScore* score = find_score(run, setup.trials[t].name);
@@ -219,6 +228,7 @@ report::Json simulate_json(const setup::Setup& setup, const prediction::SetupRun
 
 report::Json calibrate_json(const setup::Setup& setup, const calibration::Calibration& calibration,
                             const RunFacts& facts) {
+    // Stable keys: scripts read this file, and --resume does as well.
     assert(calibration.usable());
     report::Json json{{"schema", "calibrate/1"},
                       {"parameters", parameters_json(calibration)},

@@ -33,6 +33,7 @@ constexpr UnitSuffix unit_suffixes[] = {
     {"relative_error", "%", 100.0},
 };
 
+// Underscores become spaces.
 std::string spaced(std::string words) {
     std::replace(words.begin(), words.end(), '_', ' ');
     return words;

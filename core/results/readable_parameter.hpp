@@ -9,7 +9,7 @@ namespace myo::results {
 /// A parameter as it is shown in reports and in the window.
 struct ReadableParameter {
     std::string name;     // "Young’s modulus E"
-    std::string unit;     // "kPa"; empty for a plain number  // "kPa"; empty for a plain number
+    std::string unit;     // "kPa"; empty for a plain number
     double factor = 1.0;  // shown value = factor * SI value
 };
 /// Name, unit and factor of a fitted parameter.

@@ -202,6 +202,7 @@ std::vector<BodySlice> body_slices(const mesh::SurfaceMesh& surface, double edge
         for (int i = 0; i < blocks.count()[axis]; ++i) {
             BodySlice slice{axis, lines[static_cast<std::size_t>(i)], lines[static_cast<std::size_t>(i) + 1]};
             slice.rod_thickness_m = std::numeric_limits<double>::infinity();
+            // One pass over the filled blocks of the slice collects its thin share and its rods.
             for (int j = 0; j < blocks.count()[b]; ++j)
                 for (int k = 0; k < blocks.count()[c]; ++k) {
                     Eigen::Vector3i at;
@@ -260,6 +261,7 @@ double automatic_resolution(const mesh::SurfaceMesh& surface, mesh::CellType typ
 
 mesh::EdgeAt automatic_edges(const mesh::SurfaceMesh& surface, double refinement) {
     const double plain = plain_resolution(surface, mesh::CellType::hex8);
+    // Slices are judged with the plain edge length, the same as in automatic_resolution(), so that both agree.
     const std::vector<BodySlice> slices = body_slices(surface, plain);
     const double edge = hexahedra_resolution(plain, slices);
     return [=](int axis, double at) {

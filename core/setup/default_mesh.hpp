@@ -17,10 +17,12 @@ struct MeshPolicy {
     double hexahedra_per_size = 6.0;   // edges per cube root of the volume; about a thousand unknowns
     double tetrahedra_per_size = 3.0;  // the same for tetrahedra
     int least_layers = 2;              // of hexahedra between parallel faces
-    int few_rod_layers = 3;    // a rod with at most this many layers one way and fewer the other twists 9 to 14 % too
-    int rod_layers = 4;        // little; it gets this many instead (4 %). Compact 3 x 3 bars (7 %) stay unchanged
-    double rod_aspect = 4.0;   // cells along a rod may be longer by this factor: bending stays resolved
-    double most_aspect = 5.0;  // of cells flattened by thin layers; longer edges are shortened ...
+    /// A rod with at most this many layers in one direction and fewer in the other twists 9 to 14 % too little.
+    int few_rod_layers = 3;
+    /// It gets this many layers instead, 4 %. Compact bars of 3 x 3, 7 %, stay as they are.
+    int rod_layers = 4;
+    double rod_aspect = 4.0;           // cells along a rod may be longer by this factor: bending stays resolved
+    double most_aspect = 5.0;          // of cells flattened by thin layers; longer edges are shortened ...
     double least_edge_share = 0.5;     // ... but at most to this factor: a sheet would take millions of cells
     double least_part = 0.05;          // of the volume; smaller thin parts get layers but do not shorten other edges
     double edge_over_thickness = 1.5;  // of tetrahedra; longer edges give degenerate cells

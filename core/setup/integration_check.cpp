@@ -40,12 +40,14 @@ IntegrationCheck check_integration(const model::Model& model, const dynamics::Ti
     check.h_s = h_s;
     dynamics::StageSolver solver(model);
     const dynamics::NaturalModes modes = dynamics::natural_modes(solver, model.body->mesh.nodes, 1);
+    // A body without modes (not held) has no time scale to judge the step by.
     if (!modes.ok()) return check;
     const double omega = modes.modes.front().omega_rad_s, lambda = model.velocity_force_1_s;
     check.frequency_Hz = omega / (2.0 * std::numbers::pi);
     check.damping_factor = dynamics::damping_factor(model, model.body->mesh.nodes, modes.modes.front());
     check.damping_ratio = dynamics::damping_ratio(check.damping_factor, model.damping_s, omega);
     check.numerical_damping_ratio = dynamics::discrete_vibration(scheme, {omega}, h_s).damping_ratio;
+    // The critical value costs a power iteration on the structure and is only needed for a positive velocity force.
     if (lambda > 0.0) {
         set_critical_velocity_force(solver, scheme, omega, check);
         if (lambda > *check.critical_velocity_force_1_s)

@@ -16,11 +16,11 @@ struct IntegrationCheck {
     double damping_factor = 0.0;           // material factor of this mode, see damping_ratio()
     double damping_ratio = 0.0;            // of the material in this mode [-]
     double numerical_damping_ratio = 0.0;  // of the scheme alone [-]
-    std::optional<double>
-        critical_velocity_force_1_s;  // stability limit [1/s]; only if the model has a positive velocity force
-    bool of_one_mode = false;         // the limit is that of the first mode, because the structure's did not converge
-    std::vector<std::string>
-        warnings;  // one sentence each: a run that will grow, a scheme that damps more than the material
+    /// Stability limit of the velocity force [1/s]; only if the model has a positive one.
+    std::optional<double> critical_velocity_force_1_s;
+    bool of_one_mode = false;  // the limit is that of the first mode, because the structure's did not converge
+    /// One sentence each: a run that will grow, a scheme that damps more than the material.
+    std::vector<std::string> warnings;
 };
 
 /// Checks whether a run with this step will grow or lose more energy to the scheme than to the material.

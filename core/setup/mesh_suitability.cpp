@@ -109,7 +109,7 @@ std::optional<std::string> too_few_cells_to_twist(const MeshFacts& facts) {
     if (!has_hexahedra(facts)) {
         const double thickness = local_thickness(facts.surface), edge = mesh::mean_edge_length(facts.mesh.mesh);
         const double best = longest_edge(facts.surface, thickness);
-        // `best` exceeds the thickness for plates, whose torsion is resolved by cells across their width.
+        // `best` exceeds the thickness unless the body is a rod, see longest_edge().
         if (best > thickness || edge < policy.rod_edge_over_thickness * thickness) return std::nullopt;
         return "edges of " + in_mm(edge) + " leave one layer of tetrahedra across a rod of " + in_mm(thickness) +
                ": its torsion may be off by " + format_number(policy.tetrahedral_rod_twist_error_percent) + " %; " +
@@ -124,6 +124,7 @@ std::optional<std::string> too_few_cells_to_twist(const MeshFacts& facts) {
 
 std::optional<std::string> cells_too_flat(const MeshFacts& facts) {
     const mesh::VolumeMesh& mesh = facts.mesh.mesh;
+    // Single flat cells are harmless; a warning needs a share of them.
     double worst = 0.0;
     Eigen::Index flat = 0;
     for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {

@@ -61,8 +61,8 @@ Result<std::vector<fibre::FibreGroup>> muscle_groups(const experiment::Experimen
         const auto* const mask = std::get_if<experiment::MuscleMask>(&muscle.part);
         const auto* const painted = mask ? std::get_if<std::shared_ptr<const fibre::PaintedMask>>(&mask->painted)
                                          : nullptr;
-        const bool nowhere = painted &&
-                             (*painted)->count() == 0;  // an empty mask is valid while a muscle is being painted
+        // An empty mask is valid while a muscle is being painted.
+        const bool nowhere = painted && (*painted)->count() == 0;
         // A muscle without material would have no effect, and a fit of its level no influence.
         if (group->points.empty() && mask && !nowhere)
             return experiment::declaration_error(experiment, table + "mask",

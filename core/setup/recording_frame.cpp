@@ -67,7 +67,7 @@ Result<void> find_start(const experiment::Experiment& experiment, const experime
     return {};
 }
 
-/// Rest-pose registration: rigid fit, camera to mesh, of all markers visible before the start.
+/// Rest-pose registration: rigid motion, camera to mesh, of all markers visible before the start.
 Result<measurement::RigidMotion> register_rest_pose(const experiment::Experiment& experiment,
                                                     const experiment::TrialDeclaration& declaration,
                                                     const measurement::RestPose& pose, PreparedTrial& trial) {
@@ -133,6 +133,7 @@ Result<void> place_recording(const experiment::Experiment& experiment, const exp
             }
     }
 
+    // Time first, then space; both maps are recorded in `trial` for the report.
     measurement::Recording placed = measurement::transform(measurement::shift_time(recording, -trial.start_s),
                                                            camera_to_mesh);
     const double end = declaration.end_s ? *declaration.end_s - trial.start_s
@@ -141,6 +142,7 @@ Result<void> place_recording(const experiment::Experiment& experiment, const exp
     // Fixed markers come last and serve registration only.
     placed.labels.resize(experiment.markers.on_body.size());
     placed.tracks.resize(experiment.markers.on_body.size());
+    // Samples before t = 0 are kept for display but are not compared.
     while (trial.first_sample < placed.sample_count() && placed.time_s(trial.first_sample) < 0.0) ++trial.first_sample;
     if (trial.first_sample >= placed.sample_count())
         return experiment::declaration_error(experiment, key + ".end_s",

@@ -34,6 +34,7 @@ Result<Eigen::VectorXd> surface_share(const experiment::Experiment& experiment, 
     return Eigen::VectorXd(integral.weight / integral.weight.sum());
 }
 
+// Loads are integrated over the surface of the mesh, so their total is exact for any mesh.
 Result<void> add_loads(const Setup& setup, const experiment::TrialDeclaration& trial, model::Model& model) {
     const experiment::Experiment& experiment = setup.experiment;
     for (std::size_t i = 0; i < trial.loads.size(); ++i) {
@@ -90,6 +91,7 @@ Result<PreparedTrial> prepare_trial(const Setup& setup, const model::Model& mode
     if (const Result<void> activation = add_activation(setup, declaration, trial); !activation)
         return activation.error();
 
+    // Model first, then data: a trial with an impossible load is rejected before its trace is read.
     Result<experiment::TrialRecording> recording = experiment::read_trial(experiment, declaration);
     if (!recording) return recording.error();
     warnings.insert(warnings.end(), recording->warnings.begin(), recording->warnings.end());
@@ -263,7 +265,7 @@ Setup with_fine_element(Setup setup) {
     setup.settings.fine_element = true;
     const fem::ElementKind fine = fem::fine_element(setup.body->kind);
     if (fine == setup.body->kind) return setup;
-    // Same nodes and clamp, more quadrature points: meshes, markers and loads remain valid.
+    // The same mesh with another element: clamp, markers and loads remain valid.
     setup.body = effect::of_kind(*setup.body, fine);
     for (PreparedTrial& trial : setup.trials) trial.model.body = setup.body;
     return setup;
@@ -274,7 +276,7 @@ Result<Setup> prepare_setup(const experiment::Experiment& experiment, const Setu
     Setup setup;
     setup.experiment = experiment;
     setup.settings = settings;
-    // Order of the steps below: geometry and mesh, clamp, markers, model, then the trials, which share body and fibres.
+    // Order of the work below: geometry and mesh, clamp, markers, model, then the trials, which share body and fibres.
     setup.warnings = experiment.warnings;
     Result<mesh::SurfaceMesh> surface = experiment::read_body_surface(experiment);
     if (!surface) return surface.error();
@@ -289,13 +291,16 @@ Result<Setup> prepare_setup(const experiment::Experiment& experiment, const Setu
     const material::MaterialPointer material = material::find_material(law);
     if (!material) return experiment::declaration_error(experiment, "material.model", "no material law '" + law + "'");
 
+    // The mesh conforms to the part of the body that the clamp really holds, see held_part().
     const Box held = held_part(experiment.clamp_box_m, mesh::bounding_box(setup.surface.vertices));
     Result<BodyMesh> mesh = meshed ? *meshed : mesh_body(setup.surface, settings.mesh, {held}, progress);
     if (!mesh) return mesh.error();
     setup.mesh = std::move(*mesh);
     setup.warnings.insert(setup.warnings.end(), setup.mesh.warnings.begin(), setup.mesh.warnings.end());
+    // An unsuitable mesh is a warning, not an error: the user may have chosen it on purpose.
     const std::vector<std::string> unfit = unsuitable({setup.surface, setup.mesh, experiment.effects});
     setup.warnings.insert(setup.warnings.end(), unfit.begin(), unfit.end());
+    // Without clamped nodes the body would fall; with all nodes clamped nothing could move.
     const std::vector<int> clamped = mesh::nodes_in_box(setup.mesh.mesh, box_on_mesh(setup.mesh, held));
     if (clamped.empty())
         return experiment::declaration_error(
@@ -303,11 +308,12 @@ Result<Setup> prepare_setup(const experiment::Experiment& experiment, const Setu
             "no node of the mesh lies in the box; choose a finer resolution or a deeper box");
     if (static_cast<Eigen::Index>(clamped.size()) == setup.mesh.mesh.node_count())
         return experiment::holds_whole_body(experiment);
-    // Effects that vary within a cell need quadrature points that resolve them.
+    // Effects that vary within a cell need an element that resolves them.
     const bool fine = settings.fine_element || effect::any_varies_within_cells(experiment.effects);
     setup.body = model::make_body(setup.mesh.mesh, fine ? fem::fine_element(setup.mesh.element) : setup.mesh.element,
                                   clamped);
 
+    // Markers are bound to the surface of the mesh, which may differ slightly from the declared surface.
     std::vector<Eigen::Vector3d> rest;
     for (const experiment::MarkerDeclaration& marker : experiment.markers.on_body) {
         setup.marker_names.push_back(marker.name);
@@ -325,8 +331,10 @@ Result<Setup> prepare_setup(const experiment::Experiment& experiment, const Setu
     warn_of_mass(model, setup.warnings);
     model.velocity_force_1_s = settings.velocity_force_1_s;
     model.gravity_m_s2 = experiment.gravity_m_s2;
+    // The assumed damping needs the first vibration, hence a complete model except for the muscles.
     model.damping_s = experiment.material.damping_s ? *experiment.material.damping_s
                                                     : assumed_damping_s(model, settings);
+    // Fibres are shared by all trials; only activations and loads differ.
     Result<std::vector<fibre::FibreGroup>> muscles = muscle_groups(experiment, setup.mesh, &setup.warnings);
     if (!muscles) return muscles.error();
     model.fibres = std::make_shared<const std::vector<fibre::FibreGroup>>(std::move(*muscles));
@@ -341,6 +349,7 @@ Result<Setup> prepare_setup(const experiment::Experiment& experiment, const Setu
         setup.trials.push_back(std::move(*trial));
     }
     if (const Result<void> seen = check_seen(setup); !seen) return seen.error();
+    // An effect on the actuation of a body without muscles is declared in vain.
     for (const effect::EffectDeclaration& effect : experiment.effects)
         if (experiment.muscles.empty() && effect::find_effect(effect.id)->stage == effect::EffectStage::actuation)
             setup.warnings.push_back("effect " + effect.id + ": there is no muscle, so it does nothing");

@@ -52,12 +52,12 @@ struct PreparedTrial {
     model::Model model;                              // declared constants; free levels at 1
     std::vector<fibre::Signal> recorded_activation;  // before set_step() turns switches within a step into jumps
     dynamics::SimulationOptions options;
-    measurement::Recording
-        measured;                   // markers on the body, order of declaration; mesh frame [m]; t = 0 at the start [s]
-    Eigen::Index first_sample = 0;  // first compared sample (t >= 0)
-    double start_s = 0.0;           // file time of t = 0
-    bool start_found = false;       // detected in the data, so the exact time may be calibrated
-    std::string start_message;      // how the start was determined
+    /// Markers on the body in the order of declaration, mesh frame [m]; t = 0 at the start [s].
+    measurement::Recording measured;
+    Eigen::Index first_sample = 0;             // first compared sample (t >= 0)
+    double start_s = 0.0;                      // file time of t = 0
+    bool start_found = false;                  // detected in the data, so the exact time may be calibrated
+    std::string start_message;                 // how the start was determined
     std::vector<Eigen::Vector3d> reference_m;  // displacement comparison: mean before the start [m], mesh frame
     std::optional<double> registration_rms_m;  // residual of rest-pose registration [m]
     std::vector<std::size_t> free_levels;      // muscles with an unknown step level

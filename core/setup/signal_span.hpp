@@ -20,9 +20,8 @@ enum class SignalClock { unknown, of_the_recording, milliseconds };
 
 /// A signal that changes, but not during its trial.
 struct MissedSignal {
-    std::size_t trial = 0;  // index into Setup::trials
-    std::string key;        // that names the signal: "trial[0].actuation", "muscle[1].signal"  // of the signal:
-                            // "trial[0].actuation", "muscle[1].signal"
+    std::size_t trial = 0;               // index into Setup::trials
+    std::string key;                     // of the signal: "trial[0].actuation", "muscle[1].signal"
     std::vector<std::string> muscles;    // names; same times, same key
     double first_s = 0.0, last_s = 0.0;  // first and last row of the signal; they count from the trial's t = 0
     double end_s = 0.0;                  // last sample of the trial

@@ -12,6 +12,7 @@ effect::EffectSite effect_site(const Setup& setup, std::size_t index) {
     const experiment::Experiment& experiment = setup.experiment;
     const PreparedTrial& trial = setup.trials[index];
     effect::EffectSite site;
+    // Effects may read geometry and timing, but no measured positions.
     site.body = setup.body;
     site.held = experiment.clamp_box_m;
     site.marker_names = setup.marker_names;

@@ -31,8 +31,8 @@ struct EffectNumber {
                             // "effect.gravity_tilt.axis.turn_1_rad"
     double lower = 0.0, upper = 0.0, scale = 1.0;  // bounds and typical magnitude, in the unit of the parameter
     bool over_decades = false;                     // the fit scales it logarithmically
-    Eigen::Vector3d
-        base = Eigen::Vector3d::Zero();  // direction: unit vector from which the angles are measured; zero otherwise
+    /// Direction: unit vector from which the angles are measured; zero otherwise.
+    Eigen::Vector3d base = Eigen::Vector3d::Zero();
 };
 /// All degrees of freedom of an effect; parameters without a scale in the catalogue are fixed.
 std::vector<EffectNumber> effect_numbers(const effect::EffectDeclaration& effect);

@@ -62,7 +62,8 @@ ModuleGraph read_module_graph(const std::vector<std::string>& cmake_files) {
     }
     for (const std::vector<std::string>& words : further_links) {
         const std::string target = words.front() == "myoloop" ? "app" : words.front();
-        const auto found = graph.find(target.rfind(library_prefix, 0) == 0 ? target.substr(library_prefix.size()) : target);
+        const auto found = graph.find(target.rfind(library_prefix, 0) == 0 ? target.substr(library_prefix.size())
+                                                                           : target);
         if (found != graph.end()) add_links(found->second, {words.begin() + 1, words.end()});
     }
     for (auto& [name, module] : graph)

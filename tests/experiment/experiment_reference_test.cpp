@@ -11,7 +11,9 @@ namespace {
 
 using testing::HasSubstr;
 
-std::string reference() { return *read_file(std::filesystem::path(MYOLOOP_SOURCE_DIR) / "assets/manual/experiment.md"); }
+std::string reference() {
+    return *read_file(std::filesystem::path(MYOLOOP_SOURCE_DIR) / "assets/manual/experiment.md");
+}
 
 TEST(ExperimentReference, BeginsWithAnExampleThatIsRead) {
     const std::string text = reference();
