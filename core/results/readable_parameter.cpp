@@ -22,6 +22,7 @@ constexpr UnitSuffix unit_suffixes[] = {
     {"_Pa_per_m", "MPa/m", 1e-6},
     {"_J_m3", "J/m³", 1.0},
     {"_N_m", "N/m", 1.0},
+    {"_N", "mN", 1e3},
     {"_1_m", "1/m", 1.0},
     {"_1_s", "1/s", 1.0},
     {"_kg", "g", 1e3},
