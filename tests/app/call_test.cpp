@@ -37,6 +37,14 @@ TEST(Call, EffectsAreListedWithTheirParameters) {
     EXPECT_THAT(run.out, HasSubstr("coefficient_kg_m3"));
 }
 
+TEST(Call, UnderstandsTheFormerNameOfACommandWithANote) {
+    const ProgramRun run = run_program({"study"});
+    EXPECT_EQ(run.status, 2);
+    EXPECT_THAT(run.err, HasSubstr("note: 'study' is now called 'validate'"));
+    EXPECT_THAT(run.err, HasSubstr("--out: name a folder"));
+    EXPECT_THAT(run_program({"study", "--help"}).out, HasSubstr("--cases"));
+}
+
 struct BadCall {
     std::vector<std::string> arguments;
     std::vector<std::string> expected;  // in the message
