@@ -37,7 +37,7 @@ TEST(SyntheticCase, IsTheSameWheneverItIsDrawn) {
 TEST(SyntheticCase, ASixthHasNoEffectAndASixthADeletedOne) {
     std::map<validation::CaseKind, int> kinds;
     std::map<std::string, int> named, deleted;
-    const int cases = 6 * 28;
+    const int cases = 6 * static_cast<int>(effect::effect_ids().size());
     for (int k = 0; k < cases; ++k) {
         const validation::SyntheticCase c = validation::drawn_case({}, k);
         ++kinds[c.kind];

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "report/json.hpp"
+#include "reproduce/arm_maps.hpp"
+#include "reproduce/reproduction.hpp"
+
+// Predictions of the static map of the pneumatic arm, and the tables and figures about them.
+
+namespace myo::reproduce {
+
+/// The variant whose predictions are shown in full: two signals, our model.
+inline constexpr std::size_t chosen_variant = 4;
+
+/// Prediction of one pressure that the map does not contain.
+struct Score {
+    std::string what;
+    double pressure_mbar = 0.0;
+    bool extrapolated = false;
+    ArmPrediction prediction;
+    Eigen::Vector3d measured_m = Eigen::Vector3d::Zero();
+    double error() const { return relative_error(prediction.tip_m, measured_m); }
+};
+
+/// A variant at one instant with its predictions.
+struct Assessment {
+    FittedArm arm;
+    std::vector<Score> every_second;  // predicted from the first, third, ... pressure of the map
+    std::vector<Score> left_one_out;
+    std::vector<Score> others;  // recordings outside the map; like the grid, of the chosen variant only
+    std::vector<ArmPrediction> grid;
+};
+inline constexpr double grid_first_mbar = 50.0, grid_step_mbar = 25.0;
+inline constexpr int grid_count = 15;
+
+/// Per variant, at both instants.
+using Assessments = std::vector<std::array<Result<Assessment>, 2>>;
+
+/// Mean relative error of the tip; NaN of an empty list.
+double mean_error(const std::vector<Score>& scores, bool with_extrapolated = true);
+/// Relative error in the bending plane of the recording itself: its direction depends on how the markers were placed.
+double error_in_plane(const Score& score);
+/// Mean of error_in_plane() over pressures inside the map.
+double mean_error_in_plane(const std::vector<Score>& scores);
+
+/// Mean errors per variant and kind of test.
+report::Table errors_table(const std::vector<ArmVariant>& list, const Assessments& all);
+/// Fitted signals and their remaining distance, pose by pose.
+report::Table fits_table(const std::vector<ArmVariant>& list, const Assessments& all);
+/// Predictions of the chosen variant for pressures of the map that were left out.
+report::Table predictions_table(const Assessment& early, const Assessment& late);
+/// Predictions of the chosen variant for recordings outside the map.
+report::Table others_table(const Assessment& early, const Assessment& late, const std::vector<RobotTrial>& others,
+                           double as_long_s);
+/// Predictions on a regular grid of pressures.
+report::Json grid_json(const Assessment& early, const Assessment& late);
+/// Map from pressure to the signal of muscle 1, all variants.
+std::string map_figure(const std::vector<ArmVariant>& list, const Assessments& all);
+/// Mean errors as bars.
+std::string error_figure(const std::vector<ArmVariant>& list, const Assessments& all);
+/// Tip coordinates over pressure, each predicted without its own recording.
+std::string pose_figure(const Assessments& all);
+/// The results in sentences.
+std::vector<std::string> findings_of(const Assessments& all);
+
+}  // namespace myo::reproduce
