@@ -85,7 +85,7 @@ def main():
     parser.add_argument("--task", choices=LIMIT, default="simulate")
     parser.add_argument("--data", default=os.environ.get("MYOLOOP_DATA", str(ROOT.parent / "shared")))
     parser.add_argument("experiment", nargs="*")
-    call = parser.parse_args()
+    call = parser.parse_intermixed_args()
     folders = [pathlib.Path(e) for e in call.experiment] or sorted(
         p.parent for base in (ROOT / "assets/examples", pathlib.Path(call.data) / "experiments")
         for p in base.glob("*/experiment.toml"))

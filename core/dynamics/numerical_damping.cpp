@@ -11,6 +11,13 @@
 namespace myo::dynamics {
 namespace {
 
+struct NumericalDampingPolicy {
+    /// Steps of the continuation from h = 0: at h / 32 the parasitic roots of two-step schemes are still far from the
+    /// principal root.
+    int parts = 32;
+};
+constexpr NumericalDampingPolicy numerical_damping_policy;
+
 using Eigen::Matrix3Xd;
 using Eigen::Matrix4d;
 using Eigen::Vector4d;
@@ -69,11 +76,9 @@ DiscreteVibration discrete_vibration(const TimeScheme& scheme, const Oscillator&
     assert(o.omega_rad_s > 0.0 && h_s > 0.0 && std::abs(damping) < 1.0);
     std::complex<double> root = 1.0;
     Matrix4d A;
-    constexpr int
-        parts = 32;  // at h / 32 the parasitic roots of two-step schemes are still far from the principal root
     // Continuation in h: the root closest to that of the previous, shorter step is the principal one.
-    for (int k = 1; k <= parts; ++k) {
-        A = amplification(scheme, o, h_s * k / parts);
+    for (int k = 1; k <= numerical_damping_policy.parts; ++k) {
+        A = amplification(scheme, o, h_s * k / numerical_damping_policy.parts);
         const Eigen::Vector4cd roots = A.eigenvalues();
         // Schemes without memory have zero roots, which represent no vibration.
         const std::complex<double> before = root;

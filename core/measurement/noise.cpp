@@ -22,6 +22,7 @@ struct NoisePolicy {
     /// The iteration starts from this quantile of the windows and keeps windows up to the still quantile of chance.
     double start_quantile = 0.1;
     double still_quantile = 0.98;
+    int quantile_steps = 200;  // of the midpoint rule for the truncated mean
     int least_changes = 20;
     double exact = 1e-6;  // relative to a unit: decimal text is not exact in binary
 };
@@ -115,9 +116,10 @@ double still_variance(std::vector<double> means, double freedom) {
                       mean_square_quantile(
                           std::max(noise_policy.start_quantile, 0.5 / static_cast<double>(means.size())), freedom);
     double kept_mean = 0.0;  // mean of chi^2 / freedom below the still quantile: corrects the truncation
-    constexpr int steps = 200;
-    for (int k = 0; k < steps; ++k)
-        kept_mean += mean_square_quantile(noise_policy.still_quantile * (k + 0.5) / steps, freedom) / steps;
+    for (int k = 0; k < noise_policy.quantile_steps; ++k)
+        kept_mean += mean_square_quantile(noise_policy.still_quantile * (k + 0.5) / noise_policy.quantile_steps,
+                                          freedom) /
+                     noise_policy.quantile_steps;
     for (int pass = 0; pass < 100; ++pass) {
         const double limit = variance * mean_square_quantile(noise_policy.still_quantile, freedom);
         const auto end = std::upper_bound(means.begin(), means.end(), limit);

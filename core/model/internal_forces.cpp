@@ -20,6 +20,8 @@ using Eigen::VectorXd;
 struct InternalForcesPolicy {
     /// Smallest number of packs worth a separate task; starting a task takes a few microseconds.
     int packs_per_task = 24;
+    /// Packs whose forces and Hessians are kept before they are added up: the workspace stays in the cache.
+    int packs_at_once = 32;
 };
 constexpr InternalForcesPolicy internal_forces_policy;
 
@@ -116,7 +118,8 @@ template <class Geometry>
 void assemble_packs(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x,
                     const InternalInput& input, bool positive, std::vector<Pack>& forces, std::vector<Pack>& energies,
                     solver::SymmetricSparse& hessian) {
-    constexpr int packs_at_once = 32, N = Geometry::nodes;
+    constexpr int N = Geometry::nodes;
+    constexpr int packs_at_once = internal_forces_policy.packs_at_once;
     const BlockPattern& pattern = model.body->pattern;
     // Workspace for one group of packs, reused for all groups.
     std::vector<PackOutput<N>> outputs(static_cast<std::size_t>(std::min(packs_at_once, cells.pack_count())));

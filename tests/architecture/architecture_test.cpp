@@ -115,6 +115,8 @@ TEST(Architecture, CoreDoesNotPrint) { EXPECT_EQ(faults_of(printing_faults), "")
 
 TEST(Architecture, FilesStayShort) { EXPECT_EQ(faults_of(length_faults), ""); }
 
+TEST(Architecture, TuningNumbersAreInPolicies) { EXPECT_EQ(faults_of(tuning_faults), ""); }
+
 TEST(Architecture, NoFileNamesAFolderOfOneMachine) { EXPECT_EQ(faults_of(machine_path_faults), ""); }
 
 // The rules can fail: each is broken by a made-up file.
@@ -244,6 +246,21 @@ TEST(PrintingRule, SeesCodeAndNotComments) {
         EXPECT_EQ(printing_faults({"core/fem/x.cpp", code}).size(), 0u) << code;
     EXPECT_EQ(printing_faults({"app/main.cpp", "std::cout << 1;"}).size(), 0u);
     EXPECT_EQ(include_faults_of("core/fem/x.cpp", "#include <iostream>"), 1u);
+}
+
+TEST(TuningRule, FindsNumbersOutsidePolicies) {
+    const auto faults = [](const std::string& code) { return tuning_faults({"core/fem/x.cpp", code}).size(); };
+    EXPECT_EQ(faults("constexpr double most = 3.0;"), 1u);
+    EXPECT_EQ(faults("inline constexpr int rounds = 3, others = 4;  // why"), 1u);
+    EXPECT_EQ(faults("void f() {\n    constexpr std::size_t count = 16;\n}"), 1u);
+    EXPECT_EQ(faults("constexpr double share = 1.0 / 3.0;"), 1u);
+    EXPECT_EQ(faults("struct XPolicy {\n    double most = 3.0;\n};\nconstexpr XPolicy x_policy;"), 0u);
+    EXPECT_EQ(faults("constexpr int at_once = x_policy.at_once;"), 0u);
+    EXPECT_EQ(faults("struct A {\n    static constexpr int nodes = 8;\n};"), 0u);
+    EXPECT_EQ(faults("constexpr double weights[] = {1.0, 2.0};"), 0u);
+    EXPECT_EQ(faults("constexpr double none = std::numeric_limits<double>::quiet_NaN();"), 0u);
+    EXPECT_EQ(faults("// constexpr double most = 3.0;"), 0u);
+    EXPECT_EQ(tuning_faults({"tests/fem/x.cpp", "constexpr double most = 3.0;"}).size(), 0u);
 }
 
 TEST(OtherRules, FindLongFilesMachinePathsAndUnknownModules) {

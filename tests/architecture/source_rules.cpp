@@ -124,6 +124,37 @@ std::vector<Fault> length_faults(const SourceFile& file) {
     return {fault(file, 501, "has " + std::to_string(lines) + " lines; look for the second idea")};
 }
 
+std::vector<Fault> tuning_faults(const SourceFile& file) {
+    // Facts of a geometry, a rule or a protocol: another value would be wrong, not better or worse.
+    static const std::array<std::string, 7> structural = {
+        "core/fem/assumed_strain.hpp",                       // points and weights of the quadrature
+        "core/mesh/connectivity.cpp",                        // corners of a face
+        "core/mesh/tetgen_exchange.hpp",                     // exit codes and magic number of the worker
+        "core/measurement/trace_csv.cpp",                    // an absent column
+        "core/report/chart.hpp",                             // colours that are no slots
+        "core/diagnosis/report/diagnosis_report_parts.hpp",  // colour slots
+        "core/solver/factor_block.hpp"};                     // block size of the storage layout
+    static const std::regex declaration(
+        R"(^(.*)\bconstexpr\s+(?:double|float|int|long|std::size_t|std::uint64_t|(?:Eigen::)?Index)\s+([^;()]*=[^;]*);)");
+    static const std::regex derived(R"(numeric_limits|numbers::|sizeof|decltype|Policy|_policy\.)");
+    static const std::regex number(R"(=\s*[-+]?[\d.]|[-+*/(]\s*\d)");
+    if (file.path.rfind("core/", 0) != 0 || !is_cpp(file.path)) return {};
+    if (std::find(structural.begin(), structural.end(), file.path) != structural.end()) return {};
+    std::vector<Fault> faults;
+    std::istringstream lines(code_only(file.text));
+    std::string line;
+    for (int count = 1; std::getline(lines, line); ++count) {
+        std::smatch match;
+        if (!std::regex_search(line, match, declaration)) continue;
+        const std::string before = match[1], body = match[2];
+        const bool member = before.find("static") != std::string::npos;
+        const bool array = body.substr(0, body.find('=')).find('[') != std::string::npos;
+        if (!member && !array && !std::regex_search(body, derived) && std::regex_search(body, number))
+            faults.push_back(fault(file, count, "a number outside a policy: " + body));
+    }
+    return faults;
+}
+
 std::vector<Fault> machine_path_faults(const SourceFile& file) {
     // Written in two parts, or this file would break the rule itself.
     static const std::array<std::string, 5> roots = {std::string("/wo") + "rk/", std::string("/tm") + "p/",

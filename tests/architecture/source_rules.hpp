@@ -44,6 +44,11 @@ std::vector<Fault> printing_faults(const SourceFile& file);
 /// More than 500 lines of C++.
 std::vector<Fault> length_faults(const SourceFile& file);
 
+/// Named numbers of core at namespace or function scope, outside policies: `constexpr double most = 3.0;`. Members of a
+/// class, arrays and values from std::numeric_limits or std::numbers are no tuning numbers; nor are the sizes, codes
+/// and quadrature weights of a few files, which are listed with their reason.
+std::vector<Fault> tuning_faults(const SourceFile& file);
+
 /// Paths that exist on one machine only.
 std::vector<Fault> machine_path_faults(const SourceFile& file);
 
