@@ -50,6 +50,7 @@ public:
         add_force(change(0) / regularised(v) * v, gradient);
     }
 
+    std::vector<double> jumps() const override { return {0.0}; }
     bool steady(double from_s, double to_s) const override { return (from_s < 0.0) == (to_s < 0.0); }
 
 private:
