@@ -21,7 +21,7 @@ struct WindowPolicy {
     double scan_phase_rad = 0.8;  // phase between adjacent moduli of the scan at the end of the first window
     int most_scanned = 40;        // moduli per damping
     double least_share = 0.02;    // smallest over largest modulus if the lower bound is 0
-    /// Of the declared damping, tried with each modulus: an overdamped motion fits all equally badly.
+    /// Share of the declared damping that is tried with each modulus: an overdamped motion fits all equally badly.
     double damping_shares[2] = {1.0, 0.2};
     int max_evaluations = 10;  // per window; the next window continues
     double worth = 0.7;        // required cost on the full trials over that of their fit

@@ -99,8 +99,11 @@ Diagnosis diagnose(const setup::Setup& setup, const DiagnoseSettings& settings, 
     if (fit_declared(work)) {
         test(work);
         const bool searched = !progress.cancelled() &&
-                              needs_explanation(result.declared, result.data, result.numerics) && search_effects(work);
-        if (searched && !is_faint(result.declared, result.data, result.numerics)) search_pairs(work);
+                              needs_explanation(result.declared, result.data, result.numerics,
+                                                settings.policy.judgement) &&
+                              search_effects(work);
+        if (searched && !is_faint(result.declared, result.data, result.numerics, settings.policy.judgement))
+            search_pairs(work);
         if (!progress.cancelled()) conclude(work);
     }
     result.stopped = progress.cancelled();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/diagnosis_policy.hpp"
 #include "diagnosis/discretisation/numerical_error.hpp"
 #include "diagnosis/fit/joint_fit.hpp"
 #include "diagnosis/missing_force/missing_force.hpp"
@@ -25,6 +26,7 @@ struct DiagnoseSettings {
     std::vector<std::string> without;  // effects that may not be named
     std::optional<std::filesystem::path>
         fits;  // file of fits done before, read and kept up to date: to go on where it was stopped
+    DiagnosisPolicy policy = {};
 };
 
 /// A fit with what decides about it.
@@ -35,9 +37,9 @@ struct JudgedFit {
                                 // blocks of time
     double held_out_in_time_rms = 0.0;  // the same with blocks of time of all trials
     int single_trial_directions = 0;    // directions of the numbers of which one trial alone tells: they stay as fitted
-                                      // when it is held out
-    double criterion = 0.0;  // what fits are ordered by; lower is better
-    double weight = 0.0;     // share of the evidence among all that were fitted
+                                        // when it is held out
+    double criterion = 0.0;             // what fits are ordered by; lower is better
+    double weight = 0.0;                // share of the evidence among all that were fitted
     statistics::ResidualTests tests;
     statistics::IndependenceTest independence;  // of a residual that is significant and not large
     std::optional<NumericalError> numerics;  // found with this fit, and taken off; none: that of the declared fit was

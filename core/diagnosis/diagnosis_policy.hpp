@@ -24,11 +24,25 @@ struct ErrorCorrection {
 
 /// Numerical error of the runs, and how it is taken off. Source: Richardson 1911 (extrapolation); Roache 1998, ch. 5.
 struct NumericsPolicy {
-    /// Of nodal forces, to which the stages of all runs are solved: motions are exact to 1 % of usual noises.
+    /// Relative residual of nodal forces in the stages of all runs: motions are exact to 1 % of usual noises.
     double solver_tolerance = 1e-6;
-    /// Of the linear systems of derivatives: a fit needs the direction, not all digits.
+    /// Relative residual of the linear systems of derivatives: a fit needs the direction, not all digits.
     double tangent_tolerance = 1e-4;
 
+    /// Relative distance to a bound within which a value counts as at the bound.
+    double at_bound = 1e-6;
+
+    /// Steps are lengthened while predictions change by at most this [noise levels, rms]: so small an error follows its
+    /// order and is taken off. Or by this share of what the declared fit leaves, if that is more: a law of another form
+    /// than an effect's leaves a twentieth.
+    double most_step_change = 1.0;
+    double step_change_of_left = 0.03;
+
+    /// Orders of displacements in the edge length without locking. hex8: 2.5 by a manufactured solution. tet10_fine:
+    /// measured 3.6 at nu 0.3 and 3.1 at 0.499; other elements converge with the square.
+    double order_hex8 = 2.5;
+    double order_tet10_fine = 3.0;
+    double order_other = 2.0;
     /// The refined mesh has this many unknowns, its edges between these shares of the setup's: a run takes seconds.
     double fine_unknowns = 8000.0;
     double finest_ratio = 0.5;
@@ -98,6 +112,10 @@ struct ScreeningPolicy {
     double nonlinear_ratio = 2.0;
     /// A second start is used where its amount differs from the first by this factor.
     double distinct_start = 2.0;
+    /// Exchanged names and slipped markers are scored if undoing them removes this share of the squares. Markers are
+    /// centimetres apart: an exchange that happened makes most of the residual.
+    double least_swap_gain = 0.2;
+    double least_slip_gain = 0.05;
     /// Columns of a probe below this share of its largest do not limit the amount.
     double negligible_column = 0.05;
 };
@@ -109,6 +127,9 @@ struct CandidateFitPolicy {
     Effort repeated{8, 1e-3, 1};    // the same where the first attempt missed its predicted reduction
     Effort leader{20, 3e-4};        // all parameters of the best, and of those with a large predicted reduction
     Effort other{20, 1e-3, 1};      // of the others
+    double relative_step = 1e-5;    // of the parameters, below which a search has converged
+    /// The first step of a parameter of unknown order of magnitude changes it by at most this factor, e squared.
+    double most_factor = 7.38905609893065;
     /// Secant updates do not serve a candidate with a larger predicted reduction.
     double large_reduction = 0.3;
     /// Candidates whose predicted reduction is at least this share of the leader's are pruned later.
@@ -193,7 +214,7 @@ struct JudgementPolicy {
     double chance_deviations = 1.64;
     /// An effect differs from zero when its amount is this many standard deviations.
     double significant_deviations = 3.0;
-    /// Of the excess squares on held-out data an effect leaves at most this share; the second is left to chance.
+    /// An effect leaves at most this share of the excess squares on held-out data; the second is left to chance.
     double most_held_out = 0.5;
     double chance_held_out = 0.05;
     /// Information criteria of dynamic fits exaggerate, as residuals share errors of the model's form: differences are
@@ -261,11 +282,24 @@ struct MissingForcePolicy {
     double first_share = 0.1;
     double share_factor = 2.0;
     int most_runs = 8;
+    double noise_margin = 1.02;  // squares of the residual over those of noise, where the search ends
+    double least_gain = 0.97;    // a run that leaves a larger share of the squares is the last
+    /// The last percents of what linear forces cannot reach cost the most force: this factor of the least is asked for.
+    double reachable = 1.1;
+    double lowest_lambda = 1e-9, highest_lambda = 1e3;  // regularisation, over the largest diagonal entry
+    int bisections = 80;                                // of its logarithm
     /// A force that explains less of the residual's squares is not reported: its place would be chance.
     double least_explained = 0.05;
     int most_modes = 3;
     /// Modes are reported until they hold this share of the force.
     double reported_share = 0.97;
+    double least_mode = 0.01;  // share of a mode that is reported
+    // Words for a mode. A uniform force has its middle at 0.5 of the length and a spread of 0.29.
+    double least_aligned = 0.3;    // below: opposite directions, like a moment
+    double along_axis = 0.9;       // component of the direction
+    double least_component = 0.3;  // that is named between axes
+    double at_end = 0.75, near_end = 0.6, near_clamp = 0.4, at_clamp = 0.25;  // of the length
+    double concentrated = 0.24;  // spread below which a force acts at the middle
 };
 
 struct DiagnosisPolicy {

@@ -11,7 +11,7 @@
 namespace myo::diagnosis {
 namespace {
 
-/// Of what fits depend on beside mesh and steps: what was measured, and the declared numbers that are not fitted.
+/// Identifies what a fit depends on apart from mesh and steps: recordings, and declared parameters that are not fitted.
 std::uint64_t fingerprint(const setup::Setup& setup) {
     Fingerprint print;
     const experiment::MaterialDeclaration& material = setup.experiment.material;

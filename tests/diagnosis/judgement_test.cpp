@@ -34,13 +34,13 @@ TEST(Weigh, ComparesByTimeWhatHoldingOutATrialDoesNotTest) {
     for (const double in_time : {0.8, 1.6}) {
         JudgedFit of_one_trial = fit(0.9, in_time, 2), of_all = fit(1.2, 1.2, 1), broken = fit(0.1, 0.1, 0);
         broken.fit.residual.resize(0);
-        weigh(data, {&of_one_trial, &of_all, &broken});
+        weigh(data, {&of_one_trial, &of_all, &broken}, diagnosis_policy.judgement);
         EXPECT_EQ(of_one_trial.criterion < of_all.criterion, in_time < 1.0);
         EXPECT_EQ(broken.weight, 0.0);
     }
     JudgedFit worse = fit(1.4, 0.5, 2),
               better = fit(1.2, 1.2, 1);  // not even flattered it is best: nothing to be asked again
-    weigh(data, {&worse, &better});
+    weigh(data, {&worse, &better}, diagnosis_policy.judgement);
     EXPECT_LT(better.criterion, worse.criterion);
 }
 
@@ -63,7 +63,7 @@ TEST(Weigh, WhatEndsAtItsBoundIsTheLimitOfAnotherKind) {
         }
         ASSERT_TRUE(effect_at_bound(at_bound.fit));
         ASSERT_FALSE(effect_at_bound(within.fit));
-        weigh(data, {&at_bound, &within});
+        weigh(data, {&at_bound, &within}, diagnosis_policy.judgement);
         EXPECT_EQ(within.weight > at_bound.weight, within_held_out == 1.0);
         if (within_held_out == 1.0) {
             EXPECT_NEAR(within.weight, 0.8, 1e-12) << "four to one";

@@ -68,7 +68,8 @@ TEST(LongerSteps, AreLongerWhereTheDeclaredFitLeavesMuch) {
         EXPECT_EQ(as_diagnosed(work.result, setup).trials[0].options.h_s, work.setup.trials[0].options.h_s);
         if (missing_kg_m3 > 0.0) {
             EXPECT_GT(work.result.declared.rms_m, 1e-4);
-            EXPECT_LT(work.result.numerics.step_rms_m, longer_steps_policy.share_of_left * work.result.declared.rms_m);
+            EXPECT_LT(work.result.numerics.step_rms_m,
+                      diagnosis_policy.numerics.step_change_of_left * work.result.declared.rms_m);
             EXPECT_NE(work.result.notes.front().find("5 ms, whose error is taken off"), std::string::npos);
         }
     }

@@ -15,7 +15,8 @@ namespace {
 using namespace test;
 
 std::string rule_of(Diagnosis d, const DiagnosisPolicy& policy = diagnosis_policy) {
-    decide(d, policy);
+    d.settings.policy = policy;
+    decide(d);
     return d.verdict.rule;
 }
 
@@ -98,15 +99,20 @@ TEST(VerdictRules, FollowThePolicy) {
     policy = {};
     policy.judgement.most_of_residual = 0.1;
     EXPECT_EQ(rule_of(with_pair(0.3), policy), "unexplained");
+    policy = {};
+    policy.judgement.least_systematic = 20.0;
+    EXPECT_EQ(rule_of(with_candidate(8.0), policy), "nothing_missing");
+    policy = {};
+    policy.judgement.most_of_residual = 0.01;
+    EXPECT_NE(rule_of(with_candidate(0.3), policy), "single_effect");
 }
 
 TEST(VerdictRules, ConfidenceFollowsThePolicy) {
-    Diagnosis plain = with_candidate(0.3), doubled = plain;
+    Diagnosis plain = with_candidate(0.3), halved = plain;
     decide(plain);
-    DiagnosisPolicy policy;
-    policy.verdict.undoubted *= 0.5;
-    decide(doubled, policy);
-    EXPECT_DOUBLE_EQ(doubled.verdict.confidence, 0.5 * plain.verdict.confidence);
+    halved.settings.policy.verdict.undoubted *= 0.5;
+    decide(halved);
+    EXPECT_DOUBLE_EQ(halved.verdict.confidence, 0.5 * plain.verdict.confidence);
     Diagnosis drift = drifting();
     decide(drift);
     EXPECT_DOUBLE_EQ(drift.verdict.confidence, diagnosis_policy.verdict.undoubted * diagnosis_policy.verdict.drift);

@@ -14,7 +14,7 @@ namespace myo::diagnosis {
 /// error.alike of the step before
 MatchedValues match_discretisation(const FitData& data, const JointFit& fit, const NumericalError& error);
 
-/// The same with the fit's values in the place of those on the setup's cells, the others moved along.
+/// A match moved to the values of another fit: the values of the refined runs keep their distance to the coarse run's.
 MatchedValues moved_match(const JointFit& fit, const MatchedValues& matched);
 
 /// Richardson's extrapolation of the numbers of a fit: the values of a body without cells, run without steps, that

@@ -12,15 +12,8 @@ struct ParameterValues;
 
 namespace myo::diagnosis {
 
-/// How much longer the steps of a diagnosis may be than those of a run that shall be right by itself: their error is
-/// taken off, see numerical_error().
-struct LongerStepsPolicy {
-    double most_change = 1.0;     // of predictions, rms in noise levels: so small an error follows its order
-    double share_of_left = 0.03;  // of what the declared fit leaves, where that is more: a law of another form than an
-                                  // effect's leaves a twentieth
-};
-inline constexpr LongerStepsPolicy longer_steps_policy;
-
+/// Steps of a diagnosis may be longer than those of a run that shall be right by itself: their error is taken off, see
+/// numerical_error() and NumericsPolicy.
 struct LongerSteps {
     std::vector<double> factors;  // of the steps, one per trial; powers of two
     int runs = 0;                 // of trials, that it took

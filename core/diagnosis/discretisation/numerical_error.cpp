@@ -24,11 +24,11 @@ struct Sum {
     double rms() const { return count > 0.0 ? std::sqrt(squares / count) : 0.0; }
 };
 
-/// At which displacements converge with the edge where nothing locks: hex8 2.5 by a manufactured solution, tet10 3.6 at
-/// ν 0.3 and 3.1 at 0.499.
+/// Order at which displacements converge with the edge length.
 double mesh_order(fem::ElementKind element) {
-    if (element == fem::ElementKind::hex8) return 2.5;
-    return fem::fine_element(element) == fem::ElementKind::tet10_fine ? 3.0 : 2.0;
+    if (element == fem::ElementKind::hex8) return diagnosis_policy.numerics.order_hex8;
+    return fem::fine_element(element) == fem::ElementKind::tet10_fine ? diagnosis_policy.numerics.order_tet10_fine
+                                                                      : diagnosis_policy.numerics.order_other;
 }
 
 /// From the change by a refinement of this order to its limit.

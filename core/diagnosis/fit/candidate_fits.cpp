@@ -36,7 +36,7 @@ double predicted_squares(const JointFit& fit) {
 
 /// A value after a step within its bounds; what goes over decades goes by no more than a factor of e squared.
 double stepped(const inverse::Parameter& p, double value, double step) {
-    const double most = std::exp(2.0);
+    const double most = diagnosis_policy.fits.most_factor;
     const double lower = p.over_decades ? std::max(p.lower, (value + p.scale) / most - p.scale) : p.lower;
     const double upper = p.over_decades ? std::min(p.upper, (value + p.scale) * most - p.scale) : p.upper;
     return std::clamp(value + step, lower, upper);

@@ -19,7 +19,7 @@ struct CandidateStart {
     effect::EffectParameters safe;  // of the effect, where the fit starts from when all else goes wrong; empty: nowhere
 };
 CandidateStart start_of(const EffectScore& score);
-/// Of the best probe that has any, of each of these effects.
+/// Starts beyond the range of linear response: those of the best probe of each wanted effect.
 std::vector<CandidateStart> nonlinear_starts(const std::vector<EffectScore>& scores,
                                              const std::function<bool(const EffectScore&)>& wanted);
 

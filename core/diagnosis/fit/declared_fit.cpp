@@ -31,8 +31,9 @@ bool lengthen_steps(DiagnosisWork& work, double most_m) {
 
 /// Longer steps still where little of what a fit leaves changes by them.
 void lengthen_steps_for(DiagnosisWork& work, JointFit& fit) {
-    const double most_m = longer_steps_policy.share_of_left * flat_rms_m(work.result.data, fit.residual);
-    if (most_m > longer_steps_policy.most_change * setup::mean_noise(work.setup) && lengthen_steps(work, most_m))
+    const double most_m = diagnosis_policy.numerics.step_change_of_left * flat_rms_m(work.result.data, fit.residual);
+    if (most_m > diagnosis_policy.numerics.most_step_change * setup::mean_noise(work.setup) &&
+        lengthen_steps(work, most_m))
         forget_paths(fit.predictions);  // of other steps
 }
 
@@ -49,7 +50,7 @@ bool fit_declared(DiagnosisWork& work) {
     result.noise_m = std::sqrt(result.data.noise_m.squaredNorm() /
                                static_cast<double>(std::max<Eigen::Index>(1, result.data.noise_m.size())));
     if (result.data.layout.size() == 0) return fail(work, "no sample of a fit trial can be compared");
-    lengthen_steps(work, longer_steps_policy.most_change * setup::mean_noise(work.setup));
+    lengthen_steps(work, diagnosis_policy.numerics.most_step_change * setup::mean_noise(work.setup));
     if (work.progress.cancelled()) return false;
     JointFit declared = work.fit("declared fit", prediction::declared_values(work.setup),
                                  diagnosis_policy.declared.effort);

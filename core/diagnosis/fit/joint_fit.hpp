@@ -23,12 +23,12 @@ struct JointFit {
     double seconds = 0.0;
 
     bool usable() const { return residual.size() > 0; }
-    /// Of the model, with so many trials, about: a number that moves nothing in a trial takes none there.
+    /// Approximate number of model runs: parameters that do not act in a trial need none there.
     int runs(int trials) const {
         return trials * (report.evaluations + report.jacobians * static_cast<int>(parameters.size()));
     }
     double squares() const { return residual.squaredNorm(); }
-    /// Of the squares, those that noise alone does not make.
+    /// Squares beyond those that noise alone gives.
     double excess() const { return std::max(0.0, squares() - static_cast<double>(residual.size())); }
 };
 

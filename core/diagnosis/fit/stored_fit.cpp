@@ -31,7 +31,7 @@ JointFit stored_fit(FitStore& store, const setup::Setup& setup, const FitData& d
     options.max_evaluations = effort.evaluations;
     options.relative_decrease = effort.relative_decrease;
     options.most_jacobians = effort.most_jacobians;
-    options.relative_step = 1e-5;
+    options.relative_step = diagnosis_policy.fits.relative_step;
     const std::vector<prediction::ModelParameter> parameters = joint_parameters(setup, start, freedom);
     std::string key = std::to_string(effort.evaluations) + " shift " +
                       format_number(fingerprint(data.shift), all_digits) + " modulus factor " +

@@ -110,8 +110,9 @@ FoundForce repeated_steps(const ForcedTrial& trial, const MatrixXd& A, ForcedTri
     FoundForce best{VectorXd::Zero(A.cols()), std::move(start)};
     const double wanted = noise_squares(A.rows());
     double share = diagnosis_policy.force.first_share;
-    for (int step = 0; step < diagnosis_policy.force.most_runs && share < 1.0 &&
-                       best.run.residual.squaredNorm() > 1.02 * wanted && !progress.cancelled();
+    for (int step = 0;
+         step < diagnosis_policy.force.most_runs && share < 1.0 &&
+         best.run.residual.squaredNorm() > diagnosis_policy.force.noise_margin * wanted && !progress.cancelled();
          ++step) {
         progress.report({"missing force", 2.0 + step, 2.0 + diagnosis_policy.force.most_runs, "runs", {}});
         const double before = best.run.residual.squaredNorm();
@@ -125,31 +126,33 @@ FoundForce repeated_steps(const ForcedTrial& trial, const MatrixXd& A, ForcedTri
             continue;
         }
         best = {sizes, std::move(run)};
-        if (best.run.residual.squaredNorm() > 0.97 * before) break;
+        if (best.run.residual.squaredNorm() > diagnosis_policy.force.least_gain * before) break;
     }
     return best;
 }
 
 std::string direction_words(const ForceMode& mode) {
-    if (mode.aligned < 0.3) return "in opposite directions along the body, like a moment";
+    const MissingForcePolicy& policy = diagnosis_policy.force;
+    if (mode.aligned < policy.least_aligned) return "in opposite directions along the body, like a moment";
     Index axis = 0;
-    if (mode.direction.cwiseAbs().maxCoeff(&axis) > 0.9)
+    if (mode.direction.cwiseAbs().maxCoeff(&axis) > policy.along_axis)
         return std::string("along ") + (mode.direction(axis) > 0.0 ? "+" : "\u2212") + "xyz"[axis];
     std::string words;
     for (Index i = 0; i < 3; ++i)
-        if (std::abs(mode.direction(i)) > 0.3)
+        if (std::abs(mode.direction(i)) > policy.least_component)
             words += std::string(words.empty() ? "between " : " and ") + (mode.direction(i) > 0.0 ? "+" : "\u2212") +
                      "xyz"[i];
     return words;
 }
 
-/// Uniform force has its middle at 0.5 and a spread of 0.29.
+/// @param place, spread  mean and standard deviation along the body, in its length
 std::string place_words(double place, double spread) {
-    if (place > 0.75) return "at the free end";
-    if (place > 0.6) return "nearer the free end";
-    if (place < 0.25) return "at the clamp";
-    if (place < 0.4) return "nearer the clamp";
-    return spread < 0.24 ? "at the middle of the body" : "along the whole body";
+    const MissingForcePolicy& policy = diagnosis_policy.force;
+    if (place > policy.at_end) return "at the free end";
+    if (place > policy.near_end) return "nearer the free end";
+    if (place < policy.at_clamp) return "at the clamp";
+    if (place < policy.near_clamp) return "nearer the clamp";
+    return spread < policy.concentrated ? "at the middle of the body" : "along the whole body";
 }
 
 void describe(const model::Body& body, const ForceFields& fields, ForceMode& mode) {
@@ -189,7 +192,7 @@ std::vector<ForceMode> force_modes(const ForcedTrial& trial, const VectorXd& siz
     for (Index k = 0; k < svd.sizes.size() && all > 0.0 && shown < diagnosis_policy.force.reported_share; ++k) {
         ForceMode mode;
         mode.share = std::pow(svd.sizes(k), 2) / all;
-        if (mode.share < 0.01) break;
+        if (mode.share < diagnosis_policy.force.least_mode) break;
         shown += mode.share;
         const VectorXd of_field = volume.matrixU().solve(VectorXd(svd.left.col(k)));
         mode.pattern = Matrix3Xd::Zero(3, fields.place.size());
@@ -245,8 +248,9 @@ MissingForce infer_missing_force(const setup::Setup& declared, const Diagnosis& 
     result.modes = force_modes(trial, found.sizes);
     const double squares_before = std::pow(result.before_over_noise, 2) * static_cast<double>(A.rows());
     if (result.modes.empty())
-        result.failure = squares_before <= 1.02 * noise_squares(A.rows()) ? "the residual is noise"
-                                                                          : "no force makes the residual smaller";
+        result.failure = squares_before <= diagnosis_policy.force.noise_margin * noise_squares(A.rows())
+                             ? "the residual is noise"
+                             : "no force makes the residual smaller";
     else if (result.removed() < diagnosis_policy.force.least_explained) {
         result.modes.clear();
         result.failure = "no smooth force takes away more than " + format_number(100.0 * result.removed(), 1) +

@@ -8,6 +8,8 @@
 
 #include "base/decompositions.hpp"
 
+#include "diagnosis/diagnosis_policy.hpp"
+
 namespace myo::diagnosis {
 
 using Eigen::MatrixXd;
@@ -26,16 +28,16 @@ SmoothForce::SmoothForce(const MatrixXd& A, const MatrixXd& R) : A_(A) {
 
 VectorXd SmoothForce::solve(const VectorXd& d, double squares) const {
     const VectorXd g = to_x_.transpose() * (A_.transpose() * d);
+    const MissingForcePolicy& policy = diagnosis_policy.force;
     const double largest = diagonal_.maxCoeff();
     if (!(largest > 0.0)) return VectorXd::Zero(A_.cols());
     const auto left = [&](double lambda) {
         const Eigen::ArrayXd sum = diagonal_.array() + lambda;
         return d.squaredNorm() - (g.array().square() * (sum + lambda) / sum.square()).sum();
     };
-    double low = std::log(1e-9 * largest), high = std::log(1e3 * largest);
-    // The last few percent of what cannot be reached cost the most force and tell the least.
-    const double wanted = std::max(squares, 1.1 * left(std::exp(low)));
-    for (int i = 0; i < 80; ++i) {
+    double low = std::log(policy.lowest_lambda * largest), high = std::log(policy.highest_lambda * largest);
+    const double wanted = std::max(squares, policy.reachable * left(std::exp(low)));
+    for (int i = 0; i < policy.bisections; ++i) {
         const double middle = 0.5 * (low + high);
         (left(std::exp(middle)) <= wanted ? low : high) = middle;
     }

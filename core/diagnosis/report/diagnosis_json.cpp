@@ -103,7 +103,7 @@ report::Json numerics_json(const Diagnosis& d) {
         {"made_up_for_by_the_modulus",
          {{"modulus_factor", n.effective_modulus.factor()}, {"rest_rms_m", report::json_number(n.rest_rms_m)}}},
         {"left_after_extrapolation_rms_m", report::json_number(n.left_rms_m)},
-        {"allowance_over_noise", report::json_number(numerical_allowance(d.data, n))},
+        {"allowance_over_noise", report::json_number(numerical_allowance(d.data, n, d.settings.policy.judgement))},
         {"message", n.message}};
 }
 

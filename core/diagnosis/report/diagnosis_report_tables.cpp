@@ -151,7 +151,8 @@ report::Section significance_section(const setup::Setup&, const Diagnosis& d) {
                         report::readable_number(100.0 * d.settings.alpha, 2) + " % of all cases. Of what is left, " +
                         systematic(d.declared.tests) + " times the noise is systematic before";
     if (two) words += ", " + systematic(d.augmented.tests) + " after";
-    words += "; up to " + report::readable_number(numerical_allowance(d.data, d.numerics), 2) +
+    words += "; up to " +
+             report::readable_number(numerical_allowance(d.data, d.numerics, d.settings.policy.judgement), 2) +
              " is put down to the program itself.";
     if (d.declared.drifts() || (two && d.augmented.drifts()))
         words += std::string(" What is systematic ") + (d.declared.drifts() ? "" : "after ") +

@@ -8,7 +8,7 @@ namespace myo::diagnosis {
 /// apart.
 void find_confusions(Diagnosis& diagnosis);
 
-/// Those that say something of the answer: with effects as verdict, those of one of them; else all.
+/// Confusions that concern the answer: if the verdict names effects, those with one of them, otherwise all.
 std::vector<Confusion> confusions_of_verdict(const Diagnosis& diagnosis);
 
 /// Whether the fits choose between two that look alike: one of them is the verdict, and the other was fitted and has

@@ -32,7 +32,7 @@ struct EffectScore {
     double seconds = 0.0;       // its runs took, added up
     std::string failure;        // why it could not be tried; empty when it was
 
-    /// Of the residual, to put scores in order; -1 where it could not be tried.
+    /// Explained share of the residual, by which scores are ordered; -1 if the effect could not be tried.
     double share() const { return usable() ? test.explained : -1.0; }
     bool usable() const { return failure.empty() && candidate.rank() > 0 && test.explained > 0.0; }
 };

@@ -105,7 +105,7 @@ bool correct_best(DiagnosisWork& work) {
         if (!best || best->numerics ||
             best->fit.excess() > diagnosis_policy.search.much_better * result.declared.fit.excess())
             continue;
-        if (explains(*best, result.declared, result.data, result.numerics)) break;
+        if (explains(*best, result.declared, result.data, result.numerics, result.settings.policy.judgement)) break;
         if (!correct_candidate(work, *best)) return false;
     }
     order_candidates(result);
@@ -219,8 +219,8 @@ bool search_effects(DiagnosisWork& work) {
         !polish_the_best(work))
         return false;
     const bool surely = explained(result, Leniency::strict);
-    const bool faint = is_faint(result.declared, result.data,
-                                result.numerics);  // what hardly shows is not worth a long search
+    const bool faint = is_faint(result.declared, result.data, result.numerics,
+                                result.settings.policy.judgement);  // what hardly shows is not worth a long search
     const std::size_t last = worth_going_on(result, starts, surely);
     starts.resize(last);
     if (!surely && !faint) {

@@ -4,8 +4,6 @@
 
 namespace myo::diagnosis {
 
-/// How far a fit goes of a candidate that did not find its way.
-
 /// Scores all effects that may be named, and fits the best of them until one explains the residual: from their best
 /// probes, from other places and axes, by large probes. False: cancelled.
 bool search_effects(DiagnosisWork& work);

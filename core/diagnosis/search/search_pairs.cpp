@@ -32,7 +32,7 @@ void search_pairs(DiagnosisWork& work) {
     Diagnosis& result = work.result;
     if (result.candidates.empty() || !result.candidates.front().judged) return;
     const JudgedFit& first = *result.candidates.front().judged;
-    if (explains(first, result.declared, result.data, result.numerics) ||
+    if (explains(first, result.declared, result.data, result.numerics, result.settings.policy.judgement) ||
         first.fit.excess() > diagnosis_policy.pairs.most_left * result.declared.fit.excess())
         return;
     JointFit base = first.fit;

@@ -26,38 +26,37 @@ double mean_noise_m(const FitData& data) {
 }
 
 /// What the program's own errors may be after they were taken off [noise levels].
-double numerical_doubt(const FitData& data, const NumericalError& numerics) {
-    return std::min(diagnosis_policy.judgement.most_allowed, numerics.left_rms_m / mean_noise_m(data));
+double numerical_doubt(const FitData& data, const NumericalError& numerics, const JudgementPolicy& policy) {
+    return std::min(policy.most_allowed, numerics.left_rms_m / mean_noise_m(data));
 }
 
-/// Of squares on held-out data, per sample and in those of the noise, what noise does not make.
+/// Mean square on held-out data [noise squares] beyond the one that noise alone gives.
 double held_out_excess(double rms) { return std::max(0.0, rms * rms - 1.0); }
 
 /// Whether effects predict what they were not fitted to: other trials, or other times where one trial alone tells of
 /// their numbers.
-bool predicts_held_out(const JudgedFit& fit, const JudgedFit& before) {
+bool predicts_held_out(const JudgedFit& fit, const JudgedFit& before, const JudgementPolicy& policy) {
     const auto rms = fit.single_trial_directions > before.single_trial_directions ? &JudgedFit::held_out_in_time_rms
                                                                                   : &JudgedFit::held_out_rms;
     return held_out_excess(fit.*rms) <=
-           std::max(diagnosis_policy.judgement.chance_held_out,
-                    diagnosis_policy.judgement.most_held_out * held_out_excess(before.*rms));
+           std::max(policy.chance_held_out, policy.most_held_out * held_out_excess(before.*rms));
 }
 
 bool at_bound(const prediction::ModelParameter& p, const prediction::ParameterValues& values) {
-    const double value = prediction::value_of(p, values), little = 1e-6 * std::abs(value);
+    const double value = prediction::value_of(p, values), little = diagnosis_policy.numerics.at_bound * std::abs(value);
     return value <= p.parameter.lower + little || value >= p.parameter.upper - little;
 }
 
 /// What is left but for chance [noise levels].
-double surely_left(const statistics::SystematicRms& systematic) {
-    return std::isfinite(systematic.deviation)
-               ? systematic.rms - diagnosis_policy.judgement.chance_deviations * systematic.deviation
-               : systematic.rms;
+double surely_left(const statistics::SystematicRms& systematic, const JudgementPolicy& policy) {
+    return std::isfinite(systematic.deviation) ? systematic.rms - policy.chance_deviations * systematic.deviation
+                                               : systematic.rms;
 }
 
 }  // namespace
 
 JudgedFit judged(const FitData& data, JointFit fit, const DiagnoseSettings& settings) {
+    const JudgementPolicy& policy = settings.policy.judgement;
     JudgedFit result;
     if (fit.usable()) {
         statistics::ResidualTestOptions options;
@@ -66,11 +65,10 @@ JudgedFit judged(const FitData& data, JointFit fit, const DiagnoseSettings& sett
         result.tests = statistics::test_residuals(fit.residual, data.layout, static_cast<int>(fit.parameters.size()),
                                                   options);
         const double systematic = result.tests.systematic.rms;
-        if (result.tests.significant() && systematic > diagnosis_policy.judgement.least_systematic &&
-            systematic < diagnosis_policy.judgement.most_drift)
+        if (result.tests.significant() && systematic > policy.least_systematic && systematic < policy.most_drift)
             result.independence = statistics::independence_test(fit.residual, data.layout);
         statistics::FoldOptions folds;
-        folds.guard_s = diagnosis_policy.judgement.guard_s;
+        folds.guard_s = policy.guard_s;
         const statistics::LinearCrossValidation of_trials = statistics::linear_cross_validation(
             fit.residual, fit.jacobian, statistics::make_folds(data.layout, folds));
         result.held_out_rms = std::sqrt(of_trials.mean_square());
@@ -83,7 +81,7 @@ JudgedFit judged(const FitData& data, JointFit fit, const DiagnoseSettings& sett
     return result;
 }
 
-void weigh(const FitData& data, const std::vector<JudgedFit*>& fits) {
+void weigh(const FitData& data, const std::vector<JudgedFit*>& fits, const JudgementPolicy& policy) {
     const JudgedFit* best = nullptr;
     for (const JudgedFit* fit : fits)
         if (fit->usable() && (!best || fit->fit.squares() < best->fit.squares())) best = fit;
@@ -100,8 +98,7 @@ void weigh(const FitData& data, const std::vector<JudgedFit*>& fits) {
                                       statistics::information_criterion(samples * std::pow(fit->*held_out, 2), samples,
                                                                         effective, 0)) +
                                  (effect_at_bound(fit->fit)
-                                      ? 2.0 * diagnosis_policy.judgement.temperature *
-                                            std::log(diagnosis_policy.judgement.odds_against_bounds)
+                                      ? 2.0 * policy.temperature * std::log(policy.odds_against_bounds)
                                       : 0.0);
         }
     };
@@ -116,20 +113,20 @@ void weigh(const FitData& data, const std::vector<JudgedFit*>& fits) {
         compare(&JudgedFit::held_out_in_time_rms);
     std::vector<double> criteria;
     for (const JudgedFit* fit : fits) criteria.push_back(fit->criterion);
-    const std::vector<double> weights = statistics::evidence_weights(criteria, diagnosis_policy.judgement.temperature);
+    const std::vector<double> weights = statistics::evidence_weights(criteria, policy.temperature);
     for (std::size_t i = 0; i < fits.size(); ++i) fits[i]->weight = weights[i];
 }
 
-double weight_among(const JudgedFit& fit, const std::vector<const JudgedFit*>& others) {
+double weight_among(const JudgedFit& fit, const std::vector<const JudgedFit*>& others, const JudgementPolicy& policy) {
     std::vector<double> criteria{fit.criterion};
     for (const JudgedFit* other : others) criteria.push_back(other->criterion);
-    return statistics::evidence_weights(criteria, diagnosis_policy.judgement.temperature).front();
+    return statistics::evidence_weights(criteria, policy.temperature).front();
 }
 
 void order_candidates(Diagnosis& d) {
-    weigh(d.data, single_fits(d));
+    weigh(d.data, single_fits(d), d.settings.policy.judgement);
     const auto rank = [&](const Candidate& c) {
-        return !c.judged ? 2 : explains(*c.judged, d.declared, d.data, d.numerics) ? 0 : 1;
+        return !c.judged ? 2 : explains(*c.judged, d.declared, d.data, d.numerics, d.settings.policy.judgement) ? 0 : 1;
     };
     std::stable_sort(d.candidates.begin(), d.candidates.end(), [&](const Candidate& a, const Candidate& b) {
         if (rank(a) != rank(b)) return rank(a) < rank(b);
@@ -141,16 +138,14 @@ void order_candidates(Diagnosis& d) {
 void order_pairs(Diagnosis& d) {
     std::vector<JudgedFit*> all = single_fits(d);
     for (JudgedFit& pair : d.pairs) all.push_back(&pair);
-    weigh(d.data, all);
+    weigh(d.data, all, d.settings.policy.judgement);
     std::stable_sort(d.pairs.begin(), d.pairs.end(),
                      [](const JudgedFit& a, const JudgedFit& b) { return a.criterion < b.criterion; });
 }
 
-double numerical_allowance(const FitData& data, const NumericalError& numerics) {
-    const double doubt = numerical_doubt(data, numerics);
-    return std::max(
-        {diagnosis_policy.judgement.least_systematic, doubt,
-         std::min(diagnosis_policy.judgement.most_rough, diagnosis_policy.judgement.rough_extrapolation * doubt)});
+double numerical_allowance(const FitData& data, const NumericalError& numerics, const JudgementPolicy& policy) {
+    const double doubt = numerical_doubt(data, numerics, policy);
+    return std::max({policy.least_systematic, doubt, std::min(policy.most_rough, policy.rough_extrapolation * doubt)});
 }
 
 bool modulus_at_bound(const JointFit& fit) {
@@ -165,7 +160,7 @@ bool effect_at_bound(const JointFit& fit) {
     });
 }
 
-bool differs_from_zero(const JointFit& fit) {
+bool differs_from_zero(const JointFit& fit, const JudgementPolicy& policy) {
     if (fit.report.deviations.size() != static_cast<Eigen::Index>(fit.parameters.size())) return true;
     const std::size_t first_tried = fit.values.effects.size() - std::min(fit.values.effects.size(), fit.effects.size());
     struct Amount {
@@ -182,54 +177,55 @@ bool differs_from_zero(const JointFit& fit) {
                                   fit.report.deviations(static_cast<Eigen::Index>(i));
         if (deviations > amount.deviations) amount.deviations = deviations;  // not where it is not a number
     }
-    return std::all_of(amounts.begin(), amounts.end(), [](const auto& amount) {
-        return amount.second.deviations >= diagnosis_policy.judgement.significant_deviations;
-    });
+    return std::all_of(amounts.begin(), amounts.end(),
+                       [&](const auto& amount) { return amount.second.deviations >= policy.significant_deviations; });
 }
 
-bool may_explain(const JudgedFit& fit, const JudgedFit& before) {
-    return fit.usable() && !modulus_at_bound(fit.fit) && differs_from_zero(fit.fit) && predicts_held_out(fit, before);
+bool may_explain(const JudgedFit& fit, const JudgedFit& before, const JudgementPolicy& policy) {
+    return fit.usable() && !modulus_at_bound(fit.fit) && differs_from_zero(fit.fit, policy) &&
+           predicts_held_out(fit, before, policy);
 }
 
-bool needs_explanation(const JudgedFit& fit, const FitData& data, const NumericalError& numerics) {
-    return fit.tests.significant() && !fit.drifts() && fit.tests.systematic.rms > numerical_allowance(data, numerics);
+bool needs_explanation(const JudgedFit& fit, const FitData& data, const NumericalError& numerics,
+                       const JudgementPolicy& policy) {
+    return fit.tests.significant() && !fit.drifts() &&
+           fit.tests.systematic.rms > numerical_allowance(data, numerics, policy);
 }
 
-bool is_faint(const JudgedFit& fit, const FitData& data, const NumericalError& numerics) {
+bool is_faint(const JudgedFit& fit, const FitData& data, const NumericalError& numerics,
+              const JudgementPolicy& policy) {
     return fit.tests.systematic.rms <=
-           std::max(diagnosis_policy.judgement.faint,
-                    std::min(diagnosis_policy.judgement.most_faint, diagnosis_policy.judgement.faint_share_of_mesh *
-                                                                        numerics.mesh_rms_m / mean_noise_m(data)));
+           std::max(policy.faint,
+                    std::min(policy.most_faint, policy.faint_share_of_mesh * numerics.mesh_rms_m / mean_noise_m(data)));
 }
 
 bool explains(const JudgedFit& fit, const JudgedFit& before, const FitData& data, const NumericalError& numerics,
-              Leniency leniency) {
-    if (!may_explain(fit, before)) return false;
+              const JudgementPolicy& policy, Leniency leniency) {
+    if (!may_explain(fit, before, policy)) return false;
     const NumericalError& own = fit.numerics ? *fit.numerics : numerics;
-    const double doubt = numerical_doubt(data, own), was = before.tests.systematic.rms;
-    const double left = leniency == Leniency::generous ? surely_left(fit.tests.systematic) : fit.tests.systematic.rms;
+    const double doubt = numerical_doubt(data, own, policy), was = before.tests.systematic.rms;
+    const double left = leniency == Leniency::generous ? surely_left(fit.tests.systematic, policy)
+                                                       : fit.tests.systematic.rms;
     // An effect that went as far as it may and leaves something would have gone on: the rest is neither a matter of its
     // form nor of a doubtful mesh.
     const bool excused = leniency == Leniency::generous && !effect_at_bound(fit.fit);
-    const double of_mesh = doubt * (excused ? diagnosis_policy.judgement.generous : 1.0),
-                 of_form = excused ? diagnosis_policy.judgement.share_of_form * was : 0.0;
-    const double of_whole_mesh = excused && left <= diagnosis_policy.judgement.little_left * was
-                                     ? std::min(diagnosis_policy.judgement.most_of_mesh,
-                                                diagnosis_policy.judgement.share_of_mesh * own.mesh_rms_m /
-                                                    mean_noise_m(data))
+    const double of_mesh = doubt * (excused ? policy.generous : 1.0),
+                 of_form = excused ? policy.share_of_form * was : 0.0;
+    const double of_whole_mesh = excused && left <= policy.little_left * was
+                                     ? std::min(policy.most_of_mesh,
+                                                policy.share_of_mesh * own.mesh_rms_m / mean_noise_m(data))
                                      : 0.0;
-    if (left > (is_faint(before, data, numerics) ? diagnosis_policy.judgement.most_of_faint
-                                                 : diagnosis_policy.judgement.most_of_residual) *
-                   was)
+    if (left > (is_faint(before, data, numerics, policy) ? policy.most_of_faint : policy.most_of_residual) * was)
         return false;
     return !fit.tests.significant() || fit.drifts() ||
-           left <= std::max({diagnosis_policy.judgement.least_systematic, of_mesh, of_form, of_whole_mesh});
+           left <= std::max({policy.least_systematic, of_mesh, of_form, of_whole_mesh});
 }
 
 bool explained(const Diagnosis& diagnosis, Leniency leniency) {
     const std::vector<Candidate>& ranked = diagnosis.candidates;
     return !ranked.empty() && ranked.front().judged &&
-           explains(*ranked.front().judged, diagnosis.declared, diagnosis.data, diagnosis.numerics, leniency);
+           explains(*ranked.front().judged, diagnosis.declared, diagnosis.data, diagnosis.numerics,
+                    diagnosis.settings.policy.judgement, leniency);
 }
 
 double left_by(const Diagnosis& diagnosis, const std::string& effect) {

@@ -33,8 +33,8 @@ std::string above_noise_note(const NumericalError& numerics, double noise_m) {
            "): choose a " + (by_mesh ? "finer --resolution" : "smaller --dt") + " before trusting small effects";
 }
 
-JudgedFit decide(Diagnosis& d, const DiagnosisPolicy& policy) {
-    const VerdictEvidence evidence = verdict_evidence(d, policy);
+JudgedFit decide(Diagnosis& d) {
+    const VerdictEvidence evidence = verdict_evidence(d);
     const std::vector<VerdictRule>& rules = verdict_rules();
     const auto rule = std::find_if(rules.begin(), rules.end(),
                                    [&](const VerdictRule& r) { return r.applies(evidence); });
@@ -42,7 +42,7 @@ JudgedFit decide(Diagnosis& d, const DiagnosisPolicy& policy) {
     d.verdict = std::move(conclusion.verdict);
     d.verdict.rule = rule->name;
     if (d.verdict.kind == VerdictKind::unknown && !d.pairs.empty() && is_untested(d.pairs.front(), d.declared) &&
-        explains(d.pairs.front(), d.declared, d.data, d.numerics))
+        explains(d.pairs.front(), d.declared, d.data, d.numerics, d.settings.policy.judgement))
         d.notes.push_back(effects_in_words(d.pairs.front().fit.effects) +
                           " together would explain it, but one of their numbers rests on a single trial: a further "
                           "trial to fit would tell");
@@ -72,7 +72,8 @@ void take_over_corrected(Diagnosis& d) {
         if (same(pair)) take_over(pair);
 }
 
-void discount_worse_predictions(Diagnosis& d, const VerdictPolicy& policy) {
+void discount_worse_predictions(Diagnosis& d) {
+    const VerdictPolicy& policy = d.settings.policy.verdict;
     const double before = d.before.validation_rms_m, after = d.after.validation_rms_m;
     if (d.verdict.kind != VerdictKind::effects || !(after > policy.worse_prediction * before) ||
         !(after > policy.good_prediction * d.noise_m))

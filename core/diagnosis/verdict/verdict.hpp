@@ -3,13 +3,12 @@
 #include <string>
 
 #include "diagnosis/diagnosis.hpp"
-#include "diagnosis/diagnosis_policy.hpp"
 
 namespace myo::diagnosis {
 
 /// Sets the verdict by the first of verdict_rules() that applies, and gives the fit it stands on: the declared one,
 /// that of the asserted effects, or the best attempt where nothing explains the residual.
-JudgedFit decide(Diagnosis& diagnosis, const DiagnosisPolicy& policy = diagnosis_policy);
+JudgedFit decide(Diagnosis& diagnosis);
 
 /// What a person must know where extrapolation may leave more than the noise: how much, of what, and which is to be
 /// finer.
@@ -21,6 +20,6 @@ void take_over_corrected(Diagnosis& diagnosis);
 
 /// Halves the confidence, and says why, where the trials that took no part are predicted worse with the verdict's
 /// effects than without, `before` and `after` being known. The answer stands as it was: these trials choose nothing.
-void discount_worse_predictions(Diagnosis& diagnosis, const VerdictPolicy& policy = diagnosis_policy.verdict);
+void discount_worse_predictions(Diagnosis& diagnosis);
 
 }  // namespace myo::diagnosis

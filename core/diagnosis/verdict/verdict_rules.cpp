@@ -14,7 +14,7 @@ namespace {
 Conclusion nothing_missing(const VerdictEvidence& e) {
     const Diagnosis& d = e.diagnosis;
     const VerdictPolicy& policy = e.policy.verdict;
-    const double share = d.declared.tests.systematic.rms / numerical_allowance(d.data, d.numerics);
+    const double share = d.declared.tests.systematic.rms / numerical_allowance(d.data, d.numerics, e.policy.judgement);
     Verdict verdict{VerdictKind::none};
     verdict.confidence = policy.undoubted * (d.declared.tests.significant()
                                                  ? std::clamp(policy.faint_allowance - share, policy.least_faint, 1.0)
@@ -79,7 +79,7 @@ Conclusion unexplained(const VerdictEvidence& e) {
 bool removes_most(const VerdictEvidence& e, const JudgedFit& fit) {
     const Diagnosis& d = e.diagnosis;
     const VerdictPolicy& policy = e.policy.verdict;
-    if (d.data.noise_declared || !fit.usable() || !differs_from_zero(fit.fit) ||
+    if (d.data.noise_declared || !fit.usable() || !differs_from_zero(fit.fit, e.policy.judgement) ||
         (modulus_at_bound(fit.fit) && !modulus_at_bound(d.declared.fit)))
         return false;
     const auto leaves = [&](double JudgedFit::*rms, double share) { return fit.*rms <= share * d.declared.*rms; };
@@ -106,13 +106,14 @@ double presence(const Diagnosis& d, const JudgedFit& fit) {
 bool removes_nearly_all(const VerdictEvidence& e) {
     const Diagnosis& d = e.diagnosis;
     const JudgedFit& fit = *e.single;
-    return may_explain(fit, d.declared) && presence(d, fit) > e.policy.verdict.present && !effect_at_bound(fit.fit) &&
+    return may_explain(fit, d.declared, e.policy.judgement) && presence(d, fit) > e.policy.verdict.present &&
+           !effect_at_bound(fit.fit) &&
            fit.tests.systematic.rms <= e.policy.verdict.nearly_all * d.declared.tests.systematic.rms;
 }
 
 bool explains_all(const VerdictEvidence& e, const JudgedFit& fit) {
     const Diagnosis& d = e.diagnosis;
-    return explains(fit, d.declared, d.data, d.numerics);
+    return explains(fit, d.declared, d.data, d.numerics, e.policy.judgement);
 }
 
 /// Weight among the fits that explain the residual: others may predict held-out trials better and are not the answer.
@@ -124,7 +125,7 @@ double weight_among_explaining(const VerdictEvidence& e, const JudgedFit& fit) {
     for (const Candidate& candidate : e.diagnosis.candidates)
         if (candidate.judged) add(*candidate.judged);
     for (const JudgedFit& pair : e.diagnosis.pairs) add(pair);
-    return weight_among(fit, others);
+    return weight_among(fit, others, e.policy.judgement);
 }
 
 /// Probability that an effect acts and is all there is: where a second one fits better still, though the first explains
@@ -159,7 +160,7 @@ Conclusion most_of_it(const VerdictEvidence& e, const JudgedFit& fit, double wei
 
 bool nothing_to_explain(const VerdictEvidence& e) {
     const Diagnosis& d = e.diagnosis;
-    return !needs_explanation(d.declared, d.data, d.numerics);
+    return !needs_explanation(d.declared, d.data, d.numerics, e.policy.judgement);
 }
 
 bool acts_in_one_trial(const effect::EffectDeclaration& effect) { return effect::has(effect.parameters, "trial"); }
@@ -183,8 +184,8 @@ bool is_untested(const JudgedFit& pair, const JudgedFit& declared) {
            std::none_of(pair.fit.effects.begin(), pair.fit.effects.end(), acts_in_one_trial);
 }
 
-VerdictEvidence verdict_evidence(const Diagnosis& d, const DiagnosisPolicy& policy) {
-    VerdictEvidence e{d, policy};
+VerdictEvidence verdict_evidence(const Diagnosis& d) {
+    VerdictEvidence e{d, d.settings.policy};
     if (!d.candidates.empty() && d.candidates.front().judged) e.single = &*d.candidates.front().judged;
     if (!d.pairs.empty() && !is_untested(d.pairs.front(), d.declared)) e.pair = &d.pairs.front();
     return e;
@@ -212,7 +213,7 @@ const std::vector<VerdictRule>& verdict_rules() {
         {"faint",
          [](const Evidence& e) {
              const Diagnosis& d = e.diagnosis;
-             return is_faint(d.declared, d.data, d.numerics);
+             return is_faint(d.declared, d.data, d.numerics, e.policy.judgement);
          },
          nothing_missing},
         {"unexplained", [](const Evidence&) { return true; }, unexplained},

@@ -11,11 +11,11 @@ namespace myo::diagnosis {
 /// What the rules of the verdict look at.
 struct VerdictEvidence {
     const Diagnosis& diagnosis;
-    const DiagnosisPolicy& policy;
+    const DiagnosisPolicy& policy;      // of the diagnosis
     const JudgedFit* single = nullptr;  // of the most credible candidate; null: none was fitted
     const JudgedFit* pair = nullptr;    // the best one whose parameters other trials test; null: none
 };
-VerdictEvidence verdict_evidence(const Diagnosis& diagnosis, const DiagnosisPolicy& policy);
+VerdictEvidence verdict_evidence(const Diagnosis& diagnosis);
 
 /// A verdict without its ranking, and the fit that it rests on.
 struct Conclusion {
