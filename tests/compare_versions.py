@@ -3,7 +3,8 @@
 
 usage: tests/compare_versions.py BEFORE AFTER [--task simulate|calibrate|diagnose] [--data FOLDER] [EXPERIMENT...]
 
-Without EXPERIMENT: the bundled examples, and the experiments of FOLDER/experiments (default: MYOLOOP_DATA or ../shared).
+Without EXPERIMENT: the bundled examples, and the experiments of FOLDER/experiments (default: MYOLOOP_DATA or
+../shared).
 One row per experiment: the largest relative difference of any number in any JSON or CSV file, 0 where all bits agree.
 Times, versions and the call itself are left out. Exit status 1 where files or texts differ or a difference exceeds the
 limit of the task: 0 (simulate), 1e-9 (calibrate), 1e-6 (diagnose).
@@ -20,8 +21,8 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 LIMIT = {"simulate": 0.0, "calibrate": 1e-9, "diagnose": 1e-6}
-LEFT_OUT = {"version", "command", "seconds", "wall_s", "cpu_s", "setup_s", "forward_s", "backward_s", "fit_s", "solve_s", "run_s", "peak_memory_bytes", "cost",
-            "memory_bytes", "seconds_per_step", "real_time_factor"}
+LEFT_OUT = {"version", "command", "seconds", "wall_s", "cpu_s", "setup_s", "forward_s", "backward_s", "fit_s",
+            "solve_s", "run_s", "peak_memory_bytes", "cost", "memory_bytes", "seconds_per_step", "real_time_factor"}
 
 
 def leaves(value, path=()):

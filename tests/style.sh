@@ -23,7 +23,9 @@ while (($#)); do
   shift
 done
 
-tool() { command -v "$1-14" || command -v "$1" || { echo "style.sh: $1 is missing; app/install_packages.sh --tests" >&2; exit 1; }; }
+tool() {
+  command -v "$1-14" || command -v "$1" || { echo "style.sh: $1 is missing (Debian: $1-14)" >&2; exit 1; }
+}
 format=$(tool clang-format)
 tidy=$(tool clang-tidy)
 

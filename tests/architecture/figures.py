@@ -19,8 +19,9 @@ def files_of(*folders):
 
 def code_only(text):
     """The text with comments and literals blanked, its lines where they are."""
-    pattern = re.compile(r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|(?<![0-9A-Za-z])\'(?:\\.|[^\'\\\n])*\'',
-                         re.S)
+    comment = r"//[^\n]*|/\*.*?\*/"
+    literal = r'R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|(?<![0-9A-Za-z])\'(?:\\.|[^\'\\\n])*\''
+    pattern = re.compile(comment + "|" + literal, re.S)
     return pattern.sub(lambda m: re.sub(r"[^\n]", " ", m[0]), text)
 
 
@@ -56,8 +57,9 @@ def definitions(path, text):
     """Qualified names of classes outside anonymous namespaces, as the compiler sees them."""
     names, scopes = [], []
     code = re.sub(r"(?m)^\s*#.*$", "", code_only(text))
-    for match in re.finditer(r"namespace\s*([\w:]*)\s*\{|\b(?:struct|class|enum(?:\s+class)?)\s+(\w+)\s*(?::(?!:)[^;{()]*|final[^;{()]*)?\{|[{}]",
-                             code):
+    opened = r"namespace\s*([\w:]*)\s*\{"
+    defined = r"\b(?:struct|class|enum(?:\s+class)?)\s+(\w+)\s*(?::(?!:)[^;{()]*|final[^;{()]*)?\{"
+    for match in re.finditer(opened + "|" + defined + "|[{}]", code):
         if match[0] == "}":
             if scopes:
                 scopes.pop()
@@ -71,12 +73,17 @@ def definitions(path, text):
 
 
 def tuning_numbers(path, text):
-    """Numbers that are named at namespace or function scope rather than in a policy or among constants."""
-    code = code_only(text)
-    code = re.sub(r"struct \w*(?:Policy|Rule|Constants)\s*\{[^}]*\}", "", code)
-    declaration = re.compile(r"\bconstexpr\s+(?:double|float|int|long|std::size_t|std::uint64_t|(?:Eigen::)?Index|Effort|\w*Settling)\s+([^;]*);")
-    return sum(declared.count("=") + len(re.findall(r"\w+\{", declared)) for declared in declaration.findall(code)
-               if re.search(r"\d", declared))
+    """Numbers that are named at namespace or function scope rather than in a policy: by the rule of source_rules.cpp,
+    sizes, codes and quadrature weights included."""
+    kinds = r"double|float|int|long|std::size_t|std::uint64_t|(?:Eigen::)?Index|Effort|\w*Settling"
+    declaration = re.compile(r"(?m)^(.*)\bconstexpr\s+(?:" + kinds + r")\s+([^;()]*(?:=|\{)[^;]*);")
+    derived = re.compile(r"numeric_limits|numbers::|sizeof|decltype|Policy|_policy\.")
+    count = 0
+    for before, body in declaration.findall(code_only(text)):
+        array = "[" in re.split(r"[={]", body)[0]
+        if "static" not in before and not array and not derived.search(body) and re.search(r"[={]\s*[-+]?[\d.]", body):
+            count += len(re.findall(r"\w\s*(?:=|\{)\s*[-+]?[\d.]", body))
+    return count
 
 
 def percentile(values, share):

@@ -135,7 +135,8 @@ std::vector<Fault> tuning_faults(const SourceFile& file) {
         "core/diagnosis/report/diagnosis_report_parts.hpp",  // colour slots
         "core/solver/factor_block.hpp"};                     // block size of the storage layout
     static const std::regex declaration(
-        R"(^(.*)\bconstexpr\s+(?:double|float|int|long|std::size_t|std::uint64_t|(?:Eigen::)?Index)\s+([^;()]*=[^;]*);)");
+        R"(^(.*)\bconstexpr\s+(?:double|float|int|long|std::size_t|std::uint64_t|(?:Eigen::)?Index))"
+        R"(\s+([^;()]*=[^;]*);)");
     static const std::regex derived(R"(numeric_limits|numbers::|sizeof|decltype|Policy|_policy\.)");
     static const std::regex number(R"(=\s*[-+]?[\d.]|[-+*/(]\s*\d)");
     if (file.path.rfind("core/", 0) != 0 || !is_cpp(file.path)) return {};
