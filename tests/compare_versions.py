@@ -22,7 +22,7 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 LIMIT = {"simulate": 0.0, "calibrate": 1e-9, "diagnose": 1e-6}
 LEFT_OUT = {"version", "command", "seconds", "wall_s", "cpu_s", "setup_s", "forward_s", "backward_s", "fit_s",
-            "solve_s", "run_s", "peak_memory_bytes", "cost", "memory_bytes", "seconds_per_step", "real_time_factor"}
+            "solve_s", "run_s", "numerical_error_s", "peak_memory_bytes", "cost", "memory_bytes", "seconds_per_step", "real_time_factor"}
 
 
 def leaves(value, path=()):
