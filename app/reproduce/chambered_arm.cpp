@@ -16,12 +16,12 @@ using Eigen::Vector3d;
 
 // Half width, chamber limits, half web, length and end caps of the plain arm [m].
 constexpr double half = 22.2e-3, inner = 16.2e-3, web = 3e-3, length = 0.1, cap = 5e-3;
-const Box outside{{-half, -half, 0.0}, {half, half, length}};
+const Box walls{{-half, -half, 0.0}, {half, half, length}};
 
 /// Hexahedra of the full block, with grid planes at all walls, so that removed cells leave exact chambers.
 mesh::VolumeMesh grid_mesh(double edge) {
-    return mesh::hex_mesh(mesh::grid_lines(
-        outside, edge, {{{-inner, -web, web, inner}, {-inner, -web, web, inner}, {cap, length - cap}}}));
+    return mesh::hex_mesh(
+        mesh::grid_lines(walls, edge, {{{-inner, -web, web, inner}, {-inner, -web, web, inner}, {cap, length - cap}}}));
 }
 
 /// Whether a point lies in one of the four chambers.

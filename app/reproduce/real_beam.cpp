@@ -18,10 +18,10 @@ struct TrialFile {
     double tip_force_N;
 };
 constexpr double weight_N = 1.00062;  // of the scripts; the paper's table prints 0.991
-constexpr TrialFile files[] = {{"beam_gravity_V2_a", 0.0},
-                               {"beam_gravity_V2_b", 0.0},
-                               {"beam_load101_V2_a", weight_N},
-                               {"beam_load101_V2_b", weight_N}};
+constexpr TrialFile trial_files[] = {{"beam_gravity_V2_a", 0.0},
+                                     {"beam_gravity_V2_b", 0.0},
+                                     {"beam_load101_V2_a", weight_N},
+                                     {"beam_load101_V2_b", weight_N}};
 
 const std::vector<std::string> tip_labels{"Tip - 1", "Tip - 2", "Tip - 3"};
 
@@ -66,7 +66,7 @@ Result<BeamTrial> read_trial_file(const std::filesystem::path& path, const Trial
 
 Result<std::vector<BeamTrial>> read_beam_trials(const ReproduceSettings& settings) {
     std::vector<BeamTrial> trials;
-    for (const TrialFile& file : files) {
+    for (const TrialFile& file : trial_files) {
         const std::filesystem::path path = settings.data / "data/mocap/beam" / (std::string(file.name) + ".c3d");
         if (!std::filesystem::exists(path)) continue;
         Result<BeamTrial> trial = read_trial_file(path, file);

@@ -146,7 +146,7 @@ report::Series path(const std::string& name, const std::vector<Vector3d>& tips, 
 
 std::string mm(double m) { return format_number(1e3 * m, 3); }
 
-Result<Reproduction> run(const ReproduceSettings& settings, const Progress& progress) {
+Result<Reproduction> run_arm_chamber(const ReproduceSettings& settings, const Progress& progress) {
     // The same edge length for chambers and muscle models, so that they are comparable.
     const double edge = settings.coarse ? 9e-3 : 5e-3;
     const Result<ChamberedArm> arm = make_chambered_arm(settings, edge);
@@ -242,7 +242,7 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
 }  // namespace
 
 ReproductionCase reproduce_arm_chamber() {
-    return {"arm-chamber", "pressure in true chambers of an arm beside the muscle model", run};
+    return {"arm-chamber", "pressure in true chambers of an arm beside the muscle model", run_arm_chamber};
 }
 
 }  // namespace myo::reproduce

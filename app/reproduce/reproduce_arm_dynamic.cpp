@@ -20,7 +20,7 @@ MuscleConfiguration playable(MuscleConfiguration configuration) {
     return configuration;
 }
 
-std::vector<SignalVariant> variants(bool coarse) {
+std::vector<SignalVariant> arm_signal_variants(bool coarse) {
     // Damping of the same silicone in the beam: 2.7 1/s at 7.7 Hz.
     const MuscleBodyOptions own{.edge_m = coarse ? 11e-3 : 6e-3, .damping_s = 0.0023},
         published{.published = true, .edge_m = coarse ? 7e-3 : 0.0};
@@ -44,7 +44,7 @@ Result<std::vector<RobotTrial>> recording(const ReproduceSettings& settings) {
         })};
 }
 
-Result<Reproduction> run(const ReproduceSettings& settings, const Progress& progress) {
+Result<Reproduction> run_arm_dynamic(const ReproduceSettings& settings, const Progress& progress) {
     const Result<std::vector<RobotTrial>> trials = recording(settings);
     if (!trials) return trials.error();
     if (progress.cancelled()) return Error{"stopped", ""};
@@ -56,8 +56,8 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
     if (!result.warnings.empty()) return result;
     const RobotTrial& trial = trials->front();
     // All variants follow the same recording in parallel.
-    const Result<std::vector<SignalFit>> fits = fit_all_signals(settings, paper_arm(), variants(settings.coarse), trial,
-                                                                progress);
+    const Result<std::vector<SignalFit>> fits = fit_all_signals(settings, paper_arm(),
+                                                                arm_signal_variants(settings.coarse), trial, progress);
     if (!fits) return fits.error();
     result.tables = {signal_table("Recording " + trial.name + ", " + format_number(trial.time_s.tail(1)(0), 3) +
                                       " s: tip centre with the signals found, to the measured one",
@@ -90,7 +90,7 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
 
 ReproductionCase reproduce_arm_dynamic() {
     return {"arm-dynamic", "muscle signals at 20 Hz with which the pneumatic arm follows a recorded motion (AC1, AC2)",
-            run};
+            run_arm_dynamic};
 }
 
 }  // namespace myo::reproduce

@@ -27,7 +27,7 @@ std::vector<std::size_t> pressures_of_map(const std::vector<RobotTrial>& trials)
     return chosen.size() < 4 ? all : chosen;
 }
 
-std::vector<ArmVariant> variants(bool coarse) {
+std::vector<ArmVariant> arm_variants(bool coarse) {
     const MuscleBodyOptions published{.published = true, .edge_m = coarse ? 7e-3 : 0.0},
         own{.edge_m = coarse ? 9e-3 : 5e-3};
     const auto with = [](MuscleBodyOptions body, int muscles) {
@@ -137,7 +137,7 @@ Result<Assessments> assess_all(const ReproduceSettings& settings, const std::vec
 }
 
 /// The case: data, fits, predictions, tables and figures.
-Result<Reproduction> run(const ReproduceSettings& settings, const Progress& progress) {
+Result<Reproduction> run_arm_static(const ReproduceSettings& settings, const Progress& progress) {
     const Result<std::vector<RobotTrial>> sweep = read_arm_sweep(settings), steps = read_arm_steps(settings);
     if (!sweep) return sweep.error();
     if (!steps) return steps.error();
@@ -150,7 +150,7 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
         result.warnings.push_back(missing_geometry(settings, paper_arm()));
         return result;
     }
-    const std::vector<ArmVariant> list = variants(settings.coarse);
+    const std::vector<ArmVariant> list = arm_variants(settings.coarse);
     const auto bodies = responses(settings, list, progress);
     if (!bodies) return bodies.error();
     if (sweep->size() < 3) {
@@ -198,7 +198,7 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
 ReproductionCase reproduce_arm_static() {
     return {"arm-static",
             "pressure-to-muscle maps of the pneumatic arm (AC1, AC2) and what they predict for pressures left out",
-            run};
+            run_arm_static};
 }
 
 }  // namespace myo::reproduce

@@ -24,7 +24,7 @@ using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
 constexpr double paper_Pa = 283271.0, commercial_Pa = 263824.0;
-constexpr double weight_N = 1.00062;  // of the published scripts
+constexpr double tip_weight_N = 1.00062;  // of the published scripts
 constexpr int start_count = 10;
 
 /// Displacements of the surface points under about 1 N from the commercial solver [m], columns Top, Left, Right; y was
@@ -197,9 +197,9 @@ struct Targets {
 Targets make_targets(const std::vector<BeamTrial>& trials, bool coarse) {
     PaperBeam own;
     own.cells = coarse ? Eigen::Vector3i(10, 3, 3) : Eigen::Vector3i(32, 9, 9);
-    own.tip_force_N = weight_N;
+    own.tip_force_N = tip_weight_N;
     PaperBeam published = published_hex_beam(coarse ? 14 : 32);
-    published.tip_force_N = weight_N;
+    published.tip_force_N = tip_weight_N;
     Targets targets;
     targets.all.push_back(
         {"our model, to the commercial solver's displacements", own, commercial_displacements(), 0.0});
@@ -255,7 +255,7 @@ Result<std::vector<Job>> fit_all(const Targets& targets, const ReproduceSettings
     return jobs;
 }
 
-Result<Reproduction> run(const ReproduceSettings& settings, const Progress& progress) {
+Result<Reproduction> run_beam_modulus(const ReproduceSettings& settings, const Progress& progress) {
     Result<std::vector<BeamTrial>> trials = read_beam_trials(settings);
     if (!trials) return trials.error();
     std::erase_if(*trials, [](const BeamTrial& trial) { return trial.tip_force_N == 0.0; });
@@ -320,7 +320,7 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
 }  // namespace
 
 ReproductionCase reproduce_beam_modulus() {
-    return {"beam-modulus", "Young's modulus calibrated in the loaded case from ten random starts", run};
+    return {"beam-modulus", "Young's modulus calibrated in the loaded case from ten random starts", run_beam_modulus};
 }
 
 }  // namespace myo::reproduce

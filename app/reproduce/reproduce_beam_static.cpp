@@ -269,7 +269,7 @@ std::vector<std::string> findings_of(const std::vector<StaticRow>& rows) {
                 "unknowns or, for quadratic tetrahedra, at most 20,787."};
 }
 
-Result<Reproduction> run(const ReproduceSettings& settings, const Progress& progress) {
+Result<Reproduction> run_beam_static(const ReproduceSettings& settings, const Progress& progress) {
     const Result<std::vector<BeamTrial>> trials = read_beam_trials(settings);
     if (!trials) return trials.error();
     const Result<std::vector<StaticRow>> rows = solve_all(settings, progress);
@@ -308,7 +308,7 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
 
 ReproductionCase reproduce_beam_static() {
     return {"beam-static", "tip deflection of cases A-1 to E, as published and as it should be, with what cancels what",
-            run};
+            run_beam_static};
 }
 
 }  // namespace myo::reproduce

@@ -8,7 +8,7 @@ namespace myo::reproduce {
 // limits the accuracy.
 namespace {
 
-std::vector<SignalVariant> variants(bool coarse) {
+std::vector<SignalVariant> fish_variants(bool coarse) {
     const MuscleBodyOptions own{.edge_m = coarse ? 10e-3 : 5e-3, .damping_s = 0.0023},
         published{.published = true, .edge_m = coarse ? 9e-3 : 0.0};
     MuscleConfiguration tied = tied_muscles(), free = free_muscles();
@@ -35,7 +35,7 @@ double early_share(const SignalFit& fit) {
     return (fit.times_s.array() <= 2.0 / fit.variant.frequency_Hz).select(squared, 0.0).sum() / squared.sum();
 }
 
-Result<Reproduction> run(const ReproduceSettings& settings, const Progress& progress) {
+Result<Reproduction> run_fish(const ReproduceSettings& settings, const Progress& progress) {
     const Result<std::vector<RobotTrial>> trials = read_fish(settings);
     if (!trials) return trials.error();
     if (progress.cancelled()) return Error{"stopped", ""};
@@ -46,7 +46,7 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
         result.warnings.push_back(missing_geometry(settings, paper_fish()));
     if (!result.warnings.empty()) return result;
     const RobotTrial& trial = trials->front();
-    const Result<std::vector<SignalFit>> fits = fit_all_signals(settings, paper_fish(), variants(settings.coarse),
+    const Result<std::vector<SignalFit>> fits = fit_all_signals(settings, paper_fish(), fish_variants(settings.coarse),
                                                                 trial, progress);
     if (!fits) return fits.error();
     result.tables = {signal_table("The marker on the spine with the signals found, to the measured one", *fits)};
@@ -57,7 +57,7 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
         return report::in_mm(fit.rms_m(0)) + ", " + report::in_mm(fit.rms_m(1)) + ", " + report::in_mm(fit.rms_m(2)) +
                " mm rms in x, y, z";
     };
-    // Order of variants().
+    // Order of fish_variants().
     const SignalFit &published = (*fits)[0], &tied = (*fits)[1], &both = (*fits)[2];
     result.findings = {"On a way of " + report::in_mm(tied.measured_m.colwise().norm().maxCoeff()) +
                            " mm the tied muscles follow with " + said(tied) + " in our model and " + said(published) +
@@ -77,7 +77,7 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
 }  // namespace
 
 ReproductionCase reproduce_fish() {
-    return {"fish", "muscle signals at 5 Hz with which the fish tail follows a recorded motion", run};
+    return {"fish", "muscle signals at 5 Hz with which the fish tail follows a recorded motion", run_fish};
 }
 
 }  // namespace myo::reproduce

@@ -20,7 +20,6 @@ namespace myo::reproduce {
 // each time step, compared with the paper; and an alternative without step dependence, material damping with TR-BDF2.
 namespace {
 
-constexpr std::size_t step_count = std::size(paper_steps_s);
 constexpr std::size_t ten_ms = 3;
 
 /// Values of the published scripts [kg/s] for paper_steps_s: Lambda fitted to the real envelope, and Lambda of constant
@@ -126,12 +125,12 @@ template <class Task>
 /// Runs a task for every time step in parallel; the first error is returned.
 Result<void> at_all_steps(const ReproduceSettings& settings, const Progress& progress, const std::string& name,
                           const Task& task) {
-    std::vector<Result<void>> results(step_count, Result<void>());
+    std::vector<Result<void>> results(paper_step_count, Result<void>());
     std::atomic<int> done{0};
-    parallel_tasks(static_cast<int>(step_count), settings.threads, [&](int i) {
+    parallel_tasks(static_cast<int>(paper_step_count), settings.threads, [&](int i) {
         const auto k = static_cast<std::size_t>(i);
         results[k] = progress.cancelled() ? Result<void>(Error{"stopped", ""}) : task(k);
-        progress.report({name, static_cast<double>(++done), static_cast<double>(step_count), "steps", ""});
+        progress.report({name, static_cast<double>(++done), static_cast<double>(paper_step_count), "steps", ""});
     });
     for (const Result<void>& result : results)
         if (!result) return result;
@@ -141,7 +140,7 @@ Result<void> at_all_steps(const ReproduceSettings& settings, const Progress& pro
 /// All time steps of one beam.
 Result<std::vector<LambdaRow>> all_rows(const RingingBeam& beam, const std::string& name,
                                         const ReproduceSettings& settings, const Progress& progress) {
-    std::vector<LambdaRow> rows(step_count);
+    std::vector<LambdaRow> rows(paper_step_count);
     const Result<void> done = at_all_steps(settings, progress, name, [&](std::size_t i) -> Result<void> {
         const Result<LambdaRow> row = lambda_row(beam, paper_steps_s[i], progress);
         if (!row) return row.error();
@@ -169,8 +168,8 @@ Result<BetterWay> better_way(const RingingBeam& beam, double lambda_of_ten_ms, c
                                                  omega_of_mode);
     const Result<double> damping = fit_rate(rate_of, envelope_rate / slope, slope, envelope_rate);
     if (!damping) return damping.error();
-    BetterWay way{*damping, std::vector<double>(step_count), std::vector<double>(step_count),
-                  std::vector<RungBeam>(step_count)};
+    BetterWay way{*damping, std::vector<double>(paper_step_count), std::vector<double>(paper_step_count),
+                  std::vector<RungBeam>(paper_step_count)};
     const Result<void> done = at_all_steps(
         settings, progress, "one damping at every step", [&](std::size_t i) -> Result<void> {
             const Result<RungBeam> run = damped(paper_steps_s[i], *damping);
@@ -215,7 +214,7 @@ report::Table own_table(const std::vector<LambdaRow>& rows, const std::string& c
                          {"critical, power iteration", "1/s", 5},
                          {"critical, constant amplitude", "1/s", 5}},
                         {}};
-    for (std::size_t i = 0; i < step_count; ++i)
+    for (std::size_t i = 0; i < paper_step_count; ++i)
         table.rows.push_back({1e3 * paper_steps_s[i], rows[i].fitted, rows[i].fitted_linear, rows[i].critical_linear,
                               rows[i].critical_structure, rows[i].critical_amplitude});
     return table;
@@ -232,7 +231,7 @@ report::Table published_table(const std::vector<LambdaRow>& rows, double factor_
                          {"critical, the paper", "g/s", 4},
                          {"off by", "%", 2}},
                         {}};
-    for (std::size_t i = 0; i < step_count; ++i) {
+    for (std::size_t i = 0; i < paper_step_count; ++i) {
         const double critical = factor_kg * rows[i].critical_amplitude;
         table.rows.push_back({1e3 * paper_steps_s[i], 1e3 * factor_kg * rows[i].fitted, 1e3 * published_fitted[i],
                               1e3 * critical, 1e3 * published_critical[i],
@@ -250,7 +249,7 @@ report::Table better_table(const BetterWay& way) {
                          {"off by", "%", 2},
                          {"implicit Euler with Lambda (linear)", "1/s", 4}},
                         {}};
-    for (std::size_t i = 0; i < step_count; ++i)
+    for (std::size_t i = 0; i < paper_step_count; ++i)
         table.rows.push_back(
             {1e3 * paper_steps_s[i], way.rates[i], 100.0 * (way.rates[i] / envelope_rate - 1.0), way.lambda_rates[i]});
     return table;
@@ -262,7 +261,7 @@ std::string lambda_figure(const Work& work, double factor_kg) {
     report::Series paper_fitted{.name = "fitted, the paper", .style = report::SeriesStyle::dots},
         paper_critical{.name = "critical, the paper", .style = report::SeriesStyle::dots};
     report::Series own{.name = "fitted, our beam", .style = report::SeriesStyle::dashed};
-    for (std::size_t i = 0; i < step_count; ++i) {
+    for (std::size_t i = 0; i < paper_step_count; ++i) {
         const double h = 1e3 * paper_steps_s[i];
         for (report::Series* series : {&fitted, &critical, &paper_fitted, &paper_critical, &own})
             series->x.push_back(h);
@@ -307,11 +306,11 @@ std::string decay_figure(const Work& work, const std::vector<BeamTrial>& trials)
 double largest_relative(const std::function<double(std::size_t)>& ours,
                         const std::function<double(std::size_t)>& theirs) {
     double largest = 0.0;
-    for (std::size_t i = 0; i < step_count; ++i) largest = std::max(largest, std::abs(ours(i) / theirs(i) - 1.0));
+    for (std::size_t i = 0; i < paper_step_count; ++i) largest = std::max(largest, std::abs(ours(i) / theirs(i) - 1.0));
     return largest;
 }
 
-Result<Reproduction> run(const ReproduceSettings& settings, const Progress& progress) {
+Result<Reproduction> run_lambda(const ReproduceSettings& settings, const Progress& progress) {
     const Result<std::vector<BeamTrial>> trials = read_beam_trials(settings);
     if (!trials) return trials.error();
     const Result<Work> done = simulate_all(settings, progress);
@@ -334,7 +333,7 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
                                           [](std::size_t) { return envelope_rate; });
     const double vertical = vertical_share(work.published);
     double fitted = 0.0;  // relative to the critical one, as the fitted one passes zero
-    for (std::size_t i = 0; i < step_count; ++i)
+    for (std::size_t i = 0; i < paper_step_count; ++i)
         fitted = std::max(
             fitted, std::abs(factor_kg * work.published_rows[i].fitted - published_fitted[i]) / published_critical[i]);
     result.findings = {
@@ -392,7 +391,7 @@ ReproductionCase reproduce_lambda() {
     return {"lambda",
             "velocity force that makes implicit Euler decay as the real beam, its stability bound, and a damping that "
             "holds at every step",
-            run};
+            run_lambda};
 }
 
 }  // namespace myo::reproduce

@@ -17,8 +17,6 @@ namespace myo::reproduce {
 // beam; TR-BDF2 at the same steps as reference.
 namespace {
 
-constexpr std::size_t step_count = std::size(paper_steps_s);
-
 double hertz(double omega) { return omega / (2.0 * std::numbers::pi); }
 
 /// Releases of one beam with one integrator, at every time step. Not a setup::Setup.
@@ -44,12 +42,12 @@ Result<std::vector<Setup>> simulate_all(const ReproduceSettings& settings, const
     std::vector<Setup> studies{{*honest, dynamics::Integrator::implicit_euler, {}},
                                {*published, dynamics::Integrator::implicit_euler, {}},
                                {*honest, dynamics::Integrator::tr_bdf2, {}}};
-    for (Setup& setup : studies) setup.runs.assign(step_count, Error{"not run", ""});
-    const int count = static_cast<int>(studies.size() * step_count);
+    for (Setup& setup : studies) setup.runs.assign(paper_step_count, Error{"not run", ""});
+    const int count = static_cast<int>(studies.size() * paper_step_count);
     std::atomic<int> done{0};
     parallel_tasks(count, settings.threads, [&](int task) {
-        Setup& setup = studies[static_cast<std::size_t>(task) / step_count];
-        const std::size_t i = static_cast<std::size_t>(task) % step_count;
+        Setup& setup = studies[static_cast<std::size_t>(task) / paper_step_count];
+        const std::size_t i = static_cast<std::size_t>(task) % paper_step_count;
         if (!progress.cancelled())
             setup.runs[i] = ring(setup.beam, {.scheme = setup.scheme, .h_s = paper_steps_s[i]}, progress);
         progress.report({"releases", static_cast<double>(++done), static_cast<double>(count), "runs", ""});
@@ -72,7 +70,7 @@ report::Table ratio_table(const std::vector<Setup>& studies) {
                          {"off by", "%", 2},
                          {"TR-BDF2, our beam", "", 4}},
                         {}};
-    for (std::size_t i = 0; i < step_count; ++i) {
+    for (std::size_t i = 0; i < paper_step_count; ++i) {
         const auto off = [&](const Setup& setup) { return 100.0 * (setup.ratio(i) / setup.formula(i) - 1.0); };
         table.rows.push_back({1e3 * paper_steps_s[i], studies[0].formula(i), studies[0].ratio(i), off(studies[0]),
                               studies[1].formula(i), studies[1].ratio(i), off(studies[1]), studies[2].ratio(i)});
@@ -102,7 +100,7 @@ std::string ratio_figure(const std::vector<Setup>& studies, double measured) {
     const char* const names[] = {"implicit Euler, our beam", "implicit Euler, as published", "TR-BDF2, our beam"};
     for (std::size_t s = 0; s < studies.size(); ++s) {
         report::Series dots{.name = names[s], .style = report::SeriesStyle::dots};
-        for (std::size_t i = 0; i < step_count; ++i) {
+        for (std::size_t i = 0; i < paper_step_count; ++i) {
             dots.x.push_back(1e3 * paper_steps_s[i]);
             dots.y.push_back(studies[s].ratio(i));
         }
@@ -160,12 +158,12 @@ double step_of_ratio(double omega, double ratio) {
 /// Largest relative error of the formula over all steps.
 double largest_error(const Setup& setup) {
     double largest = 0.0;
-    for (std::size_t i = 0; i < step_count; ++i)
+    for (std::size_t i = 0; i < paper_step_count; ++i)
         largest = std::max(largest, std::abs(setup.ratio(i) / setup.formula(i) - 1.0));
     return largest;
 }
 
-Result<Reproduction> run(const ReproduceSettings& settings, const Progress& progress) {
+Result<Reproduction> run_numerical_damping(const ReproduceSettings& settings, const Progress& progress) {
     const Result<std::vector<BeamTrial>> all = read_beam_trials(settings);
     if (!all) return all.error();
     std::vector<BeamTrial> trials;
@@ -201,7 +199,8 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
     const double own_error = largest_error(studies[0]), published_error = largest_error(studies[1]),
                  omega = studies[0].beam.mode.omega_rad_s;
     double second_order = 0.0;
-    for (std::size_t i = 0; i < step_count; ++i) second_order = std::max(second_order, std::abs(studies[2].ratio(i)));
+    for (std::size_t i = 0; i < paper_step_count; ++i)
+        second_order = std::max(second_order, std::abs(studies[2].ratio(i)));
     result.findings = {"The simulated damping of implicit Euler follows the paper's formula within " +
                            format_number(100.0 * own_error, 2) + " % on our beam (" + format_number(hertz(omega), 4) +
                            " Hz) and within " + format_number(100.0 * published_error, 2) +
@@ -239,7 +238,8 @@ Result<Reproduction> run(const ReproduceSettings& settings, const Progress& prog
 
 ReproductionCase reproduce_numerical_damping() {
     return {"numerical-damping",
-            "damping ratio of implicit Euler over the time step: simulated, by the paper's formula, and measured", run};
+            "damping ratio of implicit Euler over the time step: simulated, by the paper's formula, and measured",
+            run_numerical_damping};
 }
 
 }  // namespace myo::reproduce

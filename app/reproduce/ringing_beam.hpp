@@ -13,6 +13,7 @@ namespace myo::reproduce {
 
 /// Time steps that the paper compares [s].
 inline constexpr double paper_steps_s[] = {0.0025, 0.005, 0.0075, 0.010, 0.0125, 0.015, 0.0175, 0.020};
+inline constexpr std::size_t paper_step_count = std::size(paper_steps_s);
 
 /// A beam with its equilibrium and its first vertical mode there.
 struct RingingBeam {

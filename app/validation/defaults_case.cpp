@@ -11,9 +11,7 @@ namespace {
 using Eigen::Vector3d;
 
 /// Second part of the key of a random stream.
-enum Purpose : std::uint64_t { the_body = 11, the_slip = 12 };
-
-constexpr double gravity_m_s2 = 9.81;
+enum DefaultsPurpose : std::uint64_t { the_body = 11, the_slip = 12 };
 
 /// Proportions of a family of bodies.
 struct Shape {
@@ -32,7 +30,7 @@ constexpr std::array<Shape, 5> shapes{{
 }};
 
 /// Three significant digits, as a person writes them.
-double rounded(double value) {
+double rounded_to_three_digits(double value) {
     const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2.0);
     return unit * std::round(value / unit);
 }
@@ -85,7 +83,7 @@ experiment::LoadDeclaration end_force(const SyntheticCase& c, double force_N, Ra
     experiment::LoadDeclaration load;
     load.kind = experiment::LoadKind::force;
     load.box_m = c.body.end;
-    load.force_N = rounded(force_N) * Vector3d(0.0, 0.2 * random.uniform(-1.0, 1.0), random.sign());
+    load.force_N = rounded_to_three_digits(force_N) * Vector3d(0.0, 0.2 * random.uniform(-1.0, 1.0), random.sign());
     return load;
 }
 
@@ -100,7 +98,8 @@ void add_muscles(SyntheticCase& c, RandomStream& random) {
     Box box = c.body.clamp;
     box.highest = c.body.end.highest;
     const double middle = 0.5 * (c.body.bounds.lowest(2) + c.body.bounds.highest(2));
-    SyntheticMuscle low{"low", box, rounded(random.uniform(0.2, 0.4) * c.material.youngs_modulus_Pa)}, high = low;
+    SyntheticMuscle low{"low", box, rounded_to_three_digits(random.uniform(0.2, 0.4) * c.material.youngs_modulus_Pa)},
+        high = low;
     high.name = "high";
     low.box.highest(2) = high.box.lowest(2) = middle;
     c.muscles = {low, high};
@@ -120,9 +119,9 @@ SyntheticTrial drawn_trial(const SyntheticCase& c, const Cantilever& beam, doubl
     const int first = upright || beam.sag() < defaults_policy.least_swing ? 1 : 0;  // its weight alone must excite it
     switch (first + random.below(4 - first)) {
         case 0: return trial;
-        case 1: load.from_s = rounded(0.1 * end_s); break;
+        case 1: load.from_s = rounded_to_three_digits(0.1 * end_s); break;
         case 2: load.until_s = 0.0; break;
-        default: load.until_s = rounded(0.3 * end_s); break;
+        default: load.until_s = rounded_to_three_digits(0.3 * end_s); break;
     }
     trial.start = experiment::StartState::equilibrium;
     trial.loads.push_back(load);
@@ -142,16 +141,17 @@ bool draw_experiment(DefaultsCase& d, RandomStream& random) {
     d.shape = shape.id;
     SyntheticCase& c = d.truth;
     Cantilever beam;
-    beam.length = rounded(random.log_uniform(p.least_length_m, p.most_length_m));
-    beam.thickness = rounded(beam.length / random.uniform(shape.least_slenderness, shape.most_slenderness));
-    beam.width = rounded(beam.thickness * random.uniform(shape.least_width, shape.most_width));
-    beam.E = rounded(random.log_uniform(p.least_modulus_Pa, p.most_modulus_Pa));
+    beam.length = rounded_to_three_digits(random.log_uniform(p.least_length_m, p.most_length_m));
+    beam.thickness = rounded_to_three_digits(beam.length /
+                                             random.uniform(shape.least_slenderness, shape.most_slenderness));
+    beam.width = rounded_to_three_digits(beam.thickness * random.uniform(shape.least_width, shape.most_width));
+    beam.E = rounded_to_three_digits(random.log_uniform(p.least_modulus_Pa, p.most_modulus_Pa));
     beam.rho = 10.0 * std::round(random.uniform(90.0, 130.0));
     d.frequency_Hz = beam.frequency_Hz();
     const bool hangs = shape.upright && random.chance(0.3);
     if (shape.upright && !hangs && beam.column_load() > p.most_column_load) return false;
     if (!shape.upright && beam.sag() > p.most_sag) return false;
-    c.rate_Hz = rounded(random.log_uniform(p.least_rate_Hz, p.most_rate_Hz));
+    c.rate_Hz = rounded_to_three_digits(random.log_uniform(p.least_rate_Hz, p.most_rate_Hz));
     // A few periods, but enough samples for a slow camera and not too many of a fast one.
     double end_s = random.uniform(p.least_periods, p.most_periods) / d.frequency_Hz;
     end_s = std::min(std::max(end_s, p.least_samples / c.rate_Hz), p.most_samples / c.rate_Hz);
@@ -163,18 +163,18 @@ bool draw_experiment(DefaultsCase& d, RandomStream& random) {
     if (shape.upright) c.gravity_m_s2 = Vector3d(hangs ? gravity_m_s2 : -gravity_m_s2, 0.0, 0.0);
     c.material.youngs_modulus_Pa = beam.E;
     // The declared modulus is a guess within the tolerance of 30 %.
-    c.material.declared_modulus_Pa = rounded(beam.E * random.uniform(0.8, 1.25));
+    c.material.declared_modulus_Pa = rounded_to_three_digits(beam.E * random.uniform(0.8, 1.25));
     c.material.poissons_ratio = drawn_ratio(random);
     c.material.density_kg_m3 = beam.rho;
     // Damping ratio = omega damping / 2.
-    c.material.damping_s = rounded(random.log_uniform(p.least_damping_ratio, p.most_damping_ratio) /
-                                   (std::numbers::pi * d.frequency_Hz));
+    c.material.damping_s = rounded_to_three_digits(random.log_uniform(p.least_damping_ratio, p.most_damping_ratio) /
+                                                   (std::numbers::pi * d.frequency_Hz));
     c.markers = drawn_markers(c.body, 3 + random.below(4), random);
     c.trials = {drawn_trial(c, beam, end_s, shape.upright, random)};
     if (!shape.upright && random.chance(p.muscles)) add_muscles(c, random);
     // Noise relative to the amplitude, as a camera is chosen for the motion.
     const double swing = c.trials.front().loads.empty() ? beam.sag() : p.least_swing;
-    c.noise_m = rounded(random.log_uniform(p.least_noise, p.most_noise) * swing * beam.length);
+    c.noise_m = rounded_to_three_digits(random.log_uniform(p.least_noise, p.most_noise) * swing * beam.length);
     return true;
 }
 

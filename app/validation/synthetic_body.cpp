@@ -21,7 +21,7 @@ constexpr NameTable<BodyFamily, 4> family_names{{{
 }}};
 
 /// Lengths as a person writes them: whole tenths of a millimetre.
-double rounded(double length_m) { return 1e-4 * std::round(1e4 * length_m); }
+double rounded_to_tenths_of_mm(double length_m) { return 1e-4 * std::round(1e4 * length_m); }
 
 /// L in the x-z plane, extruded by `width` along y: legs of thickness `thick`, the second rising from the end of the
 /// first. The side faces share all vertices on common edges, so the surface is closed.
@@ -92,25 +92,25 @@ SyntheticBody drawn_body(BodyFamily family, bool deep_clamp, RandomStream& rando
     SyntheticBody body;
     body.family = family;
     body.metres_per_unit = random.chance(0.5) ? 1.0 : 1e-3;
-    const double length = rounded(random.uniform(0.08, 0.13));
+    const double length = rounded_to_tenths_of_mm(random.uniform(0.08, 0.13));
     double width = 0.0, height = 0.0;
     switch (family) {
         case BodyFamily::beam:
-            width = rounded(length * random.uniform(0.22, 0.36));
-            height = body.thickness_m = rounded(length * random.uniform(0.2, 0.32));
+            width = rounded_to_tenths_of_mm(length * random.uniform(0.22, 0.36));
+            height = body.thickness_m = rounded_to_tenths_of_mm(length * random.uniform(0.2, 0.32));
             break;
         case BodyFamily::plate:
-            width = rounded(length * random.uniform(0.5, 0.75));
-            height = body.thickness_m = rounded(length * random.uniform(0.11, 0.16));
+            width = rounded_to_tenths_of_mm(length * random.uniform(0.5, 0.75));
+            height = body.thickness_m = rounded_to_tenths_of_mm(length * random.uniform(0.11, 0.16));
             break;
         case BodyFamily::ell:
-            width = rounded(length * random.uniform(0.2, 0.32));
-            body.thickness_m = rounded(length * random.uniform(0.2, 0.28));
-            height = rounded(length * random.uniform(0.5, 0.75));
+            width = rounded_to_tenths_of_mm(length * random.uniform(0.2, 0.32));
+            body.thickness_m = rounded_to_tenths_of_mm(length * random.uniform(0.2, 0.28));
+            height = rounded_to_tenths_of_mm(length * random.uniform(0.5, 0.75));
             break;
         case BodyFamily::tail:
-            width = rounded(length * random.uniform(0.24, 0.34));
-            height = body.thickness_m = rounded(length * random.uniform(0.28, 0.38));
+            width = rounded_to_tenths_of_mm(length * random.uniform(0.24, 0.34));
+            height = body.thickness_m = rounded_to_tenths_of_mm(length * random.uniform(0.28, 0.38));
             body.taper_y = random.uniform(0.5, 0.85);
             body.taper_z = random.uniform(0.5, 0.85);
             break;
@@ -125,7 +125,7 @@ SyntheticBody drawn_body(BodyFamily family, bool deep_clamp, RandomStream& rando
     if (family == BodyFamily::tail)
         for (Eigen::Index i = 0; i < body.surface.vertices.cols(); ++i)
             body.surface.vertices.col(i) = body.tapered(body.surface.vertices.col(i));
-    if (deep_clamp) body.held_m = rounded(length * random.uniform(0.15, 0.25));
+    if (deep_clamp) body.held_m = rounded_to_tenths_of_mm(length * random.uniform(0.15, 0.25));
     const double beyond = 1e-3, face = 5e-4;
     body.clamp = {body.bounds.lowest - Vector3d::Constant(beyond), body.bounds.highest + Vector3d::Constant(beyond)};
     body.end = body.clamp;

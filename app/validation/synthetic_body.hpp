@@ -11,6 +11,9 @@
 
 namespace myo::validation {
 
+/// Standard acceleration of gravity, rounded.
+inline constexpr double gravity_m_s2 = 9.81;
+
 /// Families of synthetic bodies.
 enum class BodyFamily {
     beam,   // box clamped at one end, declared by its size

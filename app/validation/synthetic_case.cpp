@@ -18,7 +18,6 @@ using Eigen::Vector3d;
 
 constexpr NameTable<CaseKind, 3> kinds{
     {{{CaseKind::none, "none"}, {CaseKind::named, "named"}, {CaseKind::deleted, "deleted"}}}};
-constexpr double gravity_m_s2 = 9.81;
 /// A cycle of cases: none, named, named, deleted, named, named.
 constexpr int round_length = 6, deleted_at = 3, named_in_round = 4;
 

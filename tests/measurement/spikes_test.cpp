@@ -14,7 +14,7 @@ using Eigen::Index;
 using Eigen::Vector3d;
 using Path = std::function<Vector3d(double)>;
 
-constexpr double dt_s = 0.01;
+constexpr double spacing_s = 0.01;
 
 /// A beam let go at 0.2 s that swings at 4 Hz: its acceleration jumps there.
 Vector3d let_go(double t) {
@@ -32,7 +32,7 @@ struct Track {
 Track recorded(const Path& path, Index samples, double sigma_m, unsigned seed) {
     std::mt19937 random(seed);
     std::normal_distribution<double> noise(0.0, 1.0);
-    Track track{Eigen::VectorXd::LinSpaced(samples, 0.0, dt_s * static_cast<double>(samples - 1)),
+    Track track{Eigen::VectorXd::LinSpaced(samples, 0.0, spacing_s * static_cast<double>(samples - 1)),
                 Eigen::Matrix3Xd(3, samples)};
     for (Index t = 0; t < samples; ++t) {
         track.at.col(t) = path(track.time_s(t));

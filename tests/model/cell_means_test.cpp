@@ -14,7 +14,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
 
-constexpr double E_Pa = 2e5, nu = 0.4;
+constexpr double E_Pa = 2e5, poisson = 0.4;
 
 class CellMeansOf : public ::testing::TestWithParam<fem::ElementKind> {
 protected:
@@ -23,7 +23,7 @@ protected:
         spec.kind = GetParam();
         model = test::make_beam(spec);
         model.material = material::neo_hookean();
-        model.moduli = uniform_moduli(model.body->cell_count(), E_Pa, nu);
+        model.moduli = uniform_moduli(model.body->cell_count(), E_Pa, poisson);
     }
     CellMeans deformed(const Matrix3d& F, const std::vector<double>& activation = {}) const {
         return cell_means(model, F * model.body->mesh.nodes, activation);
@@ -63,7 +63,7 @@ TEST_P(CellMeansOf, AgreeWithDifferencesOfTheEnergy) {
 TEST_P(CellMeansOf, PulledSlightlyTheStressIsYoungsModulusTimesTheStrain) {
     const double strain = 1e-5;
     const CellMeans means = deformed(
-        Eigen::Vector3d(1.0 + strain, 1.0 - nu * strain, 1.0 - nu * strain).asDiagonal().toDenseMatrix());
+        Eigen::Vector3d(1.0 + strain, 1.0 - poisson * strain, 1.0 - poisson * strain).asDiagonal().toDenseMatrix());
     EXPECT_NEAR(means.von_mises_Pa.maxCoeff(), E_Pa * strain, 1e-3 * E_Pa * strain);
     EXPECT_NEAR(means.pressure_Pa.minCoeff(), -E_Pa * strain / 3.0, 1e-3 * E_Pa * strain);
 }

@@ -14,7 +14,7 @@ namespace {
 
 using test::Driver;
 
-void set_modulus(Driver& driver, double E) {
+void set_youngs_modulus(Driver& driver, double E) {
     commands::Settings settings = driver.state().settings;
     settings.youngs_modulus_Pa = E;
     driver.workbench->execute(commands::ChangeSettings{settings, "test", false});
@@ -33,9 +33,9 @@ TEST(Jobs, WaitTheirTurnAndRunWithTheSettingsOfTheirTime) {
     driver.open_beam();
     driver.backend->step_delay_s = 0.002;
     driver.workbench->execute(commands::Run{});
-    set_modulus(driver, 3.0e5);
+    set_youngs_modulus(driver, 3.0e5);
     driver.workbench->execute(commands::Run{});
-    set_modulus(driver, 4.0e5);
+    set_youngs_modulus(driver, 4.0e5);
     ASSERT_EQ(driver.state().queue.size(), 1u);
     EXPECT_EQ(driver.state().queue.front().name, "Simulate");
     ASSERT_TRUE(driver.wait_for_job());
@@ -85,7 +85,7 @@ TEST(Jobs, EndedOnesAreComparedRestoredAndForgotten) {
     driver.click("run/run");
     ASSERT_TRUE(driver.wait_for_job());
     const auto first = driver.state().run;
-    set_modulus(driver, 5.0e5);
+    set_youngs_modulus(driver, 5.0e5);
     driver.click("run/run");
     ASSERT_TRUE(driver.wait_for_job());
     ASSERT_EQ(driver.state().history.size(), 2u);
@@ -113,7 +113,7 @@ TEST(Jobs, ComparedOnesHaveRingsInTheView) {
     driver.click("run/run");
     ASSERT_TRUE(driver.wait_for_job());
     const auto soft = driver.state().run;
-    set_modulus(driver, 5.0e5);
+    set_youngs_modulus(driver, 5.0e5);
     driver.click("run/run");
     ASSERT_TRUE(driver.wait_for_job());
     driver.workbench->execute(commands::SetTime{0.06});
@@ -194,7 +194,7 @@ TEST(Jobs, ComparedOnesTellTheSettingsInWhichTheyDiffer) {
     driver.open_beam();
     driver.click("run/run");
     ASSERT_TRUE(driver.wait_for_job());
-    set_modulus(driver, 5.0e5);
+    set_youngs_modulus(driver, 5.0e5);
     const commands::Settings soft = driver.state().history[0].settings, stiff = driver.state().settings;
     const std::vector<commands::SettingDifference> rows = commands::settings_differences(
         {&soft, &stiff}, driver.state().materials, driver.state().integrators);
@@ -322,7 +322,7 @@ TEST(Jobs, ASearchShowsItsBestSoFarAndLeavesEditsAlone) {
     driver.click("step/fit");
     EXPECT_TRUE(driver.has("search/rms"));
     EXPECT_TRUE(driver.has("search/gradient"));
-    set_modulus(driver, 4.4e5);
+    set_youngs_modulus(driver, 4.4e5);
     driver.backend->hold_search = false;
     ASSERT_TRUE(driver.wait_for_job());
     EXPECT_EQ(driver.state().settings.youngs_modulus_Pa, 4.4e5) << "an edit made meanwhile is not overwritten";
