@@ -7,9 +7,9 @@
 #include "backend/core_scene.hpp"
 #include "backend/project_file.hpp"
 #include "backend/recording_import.hpp"
-#include "base/letter_case.hpp"
 #include "base/text.hpp"
 #include "experiment/read_experiment.hpp"
+#include "measurement/trace_file.hpp"
 #include "mesh/surface_check.hpp"
 #include "mesh/surface_reader.hpp"
 #include "mesh/volume_reader.hpp"
@@ -120,11 +120,6 @@ std::vector<ui::commands::ReportLine> recording_lines(const fs::path& path) {
     return lines;
 }
 
-bool may_be_recording(const fs::path& path) {
-    return std::find(ui::commands::recording_endings.begin(), ui::commands::recording_endings.end(),
-                     lower_case(path.extension().string())) != ui::commands::recording_endings.end();
-}
-
 }  // namespace
 
 std::vector<ui::commands::ReportLine> preview_of(const fs::path& path) {
@@ -136,7 +131,7 @@ std::vector<ui::commands::ReportLine> preview_of(const fs::path& path) {
     const std::uintmax_t bytes = fs::file_size(path, ignored);
     std::vector<ui::commands::ReportLine> lines;
     if (bytes <= largest_read && is_mesh_file(path)) lines = mesh_lines(path);
-    if (bytes <= largest_read && may_be_recording(path)) lines = recording_lines(path);
+    if (bytes <= largest_read && measurement::has_trace_ending(path)) lines = recording_lines(path);
     lines.push_back({"File", size_label(bytes)});
     return lines;
 }

@@ -124,10 +124,8 @@ Result<ui::commands::RecordingFile> read_recording_file(const fs::path& path,
     ui::commands::RecordingFile file;
     file.path = path;
     file.reading = options;
-    file.format = source->format == measurement::TraceFormat::c3d       ? "C3D"
-                  : source->format == measurement::TraceFormat::qtm_tsv ? "Qualisys TSV"
-                  : source->format == measurement::TraceFormat::csv     ? "CSV"
-                                                                        : "Table without header";
+    const measurement::TraceReader& reader = *measurement::find_trace_reader(source->format);
+    file.format = reader.label;
     if (source->columns) {
         file.asks_unit = file.asks_rate = true;
         // Usual values of motion capture until the user states others.
@@ -138,8 +136,7 @@ Result<ui::commands::RecordingFile> read_recording_file(const fs::path& path,
         source->columns->zero_is_occluded = options.zero_is_occluded;
     }
     Result<measurement::Recording> read = measurement::read_trace(path, *source);
-    if (!read && source->format == measurement::TraceFormat::c3d) {
-        // A C3D file without a unit.
+    if (!read && reader.may_lack_unit) {
         file.asks_unit = true;
         if (!file.reading.metres_per_unit) file.reading.metres_per_unit = 1e-3;
         source->metres_per_unit = file.reading.metres_per_unit;

@@ -141,8 +141,8 @@ struct ActuationStep {
 struct TrialDeclaration {
     std::string name;  // unique; results are written to <name>.csv
     TrialRole role = TrialRole::fit;
-    std::filesystem::path trace;  // marker recording, resolved
-    measurement::TraceFormat format = measurement::TraceFormat::csv;
+    std::filesystem::path trace;                       // marker recording, resolved
+    std::string format = "csv";                        // id of a reader, see trace_readers()
     std::optional<measurement::ColumnLayout> columns;  // for format `columns` only
     StartState start = StartState::straight;
     double session_time_s = 0.0;                     // time of the trial within the session, for effects that drift

@@ -37,11 +37,11 @@ TrialDeclaration read_trial(const toml::TomlReader& table, const std::filesystem
     trial.name = read_trial_name(table);
     trial.role = table.choice<TrialRole>("role", {{"fit", TrialRole::fit}, {"validate", TrialRole::validate}});
     trial.trace = table.file("trace", folder);
-    trial.format = table.choice<measurement::TraceFormat>("format", {{"csv", measurement::TraceFormat::csv},
-                                                                     {"qtm_tsv", measurement::TraceFormat::qtm_tsv},
-                                                                     {"c3d", measurement::TraceFormat::c3d},
-                                                                     {"columns", measurement::TraceFormat::columns}});
-    if (trial.format == measurement::TraceFormat::columns) {
+    trial.format = table.text("format");
+    if (!measurement::find_trace_reader(trial.format))
+        table.fail("format", "unknown format \"" + trial.format + "\"; " +
+                                 toml::suggest(trial.format, measurement::trace_formats()));
+    if (trial.format == "columns") {
         trial.columns = read_columns_declaration(table);
     } else {
         table.reject("columns", "belongs to format = \"columns\" only");

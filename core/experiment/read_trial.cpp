@@ -168,8 +168,9 @@ Result<TrialRecording> read_trial(const Experiment& experiment, const TrialDecla
     if (!unused.empty()) {
         const std::string sentence = trial.trace.filename().string() +
                                      " holds markers that are not declared: " + quoted_list(unused);
-        // C3D files contain everything in view of the cameras; other formats are written for this experiment.
-        if (trial.format != measurement::TraceFormat::c3d) return declaration_error(experiment, key, sentence);
+        // Cameras record everything in view; other files are written for this experiment.
+        if (!measurement::find_trace_reader(trial.format)->with_other_markers)
+            return declaration_error(experiment, key, sentence);
         read.warnings.push_back(key + ": " + sentence + "; they are ignored");
     }
     if (Result<void> window = check_window(experiment, trial, read.recording); !window) return window.error();

@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "measurement/c3d_parameters.hpp"
 #include "measurement/c3d_words.hpp"
+#include "measurement/trace_reader.hpp"
 #include "measurement/units.hpp"
 
 namespace myo::measurement {
@@ -280,6 +281,23 @@ Result<Recording> read_c3d(const std::filesystem::path& path, std::optional<doub
     Result<C3dParameters> parameters = read_c3d_parameters(words, parameters_start, file);
     if (!parameters) return parameters.error();
     return Reader(words, std::move(*parameters), file).read(metres_per_unit);
+}
+
+TraceReader c3d_reader() {
+    return {.id = "c3d",
+            .label = "C3D",
+            .endings = {".c3d"},
+            .signature = "a binary file",
+            .of_cameras = true,
+            .with_other_markers = true,
+            .may_lack_unit = true,
+            .recognise = [](std::string_view content) -> std::optional<TraceSource> {
+                // The number of the parameter block, then the byte 0x50; the header alone is 512 bytes long.
+                if (content.size() <= 512 || static_cast<unsigned char>(content[1]) != 0x50) return std::nullopt;
+                return TraceSource{.format = "c3d"};
+            },
+            .read = [](const std::filesystem::path& path,
+                       const TraceSource& source) { return read_c3d(path, source.metres_per_unit); }};
 }
 
 }  // namespace myo::measurement

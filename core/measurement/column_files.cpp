@@ -1,14 +1,39 @@
 #include "measurement/column_files.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "base/files.hpp"
 #include "base/text.hpp"
 #include "measurement/sample_table.hpp"
+#include "measurement/trace_reader.hpp"
 
 namespace myo::measurement {
 namespace {
+
+constexpr std::string_view separators = ",;\t ";
+
+/// Whether a field is a number or a mark for a missing value.
+bool is_value(std::string_view field) {
+    double value;
+    return field == "NULL" || parse_sample(field, value);
+}
+
+/// Source of a table without header: the separator that splits the line into whole markers.
+std::optional<TraceSource> headerless(std::string_view line) {
+    for (const char separator : separators) {
+        const std::vector<std::string_view> fields = split_fields(line, separator);
+        if (fields.size() < 3 || fields.size() % 3 != 0 || !std::all_of(fields.begin(), fields.end(), is_value))
+            continue;
+        TraceSource source{.format = "columns", .columns = ColumnLayout{}};
+        source.columns->separator = separator;
+        for (std::size_t m = 0; m < fields.size() / 3; ++m)
+            source.columns->labels.push_back("marker " + std::to_string(m + 1));
+        return source;
+    }
+    return std::nullopt;
+}
 
 bool positive(double value) { return std::isfinite(value) && value > 0.0; }
 
@@ -98,6 +123,20 @@ Result<Recording> read_mapped_csv(const std::filesystem::path& path, const Heade
     table.zero_is_occluded = mapping.zero_is_occluded;
     table.null_is_occluded = true;
     return read_samples(path, std::span(lines).subspan(header + 1), table);
+}
+
+TraceReader columns_reader() {
+    return {.id = "columns",
+            .label = "Table without header",
+            .endings = {".csv", ".txt"},
+            .signature = "x, y, z of each marker",
+            .of_cameras = true,
+            .recognise = [](std::string_view content) { return headerless(first_line(content)); },
+            .read =
+                [](const std::filesystem::path& path, const TraceSource& source) {
+                    assert(source.columns);
+                    return read_columns(path, *source.columns);
+                }};
 }
 
 }  // namespace myo::measurement

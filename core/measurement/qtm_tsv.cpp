@@ -6,6 +6,7 @@
 #include "base/files.hpp"
 #include "base/text.hpp"
 #include "measurement/sample_table.hpp"
+#include "measurement/trace_reader.hpp"
 
 namespace myo::measurement {
 namespace {
@@ -135,6 +136,21 @@ Result<Recording> read_qtm_tsv(const std::filesystem::path& path) {
     table.field_count = first + 3 * header->names.size();
     if (const Result<void> checked = check_header(*header, rows.size(), path); !checked) return checked.error();
     return read_samples(path, rows, table);
+}
+
+TraceReader qtm_tsv_reader() {
+    return {.id = "qtm_tsv",
+            .label = "Qualisys TSV",
+            .endings = {".tsv"},
+            .signature = "begins with NO_OF_FRAMES",
+            .recognise = [](std::string_view content) -> std::optional<TraceSource> {
+                // Exports may begin with any of these header lines.
+                const std::string_view first = first_line(content);
+                for (const std::string_view key : {"NO_OF_", "FREQUENCY", "MARKER_NAMES"})
+                    if (first.starts_with(key)) return TraceSource{.format = "qtm_tsv"};
+                return std::nullopt;
+            },
+            .read = [](const std::filesystem::path& path, const TraceSource&) { return read_qtm_tsv(path); }};
 }
 
 }  // namespace myo::measurement

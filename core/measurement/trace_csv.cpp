@@ -7,6 +7,7 @@
 #include "base/files.hpp"
 #include "measurement/sample_table.hpp"
 #include "measurement/text_table.hpp"
+#include "measurement/trace_reader.hpp"
 
 namespace myo::measurement {
 namespace {
@@ -97,6 +98,18 @@ Result<void> write_trace_csv(const std::filesystem::path& path, const Recording&
         text += '\n';
     }
     return write_file(path, text);
+}
+
+TraceReader trace_csv_reader() {
+    return {.id = "csv",
+            .label = "CSV",
+            .endings = {".csv"},
+            .signature = "begins with time_s",
+            .recognise = [](std::string_view content) -> std::optional<TraceSource> {
+                if (!trimmed(first_line(content)).starts_with("time_s")) return std::nullopt;
+                return TraceSource{.format = "csv"};
+            },
+            .read = [](const std::filesystem::path& path, const TraceSource&) { return read_trace_csv(path); }};
 }
 
 }  // namespace myo::measurement

@@ -96,8 +96,7 @@ Result<measurement::RigidMotion> register_rest_pose(const experiment::Experiment
 bool is_foreign_recording(const experiment::Experiment& experiment, const experiment::TrialDeclaration& declaration) {
     return experiment.registration.method == experiment::RegistrationMethod::rest_pose ||
            experiment.markers.compare == experiment::Comparison::displacement ||
-           declaration.format == measurement::TraceFormat::c3d ||
-           declaration.format == measurement::TraceFormat::columns;
+           measurement::find_trace_reader(declaration.format)->of_cameras;
 }
 
 Result<void> place_recording(const experiment::Experiment& experiment, const experiment::TrialDeclaration& declaration,

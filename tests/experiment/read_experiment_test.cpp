@@ -65,7 +65,7 @@ TEST(ReadExperiment, TakesEveryValueOfTheSchema) {
     EXPECT_EQ(e.trials[1].columns->rate_Hz, 50.0);
     EXPECT_FALSE(e.trials[1].actuation_steps.at(0).level.has_value());
     EXPECT_EQ(e.trials[2].role, TrialRole::validate);
-    EXPECT_EQ(e.trials[2].format, measurement::TraceFormat::qtm_tsv);
+    EXPECT_EQ(e.trials[2].format, "qtm_tsv");
     EXPECT_EQ(e.trials[2].condition.at("pressure_mbar"), 125.0);
 
     ASSERT_EQ(e.effects.size(), 2u);

@@ -16,9 +16,6 @@
 
 namespace myo::ui::commands {
 
-/// Extensions of files that may be recordings, in lower case.
-inline const std::vector<std::string> recording_endings{".c3d", ".tsv", ".csv", ".txt"};
-
 /// What the user adds where the file does not say it.
 struct ReadingOptions {
     std::optional<double> metres_per_unit;  // empty: as in the file

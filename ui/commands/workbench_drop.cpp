@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "base/letter_case.hpp"
 #include "commands/workbench.hpp"
+#include "measurement/trace_file.hpp"
 
 // Files that were dropped on the window.
 
@@ -13,9 +13,7 @@ namespace fs = std::filesystem;
 /// A folder may end like a recording, so the type of the path counts too.
 bool is_recording(const fs::path& path) {
     std::error_code ignored;
-    return std::find(recording_endings.begin(), recording_endings.end(), lower_case(path.extension().string())) !=
-               recording_endings.end() &&
-           !fs::is_directory(path, ignored);
+    return measurement::has_trace_ending(path) && !fs::is_directory(path, ignored);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "panels/file_dialogs.hpp"
 
 #include "base/files.hpp"
+#include "measurement/trace_file.hpp"
 
 namespace myo::ui::panels {
 
@@ -22,7 +23,7 @@ FileDialog recording_dialog(const std::filesystem::path& start) {
     FileDialog dialog;
     dialog.title = "Import a recording of motion capture";
     dialog.button = "Import";
-    dialog.endings = commands::recording_endings;
+    dialog.endings = measurement::trace_endings();
     dialog.start = start;
     dialog.chosen = [](PanelContext& context, const std::filesystem::path& path) {
         context.emit(commands::ReadRecording{path});
