@@ -16,6 +16,7 @@ namespace myo::measurement {
     entry(c3d_reader) \
     entry(qtm_tsv_reader) \
     entry(trace_csv_reader) \
+    entry(trc_reader) \
     entry(columns_reader)
 // clang-format on
 
