@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "exit_status.hpp"
 #include "experiment_command.hpp"
+#include "material/catalogue.hpp"
 #include "results/calibration_report.hpp"
 #include "results/finding_output.hpp"
 #include "results/output_files.hpp"
@@ -22,7 +23,12 @@ struct CalibrateCall : ExperimentCall {
     int starts = 1;  // number of starts of the fit
 };
 
-const std::vector<std::string> material_parameters{"youngs_modulus", "damping"};
+/// Names that --parameters accepts; those of another law fit nothing.
+std::vector<std::string> material_parameters() {
+    std::vector<std::string> names{"youngs_modulus", "damping"};
+    for (const material::LawParameter& parameter : material::all_law_parameters()) names.push_back(parameter.name);
+    return names;
+}
 
 /// Parts of the standard deviation that are known: "noise 0.0004, mesh 0.011, step 0.001; "; empty if only the noise
 /// is.
@@ -192,12 +198,12 @@ std::function<int()> declare_calibrate(CLI::App& app) {
            "--parameters",
            [call](const std::string& text) {
                call->parameters = split_words(text);
+               const std::vector<std::string> known = material_parameters();
                for (const std::string& name : call->parameters)
-                   if (std::find(material_parameters.begin(), material_parameters.end(), name) ==
-                       material_parameters.end())
-                       throw CLI::ValidationError("--parameters", unknown_word(name, material_parameters));
+                   if (std::find(known.begin(), known.end(), name) == known.end())
+                       throw CLI::ValidationError("--parameters", unknown_word(name, known));
            },
-           "material parameters to fit, instead of material.calibrate: " + join(material_parameters, ","))
+           "material parameters to fit, instead of material.calibrate: " + join(material_parameters(), ","))
         ->type_name("A,B");
     add_count(
         app, "--starts", call->starts,

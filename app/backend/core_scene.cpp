@@ -7,6 +7,7 @@
 #include "backend/check_rows.hpp"
 #include "backend/diagnosis_view.hpp"
 #include "backend/dominant_vibration.hpp"
+#include "backend/law_settings.hpp"
 #include "backend/mesh_scene.hpp"
 #include "base/letter_case.hpp"
 #include "base/parallel.hpp"
@@ -100,6 +101,7 @@ void fill_from_setup(const setup::Setup& setup, ui::commands::Scene& scene) {
     scene.settings.element = setup.mesh.mesh.type;
     scene.settings.resolution_m = setup.mesh.resolution_m;
     scene.settings.material = experiment.material.model;
+    set_law_values(experiment.material.law, scene.settings);
     scene.settings.youngs_modulus_Pa = experiment.material.youngs_modulus_Pa;
     scene.settings.poissons_ratio = experiment.material.poissons_ratio;
     scene.settings.density_kg_m3 = experiment.material.density_kg_m3;
@@ -155,6 +157,8 @@ setup::SetupSettings setup_settings(const ui::commands::Settings& settings) {
 }
 
 experiment::Experiment with_settings(experiment::Experiment experiment, const ui::commands::Settings& settings) {
+    experiment.material.model = settings.material;
+    experiment.material.law = law_values(settings);
     experiment.material.youngs_modulus_Pa = settings.youngs_modulus_Pa;
     experiment.material.poissons_ratio = settings.poissons_ratio;
     experiment.material.density_kg_m3 = settings.density_kg_m3;

@@ -7,6 +7,7 @@
 
 #include "backend/check_rows.hpp"
 #include "backend/core_scene.hpp"
+#include "backend/law_settings.hpp"
 #include "backend/shown_run.hpp"
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
@@ -225,6 +226,7 @@ Result<ui::commands::SearchResult> calibrate_scene(const ui::commands::Scene& sc
             view.settings = settings;
             view.settings.youngs_modulus_Pa = step.values.youngs_modulus_Pa;
             view.settings.damping_s = step.values.damping_s;
+            set_law_values(step.values.law, view.settings);
             if (pace.due()) {
                 const Stopwatch watch;
                 view.best = run_of(*setup, step.values, fit_trials(*setup), *step.best);
@@ -258,6 +260,7 @@ Result<ui::commands::SearchResult> calibrate_scene(const ui::commands::Scene& sc
     result.rms_after_m = calibration.after.fit_rms_m;
     result.settings.youngs_modulus_Pa = calibration.after.values.youngs_modulus_Pa;
     result.settings.damping_s = calibration.after.values.damping_s;
+    set_law_values(calibration.after.values.law, result.settings);
     if (!settings.own_step) result.settings.time_step_s = prediction::shortest_step_s(*setup);
     result.run = shown_run(*setup, calibration.after);
     add_vibrations(seen, result.run);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "backend/law_settings.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "diagnosis/missing_force/effect_forces.hpp"
@@ -262,6 +263,7 @@ private:
         row.settings = source_.settings;
         row.settings.youngs_modulus_Pa = last.fit.values.youngs_modulus_Pa;
         row.settings.damping_s = last.fit.values.damping_s;
+        set_law_values(last.fit.values.law, row.settings);
         row.settings.effects.clear();
         // Effects of the file stay in the file; only the additional ones become settings.
         for (std::size_t e = source_.file_effects; e < last.fit.values.effects.size(); ++e)

@@ -6,6 +6,7 @@
 
 #include "backend/core_scene.hpp"
 #include "backend/fields.hpp"
+#include "backend/law_settings.hpp"
 #include "base/stopwatch.hpp"
 #include "effect/catalogue.hpp"
 #include "material/catalogue.hpp"
@@ -88,7 +89,7 @@ Result<ui::commands::RunResult> run_mesh_scene(const ui::commands::Scene& scene,
     // The same choice of element as in prepare_setup().
     const bool fine = effect::any_varies_within_cells(experiment.effects);
     model.body = model::make_body(mesh->mesh, fine ? fem::fine_element(mesh->element) : mesh->element, held);
-    model.material = material::find_material(settings.material);
+    model.material = material::find_material(settings.material, law_values(settings));
     if (!model.material) return Error{"no material law '" + settings.material + "'", "material"};
     model.moduli = model::uniform_moduli(model.body->cell_count(), settings.youngs_modulus_Pa, settings.poissons_ratio);
     model.damping_s = settings.damping_s;

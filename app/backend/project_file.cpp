@@ -12,6 +12,7 @@
 #include "base/fingerprint.hpp"
 #include "commands/settings.hpp"
 #include "fibre/painted_mask.hpp"
+#include "material/catalogue.hpp"
 #include "toml/toml_reader.hpp"
 #include "toml/toml_text.hpp"
 
@@ -115,12 +116,19 @@ std::string seen_from(const fs::path& path, const fs::path& folder) {
     return near.empty() || ups > 3 ? path.generic_string() : near.generic_string();
 }
 
+/// Parameters of laws, the chosen one's and those kept of others, one line each.
+std::string law_text(const ui::commands::Settings& s) {
+    std::string text;
+    for (const auto& [key, value] : s.law) text += key + " = " + toml::toml_number(value) + "\n";
+    return text;
+}
+
 /// Mesh, material, time and effects as TOML.
 std::string settings_text(const ui::commands::Settings& s) {
     std::string text = "\n[mesh]\nelement = " + toml::toml_text(to_string(s.element)) +
                        "\nresolution_m = " + toml::toml_number(s.resolution_m) + "\n";
-    text += "\n[material]\nmodel = " + toml::toml_text(s.material) +
-            "\nyoungs_modulus_Pa = " + toml::toml_number(s.youngs_modulus_Pa) +
+    text += "\n[material]\nmodel = " + toml::toml_text(s.material) + "\n" + law_text(s) +
+            "youngs_modulus_Pa = " + toml::toml_number(s.youngs_modulus_Pa) +
             "\npoissons_ratio = " + toml::toml_number(s.poissons_ratio) +
             "\ndensity_kg_m3 = " + toml::toml_number(s.density_kg_m3) +
             "\ndamping_s = " + toml::toml_number(s.damping_s) + "\n";
@@ -283,9 +291,14 @@ ui::commands::Settings read_settings(const toml::TomlReader& document, const tom
     s.element = mesh.choice<mesh::CellType>(
         "element", {{"hex8", mesh::CellType::hex8}, {"tet4", mesh::CellType::tet4}, {"tet10", mesh::CellType::tet10}});
     s.resolution_m = mesh.number("resolution_m", toml::positive());
-    const toml::TomlReader material = document.table(
-        "material", {"model", "youngs_modulus_Pa", "poissons_ratio", "density_kg_m3", "damping_s"});
+    std::vector<std::string> material_keys{"model", "youngs_modulus_Pa", "poissons_ratio", "density_kg_m3",
+                                           "damping_s"};
+    const std::vector<material::LawParameter> law = material::all_law_parameters();
+    for (const material::LawParameter& p : law) material_keys.push_back(p.name);
+    const toml::TomlReader material = document.table("material", material_keys);
     s.material = material.text("model");
+    for (const material::LawParameter& p : law)
+        if (material.has(p.name)) s.law[p.name] = material.number(p.name, toml::between(p.lower, p.upper));
     s.youngs_modulus_Pa = material.number("youngs_modulus_Pa", within(ui::commands::youngs_modulus_limits));
     s.poissons_ratio = material.number("poissons_ratio", within(ui::commands::poissons_ratio_limits));
     s.density_kg_m3 = material.number("density_kg_m3", within(ui::commands::density_limits));

@@ -12,6 +12,7 @@
 #include "backend/examples.hpp"
 #include "backend/fields.hpp"
 #include "backend/file_preview.hpp"
+#include "backend/law_settings.hpp"
 #include "backend/library_versions.hpp"
 #include "backend/mesh_scene.hpp"
 #include "backend/project_file.hpp"
@@ -27,7 +28,6 @@
 #include "diagnosis/whole_diagnosis.hpp"
 #include "dynamics/material_damping.hpp"
 #include "dynamics/numerical_damping.hpp"
-#include "material/catalogue.hpp"
 #include "measurement/actuation_csv.hpp"
 #include "measurement/trace_csv.hpp"
 #include "mesh/quality.hpp"
@@ -51,39 +51,7 @@ std::string formatted(const char* format, double value) {
 /// Backend of the window on the core; each method delegates to a file of this folder.
 class CoreBackend final : public ui::commands::Backend {
 public:
-    std::vector<ui::commands::Choice> materials() const override {
-        std::vector<ui::commands::Choice> list;
-        struct Words {
-            std::string label, letters;
-        };
-        const std::string mu = "μ = E / (2 (1 + ν))", lambda = "λ = E ν / ((1 + ν) (1 − 2ν))",
-                          rotation = "F = R U with the rotation R";
-        // Labels and explanations for display; laws without an entry are listed by their id.
-        const std::map<std::string, Words> words = {
-            {"neo_hookean",
-             {"Neo-Hookean", mu + ", κ = E / (3 (1 − 2ν)), J = det F. Nearly incompressible, for large strain (Bonet & "
-                                  "Wood 2008, sec. 6.5; Simo & Hughes 1998)."}},
-            {"corotational",
-             {"Corotational", mu + ", " + lambda + ", " + rotation +
-                                  ". Linear in strain, for large rotations (Sifakis & Barbič 2012, sec. 3.4)."}},
-            {"projective_corotational",
-             {"Projective corotational (as published)",
-              mu + ", " + lambda + ", " + rotation +
-                  ", D the matrix nearest to F whose determinant is 1 (Bouaziz et al. 2014)."}},
-            {"st_venant_kirchhoff",
-             {"St. Venant–Kirchhoff", mu + ", " + lambda +
-                                          ", Green's strain E = (FᵀF − I) / 2. Softens in compression: for small "
-                                          "strain (Bonet & Wood 2008, sec. 6.4)."}}};
-        for (const material::MaterialPointer& law : material::material_catalogue()) {
-            const auto known = words.find(law->id());
-            const std::string energy = "Energy per rest volume [J/m³]\nψ = " + law->formula();
-            if (known == words.end())
-                list.push_back({law->id(), law->id(), energy});
-            else
-                list.push_back({law->id(), known->second.label, energy + "\n" + known->second.letters});
-        }
-        return list;
-    }
+    std::vector<ui::commands::Choice> materials() const override { return law_choices(); }
 
     std::vector<ui::commands::Choice> integrators() const override {
         const auto entry = [](dynamics::Integrator integrator, const char* label, const char* explanation) {

@@ -18,6 +18,7 @@ std::uint64_t fingerprint(const setup::Setup& setup) {
     for (const double number : {material.youngs_modulus_Pa, material.poissons_ratio, material.density_kg_m3,
                                 material.damping_s.value_or(-1.0)})
         print.add(number);
+    for (const double number : material.law) print.add(number);
     print.add_all(setup.experiment.gravity_m_s2);
     print.add_all(setup.noise_m);
     for (const setup::PreparedTrial& trial : setup.trials) {

@@ -38,12 +38,14 @@ struct StlGeometry {
 /// Homogeneous material of the whole body and which of its parameters may be fitted.
 struct MaterialDeclaration {
     std::string model;                      // id in the material catalogue
+    std::vector<double> law = {};           // one value for each parameter of the law
     double youngs_modulus_Pa = 0.0;         // > 0; initial value of the fit
     double youngs_modulus_tolerance = 0.3;  // relative half-width
     double poissons_ratio = 0.0;            // strictly between 0 and 0.5
     double density_kg_m3 = 0.0;             // > 0
     std::optional<double> damping_s;        // Kelvin-Voigt damping time [s]; absent = unknown
-    std::vector<std::string> calibrate = {"youngs_modulus", "damping"};  // of youngs_modulus, damping, actuation_level
+    std::vector<std::string> calibrate = {
+        "youngs_modulus", "damping"};  // of youngs_modulus, damping, actuation_level and the law's parameters
 };
 
 /// Linear coupling of two muscles: a - 1 of the follower is `ratio` times a - 1 of the leader.

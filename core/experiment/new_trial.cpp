@@ -4,7 +4,9 @@
 #include <system_error>
 
 #include "base/files.hpp"
+#include "experiment/law_values.hpp"
 #include "experiment/read_experiment.hpp"
+#include "material/catalogue.hpp"
 #include "measurement/trace_csv.hpp"
 #include "mesh/vtk_writer.hpp"
 #include "toml/toml_text.hpp"
@@ -94,6 +96,7 @@ Result<void> write_experiment(const fs::path& folder, const Experiment& declared
             "\nyoungs_modulus_Pa = " + toml::toml_number(material.youngs_modulus_Pa) +
             "\npoissons_ratio = " + toml::toml_number(material.poissons_ratio) +
             "\ndensity_kg_m3 = " + toml::toml_number(material.density_kg_m3) + "\n";
+    text += law_values_text(*material::find_material(material.model), material.law);
     if (material.damping_s) text += "damping_s = " + toml::toml_number(*material.damping_s) + "\n";
     text += "\n[environment]\ngravity_m_s2 = " + toml::toml_vector(declared.gravity_m_s2) +
             "\n\n[markers]\ncompare = \"displacement\"\n[markers.rest_m]\n";

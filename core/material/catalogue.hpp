@@ -9,20 +9,19 @@ namespace myo::material {
 
 /// Nearly incompressible neo-Hookean law.
 MaterialPointer neo_hookean();
-/// Corotational linear elasticity: small strain, large rotations.
-MaterialPointer corotational();
-/// Published variant without separable volume; locks near incompressibility.
-MaterialPointer projective_corotational();
-/// St. Venant-Kirchhoff law: small strain, large rotations; soft in compression.
-MaterialPointer st_venant_kirchhoff();
 
-/// All material laws. A new law is one file and one entry in catalogue.cpp.
+/// All material laws. A new law is a file of its own and one line in catalogue.cpp.
 const std::vector<MaterialPointer>& material_catalogue();
 
-/// Law with the given id; null if unknown.
-MaterialPointer find_material(const std::string& id);
+/// Law with the given id and values of its parameters; null if the id is unknown.
+///
+/// @param values  one for each parameter; empty: the usual ones
+MaterialPointer find_material(const std::string& id, const std::vector<double>& values = {});
 
 /// Ids of all laws in the order of the catalogue.
 std::vector<std::string> material_ids();
+
+/// Parameters of all laws; no two laws have one of the same name.
+std::vector<LawParameter> all_law_parameters();
 
 }  // namespace myo::material

@@ -11,7 +11,12 @@ namespace {
 class Corotational final : public MaterialOf<Corotational> {
 public:
     std::string id() const override { return "corotational"; }
+    std::string label() const override { return "Corotational"; }
     std::string formula() const override { return "μ |F − R|² + λ/2 tr(RᵀF − I)²"; }
+    std::string explanation() const override {
+        return "μ = E / (2 (1 + ν)), λ = E ν / ((1 + ν) (1 − 2ν)), F = R U with the rotation R. Linear in strain, for "
+               "large rotations (Sifakis & Barbič 2012, sec. 3.4).";
+    }
 
     template <class T>
     static void respond_at(const Matrix3<T>& F, const T& mu, const T&, bool with_hessian, LawResponse<T>& out) {

@@ -1,6 +1,19 @@
 #include "material/material.hpp"
 
+#include <cassert>
+#include <utility>
+
 namespace myo::material {
+
+MaterialPointer Material::with_values(const std::vector<double>&) const {
+    assert(false && "a law with parameters overrides this");
+    return nullptr;
+}
+
+MaterialPointer Material::by_parameter(std::size_t) const {
+    assert(false && "a law with parameters overrides this");
+    return nullptr;
+}
 
 TensorFunction Material::distortion(const Eigen::Matrix3d& F, double mu, double kappa, bool with_hessian) const {
     LawResponse<double> response;

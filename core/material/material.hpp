@@ -2,8 +2,10 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "base/pack.hpp"
 
@@ -42,20 +44,50 @@ struct LawResponse {
     TensorFunctionOf<T> volume;  // theta; for laws without a split the factor of kappa in the distortion (no hessian)
 };
 
+/// A number of a law besides the moduli. It is a key of [material] in experiments and project files, is fitted where
+/// material.calibrate names it, and can be set in the window.
+struct LawParameter {
+    std::string name;                 // key, ends with its unit where it has one
+    std::string unit;                 // for display; empty: a plain number
+    std::string label, meaning;       // for display: a row's label, and what the number does
+    double usual = 0.0;               // value where none is declared
+    double lower = 0.0, upper = 0.0;  // bounds of declarations and fits
+    double scale = 1.0;               // a typical change, for fits
+    bool over_decades = false;        // known to a factor rather than to a difference
+};
+
+class Material;
+using MaterialPointer = std::shared_ptr<const Material>;
+
 /// Hyperelastic law with energy per rest volume W(F) = distortion(F) + bulk(volume_measure(F)).
 ///
 /// The split lets an element replace the volume measure by its cell average, which removes volumetric locking. Both
 /// parts are linear in the moduli (mu, kappa): the derivative with respect to the moduli is the same function at (d mu,
-/// d kappa). mu and kappa are the small-strain moduli, except for the projective law.
-/// Errors: none. A degenerate F gives non-finite values; the line search rejects the step.
+/// d kappa). mu and kappa are the small-strain moduli, except for the projective law. A law may have further
+/// parameters; an object of it holds their values. Errors: none. A degenerate F gives non-finite values; the line
+/// search rejects the step.
 class Material {
 public:
     virtual ~Material() = default;
 
     /// Name in project files.
     virtual std::string id() const = 0;
+    /// Name for display.
+    virtual std::string label() const = 0;
     /// Energy as a formula in one line, for display.
     virtual std::string formula() const = 0;
+    /// The letters of the formula, range of use and source, for display.
+    virtual std::string explanation() const = 0;
+
+    /// Parameters besides the moduli; the order is that of values(), with_values() and by_parameter().
+    virtual std::vector<LawParameter> parameters() const { return {}; }
+    /// Their values.
+    virtual std::vector<double> values() const { return {}; }
+    /// This law with other values of its parameters, one for each. Asserts that there is one for each.
+    virtual MaterialPointer with_values(const std::vector<double>& values) const;
+    /// The derivative of the energy with respect to parameter k, as a law with the same split.
+    virtual MaterialPointer by_parameter(std::size_t k) const;
+
     /// True if the volumetric part is separate. Otherwise theta and bulk() are zero.
     virtual bool has_split() const { return true; }
 
@@ -87,26 +119,29 @@ public:
     TensorFunction volume_measure(const Eigen::Matrix3d& F, bool with_hessian) const;
 };
 
-/// Implements the virtual functions for double and Pack from one template. `Law` provides
-///   static void respond_at(const Matrix3<T>& F, const T& mu, const T& kappa, bool with_hessian, LawResponse<T>& out)
-///   static ScalarFunctionOf<T> bulk_at(const T& theta, const T& kappa).
+/// Implements the virtual functions for double and Pack from one template. `Law` provides, static or const,
+///   void respond_at(const Matrix3<T>& F, const T& mu, const T& kappa, bool with_hessian, LawResponse<T>& out)
+///   ScalarFunctionOf<T> bulk_at(const T& theta, const T& kappa).
 template <class Law>
 class MaterialOf : public Material {
 public:
     void respond(const Matrix3<double>& F, const double& mu, const double& kappa, bool with_hessian,
                  LawResponse<double>& out) const final {
-        Law::respond_at(F, mu, kappa, with_hessian, out);
+        law().respond_at(F, mu, kappa, with_hessian, out);
     }
     void respond(const Matrix3<Pack>& F, const Pack& mu, const Pack& kappa, bool with_hessian,
                  LawResponse<Pack>& out) const final {
-        Law::respond_at(F, mu, kappa, with_hessian, out);
+        law().respond_at(F, mu, kappa, with_hessian, out);
     }
     ScalarFunctionOf<double> bulk(const double& theta, const double& kappa) const final {
-        return Law::bulk_at(theta, kappa);
+        return law().bulk_at(theta, kappa);
     }
-    ScalarFunctionOf<Pack> bulk(const Pack& theta, const Pack& kappa) const final { return Law::bulk_at(theta, kappa); }
-};
+    ScalarFunctionOf<Pack> bulk(const Pack& theta, const Pack& kappa) const final {
+        return law().bulk_at(theta, kappa);
+    }
 
-using MaterialPointer = std::shared_ptr<const Material>;
+private:
+    const Law& law() const { return static_cast<const Law&>(*this); }
+};
 
 }  // namespace myo::material

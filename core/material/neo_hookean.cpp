@@ -11,7 +11,12 @@ namespace {
 class NeoHookean final : public MaterialOf<NeoHookean> {
 public:
     std::string id() const override { return "neo_hookean"; }
+    std::string label() const override { return "Neo-Hookean"; }
     std::string formula() const override { return "μ/2 (J^(-2/3) tr(FᵀF) − 3) + κ/4 (J² − 1 − 2 ln J)"; }
+    std::string explanation() const override {
+        return "μ = E / (2 (1 + ν)), κ = E / (3 (1 − 2ν)), J = det F. Nearly incompressible, for large strain (Bonet & "
+               "Wood 2008, sec. 6.5; Simo & Hughes 1998).";
+    }
 
     template <class T>
     static void respond_at(const Matrix3<T>& F, const T& mu, const T&, bool with_hessian, LawResponse<T>& out) {

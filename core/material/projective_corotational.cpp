@@ -88,7 +88,13 @@ UnitVolumeProjection project_to_unit_volume(const Vector3d& sigma) {
 class ProjectiveCorotational final : public MaterialOf<ProjectiveCorotational> {
 public:
     std::string id() const override { return "projective_corotational"; }
+    std::string label() const override { return "Projective corotational (as published)"; }
     std::string formula() const override { return "μ |F − R|² + λ/2 |F − D|², det D = 1"; }
+    std::string explanation() const override {
+        return "μ = E / (2 (1 + ν)), λ = E ν / ((1 + ν) (1 − 2ν)), F = R U with the rotation R, D the matrix nearest "
+               "to F "
+               "whose determinant is 1 (Bouaziz et al. 2014).";
+    }
 
     bool has_split() const override { return false; }
 

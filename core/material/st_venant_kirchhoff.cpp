@@ -12,7 +12,12 @@ namespace {
 class StVenantKirchhoff final : public MaterialOf<StVenantKirchhoff> {
 public:
     std::string id() const override { return "st_venant_kirchhoff"; }
+    std::string label() const override { return "St. Venant–Kirchhoff"; }
     std::string formula() const override { return "μ |E|² + λ/2 tr(E)²"; }
+    std::string explanation() const override {
+        return "μ = E / (2 (1 + ν)), λ = E ν / ((1 + ν) (1 − 2ν)), Green's strain E = (FᵀF − I) / 2. Softens in "
+               "compression: for small strain (Bonet & Wood 2008, sec. 6.4).";
+    }
 
     template <class T>
     static void respond_at(const Matrix3<T>& F, const T& mu, const T&, bool with_hessian, LawResponse<T>& out) {

@@ -2,6 +2,8 @@
 
 #include <sstream>
 
+#include "material/function_of_energy.hpp"
+
 namespace myo::material {
 namespace {
 
@@ -11,6 +13,8 @@ public:
     StrainStiffening(MaterialPointer base, double c2) : base_(std::move(base)), c2_(c2) {}
 
     std::string id() const override { return base_->id(); }
+    std::string label() const override { return base_->label(); }
+    std::string explanation() const override { return base_->explanation(); }
     std::string formula() const override {
         std::ostringstream words;
         words << base_->formula() << " + mu/2 " << c2_ << " (I1 - 3)^2";
@@ -40,16 +44,9 @@ private:
         base_->respond(F, mu, kappa, with_hessian, out);
         LawResponse<T> unit;
         base_->respond(F, T(1.0), T(0.0), with_hessian, unit);
-        const T slope = mu * (4.0 * c2_) * unit.distortion.value;
-        out.distortion.value += 0.5 * slope * unit.distortion.value;
-        for (int i = 0; i < 9; ++i) out.distortion.gradient.data()[i] += slope * unit.distortion.gradient.data()[i];
-        if (!with_hessian) return;
-        const T curvature = mu * (4.0 * c2_);
-        for (int j = 0; j < 9; ++j)
-            for (int i = 0; i < 9; ++i)
-                out.distortion.hessian(
-                    i, j) += slope * unit.distortion.hessian(i, j) +
-                             curvature * (unit.distortion.gradient.data()[i] * unit.distortion.gradient.data()[j]);
+        const T curvature = mu * (4.0 * c2_), slope = curvature * unit.distortion.value;
+        add_function_of(unit.distortion, {0.5 * slope * unit.distortion.value, slope, curvature}, with_hessian,
+                        out.distortion);
     }
 
     MaterialPointer base_;

@@ -37,7 +37,7 @@ template <class Cells>
 PackInput pack_input(const Model& model, const Cells& cells, const InternalInput& input, int pack) {
     const Stiffness& stiffness = *input.stiffness;
     PackInput in;
-    in.material = model.material.get();
+    in.material = stiffness.law ? stiffness.law.get() : model.material.get();
     in.elastic = !stiffness.elastic.empty();
     in.viscous = !stiffness.viscous.empty() && input.rate.history != nullptr;
     in.poissons_ratio = poissons_ratio_of(cells, pack, model);

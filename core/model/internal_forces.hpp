@@ -17,6 +17,7 @@ struct StrainRate {
 /// Moduli with which the internal energy is evaluated: those of the model or, since the energy is linear in them, their
 /// derivative with respect to a parameter.
 struct Stiffness {
+    material::MaterialPointer law = {};     // instead of the model's, for the derivative by a parameter of it
     std::vector<material::Moduli> elastic;  // [Pa] per cell; empty: no elastic part
     Eigen::VectorXd elastic_factors;        // scale the elastic moduli at the points; empty: 1
     std::vector<material::Moduli>

@@ -42,7 +42,8 @@ bool moves_the_body(const setup::Setup& setup, std::size_t trial, const Paramete
                     const ModelParameter& parameter) {
     switch (parameter.kind) {
         case Kind::youngs_modulus:
-        case Kind::damping: return true;
+        case Kind::damping:
+        case Kind::law: return true;
         case Kind::level: return parameter.trial == trial;
         case Kind::effect: {
             const effect::EffectDeclaration& effect = values.effects[parameter.index];
@@ -60,6 +61,7 @@ std::optional<sensitivity::ModelTangent> parameter_tangent(const setup::Setup& s
     if (parameter.kind == Kind::youngs_modulus)
         return sensitivity::youngs_modulus_tangent(trial_model(setup, trial, values), values.youngs_modulus_Pa);
     if (parameter.kind == Kind::damping) return sensitivity::damping_tangent();
+    if (parameter.kind == Kind::law) return sensitivity::law_tangent(parameter.index);
     sensitivity::ModelTangent tangent;
     tangent.activation = setup::level_tangent(setup.experiment, parameter.index);
     return tangent;

@@ -28,6 +28,7 @@ ParameterValues declared_values(const setup::Setup& setup) {
     ParameterValues values;
     values.youngs_modulus_Pa = setup.experiment.material.youngs_modulus_Pa;
     values.damping_s = setup.trials.front().model.damping_s;
+    values.law = setup.trials.front().model.material->values();
     values.start_shift_s.assign(setup.trials.size(), 0.0);
     for (const setup::PreparedTrial& trial : setup.trials) {
         std::map<std::size_t, double> levels;
@@ -59,6 +60,12 @@ std::vector<ModelParameter> free_parameters(const setup::Setup& setup, const std
         add(Kind::damping, 0, 0, "damping_s", 0.0, 1.0, 1e-3, "s");
         list.back().parameter.over_decades = true;
     }
+    const std::vector<material::LawParameter> law = setup.trials.front().model.material->parameters();
+    for (std::size_t k = 0; k < law.size(); ++k)
+        if (is_calibrated(setup, law[k].name, names)) {
+            add(Kind::law, 0, k, law[k].name, law[k].lower, law[k].upper, law[k].scale, law[k].unit);
+            list.back().parameter.over_decades = law[k].over_decades;
+        }
 
     const experiment::RegistrationDeclaration& registration = setup.experiment.registration;
     if (!registration.known && registration.method == experiment::RegistrationMethod::limited) {
@@ -105,6 +112,7 @@ double value_of(const ModelParameter& p, const ParameterValues& values) {
     switch (p.kind) {
         case Kind::youngs_modulus: return values.youngs_modulus_Pa;
         case Kind::damping: return values.damping_s;
+        case Kind::law: return values.law[p.index];
         case Kind::translation: return values.translation_m(static_cast<Eigen::Index>(p.index));
         case Kind::rotation: return values.rotation_rad(static_cast<Eigen::Index>(p.index));
         case Kind::start_shift: return values.start_shift_s[p.trial];
@@ -118,6 +126,7 @@ void set_value(const ModelParameter& p, double value, ParameterValues& values) {
     switch (p.kind) {
         case Kind::youngs_modulus: values.youngs_modulus_Pa = value; break;
         case Kind::damping: values.damping_s = value; break;
+        case Kind::law: values.law[p.index] = value; break;
         case Kind::translation: values.translation_m(static_cast<Eigen::Index>(p.index)) = value; break;
         case Kind::rotation: values.rotation_rad(static_cast<Eigen::Index>(p.index)) = value; break;
         case Kind::start_shift: values.start_shift_s[p.trial] = value; break;
@@ -133,6 +142,7 @@ model::Model trial_model(const setup::Setup& setup, std::size_t trial, const Par
     model.moduli = model::uniform_moduli(setup.body->cell_count(), setup.modulus_factor * values.youngs_modulus_Pa,
                                          setup.experiment.material.poissons_ratio);
     model.damping_s = values.damping_s;
+    if (!values.law.empty()) model.material = model.material->with_values(values.law);
     for (const auto& [muscle, level] : values.levels[trial])
         model.activation = setup::with_level(setup.experiment, model.activation, muscle, level);
     return model;

@@ -16,6 +16,7 @@ namespace myo::prediction {
 struct ParameterValues {
     double youngs_modulus_Pa = 0.0;  // of the body; multiplied by Setup::modulus_factor in the cells
     double damping_s = 0.0;          // Kelvin-Voigt damping time
+    std::vector<double> law = {};    // parameters of the constitutive law
     Eigen::Vector3d translation_m = Eigen::Vector3d::Zero();  // camera = rotation(rotation_rad) mesh + translation
     Eigen::Vector3d rotation_rad = Eigen::Vector3d::Zero();   // rotation vector about the mesh origin
     std::vector<double> start_shift_s;                        // per trial: t = 0 is this much later than start_s
@@ -27,10 +28,10 @@ ParameterValues declared_values(const setup::Setup& setup);
 
 /// One scalar of ParameterValues: name, initial value, bounds and scale, and where it is stored.
 struct ModelParameter {
-    enum class Kind { youngs_modulus, damping, translation, rotation, start_shift, level, effect };
+    enum class Kind { youngs_modulus, damping, law, translation, rotation, start_shift, level, effect };
     Kind kind = Kind::youngs_modulus;
     std::size_t trial = 0;  // start_shift, level
-    std::size_t index = 0;  // axis (0 ... 2), muscle, or effect
+    std::size_t index = 0;  // parameter of the law, axis (0 ... 2), muscle, or effect
     inverse::Parameter parameter;
     std::string unit;                                // for messages and files
     std::string of_effect{};                         // effect: key of its parameter
@@ -48,7 +49,7 @@ std::vector<ModelParameter> effect_parameters(const effect::EffectDeclaration& e
 /// All unknowns of the experiment: material.calibrate, limited registration, detected starts of fit trials, free levels
 /// of fit trials, effects with calibrate = true.
 ///
-/// @param names  if not empty: replaces material.calibrate for youngs_modulus and damping
+/// @param names  if not empty: replaces material.calibrate for youngs_modulus, damping and the law
 std::vector<ModelParameter> free_parameters(const setup::Setup& setup, const std::vector<std::string>& names = {});
 
 /// Current value of a parameter, SI.

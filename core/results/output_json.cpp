@@ -60,12 +60,15 @@ void add_facts(const RunFacts& facts, report::Json& json) {
 
 /// Material values used in the run.
 report::Json values_json(const setup::Setup& setup, const prediction::ParameterValues& values) {
-    return {{"youngs_modulus_Pa", values.youngs_modulus_Pa},
-            {"poissons_ratio", setup.experiment.material.poissons_ratio},
-            {"density_kg_m3", setup.experiment.material.density_kg_m3},
-            {"damping_s", values.damping_s},
-            {"damping_declared", setup.experiment.material.damping_s.has_value()},
-            {"velocity_force_1_s", setup.settings.velocity_force_1_s}};
+    report::Json json{{"youngs_modulus_Pa", values.youngs_modulus_Pa},
+                      {"poissons_ratio", setup.experiment.material.poissons_ratio},
+                      {"density_kg_m3", setup.experiment.material.density_kg_m3},
+                      {"damping_s", values.damping_s},
+                      {"damping_declared", setup.experiment.material.damping_s.has_value()},
+                      {"velocity_force_1_s", setup.settings.velocity_force_1_s}};
+    const std::vector<material::LawParameter> law = setup.trials.front().model.material->parameters();
+    for (std::size_t k = 0; k < values.law.size(); ++k) json[law[k].name] = values.law[k];
+    return json;
 }
 
 /// Scores per marker, keyed by name.

@@ -75,6 +75,10 @@ ReadableParameter readable_parameter(const prediction::ModelParameter& p, const 
     switch (p.kind) {
         case Kind::youngs_modulus: return {"Young’s modulus E", "kPa", 1e-3};
         case Kind::damping: return {"Damping time", "ms", 1e3};
+        case Kind::law: {
+            const material::LawParameter law = setup.trials.front().model.material->parameters()[p.index];
+            return {law.label, law.unit, 1.0};
+        }
         case Kind::translation: return {"Camera shift " + axis, "mm", 1e3};
         case Kind::rotation: return {"Camera turn about " + axis, "°", 180.0 / std::numbers::pi};
         case Kind::start_shift: return {"Later start of " + setup.trials[p.trial].name, "ms", 1e3};

@@ -58,6 +58,15 @@ void add_material(const model::Model& model, std::vector<CheckedParameter>& list
     list.push_back({"mu of cell " + std::to_string(cell), 1e-3 * model.moduli[cell].mu,
                     [cell](model::Model& m, dynamics::SimulationOptions&, double by) { m.moduli[cell].mu += by; },
                     [cell](const ModelGradient& g) { return g.moduli[cell].mu; }});
+    const std::vector<material::LawParameter> law = model.material->parameters();
+    for (std::size_t k = 0; k < law.size(); ++k)
+        list.push_back({law[k].name, law[k].over_decades ? 1e-2 * model.material->values()[k] : 0.1 * law[k].scale,
+                        [k](model::Model& m, dynamics::SimulationOptions&, double by) {
+                            std::vector<double> values = m.material->values();
+                            values[k] += by;
+                            m.material = m.material->with_values(values);
+                        },
+                        [k](const ModelGradient& g) { return g.law[k]; }});
     if (model.damping_s > 0.0)
         list.push_back({"damping time", 1e-2 * model.damping_s,
                         [](model::Model& m, dynamics::SimulationOptions&, double by) { m.damping_s += by; },

@@ -15,10 +15,21 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Models on both sides along the moduli of a parameter. To first order only the moduli change the energy of a cell at
-/// given positions. The width is 1e-3 of the largest relative change of mu.
+/// Models on both sides along the moduli or the law of a parameter. To first order only these change the energy of a
+/// cell at given positions. The width is 1e-3 of the largest relative change of mu, or of the scale of a law's
+/// parameter.
 ModelPair pair_along(const model::Model& model, const ModelTangent& parameter) {
     ModelPair pair{model, model, 1.0};
+    if (parameter.law) {
+        const std::size_t k = *parameter.law;
+        std::vector<double> over = model.material->values(), under = over;
+        pair.width = 1e-3 * model.material->parameters()[k].scale;
+        over[k] += 0.5 * pair.width;
+        under[k] -= 0.5 * pair.width;
+        pair.over.material = model.material->with_values(over);
+        pair.under.material = model.material->with_values(under);
+        return pair;
+    }
     if (parameter.moduli.empty()) return pair;
     double most = 0.0;
     for (std::size_t c = 0; c < model.moduli.size(); ++c)
@@ -37,7 +48,8 @@ ModelPair pair_along(const model::Model& model, const ModelTangent& parameter) {
 ExplicitChanges::ExplicitChanges(const model::Model& model, const std::vector<ModelTangent>& parameters)
     : model_(model), parameters_(parameters) {
     for (const ModelTangent& parameter : parameters) {
-        stiffness_.push_back(stiffness_tangent(model, parameter));
+        // The forces of a changed law are no combination of those for unit moduli; see add_law_changes().
+        stiffness_.push_back(parameter.law ? model::Stiffness{} : stiffness_tangent(model, parameter));
         changes_.emplace_back();
         if (parameter.between) changes_.back().emplace(model_change(parameter.between));
         if (model.softening) pairs_.push_back(parameter.between ? *parameter.between : pair_along(model, parameter));
@@ -137,8 +149,22 @@ model::NodalColumns ExplicitChanges::gradient(const dynamics::StageSolver& solve
             model::nodal_column(result, static_cast<Index>(p)) += d[g] * of_group;
         }
     }
+    add_law_changes(solver.softening(), x, result);
     if (!model_.force_elements.empty()) add_force_elements(stage, x, d_velocities, result);
     return result;
+}
+
+void ExplicitChanges::add_law_changes(const VectorXd& softening, const Matrix3Xd& x,
+                                      model::NodalColumns& result) const {
+    for (std::size_t p = 0; p < parameters_.size(); ++p) {
+        if (!parameters_[p].law) continue;
+        model::Stiffness changed = stiffness_tangent(model_, parameters_[p]);
+        changed.elastic_factors = model::times_factors(changed.elastic_factors, softening);
+        model::nodal_column(result, static_cast<Index>(p)) += model::internal_energy(model_, x,
+                                                                                     {&changed, nullptr, {}, nullptr},
+                                                                                     model::HessianKind::none)
+                                                                  .gradient;
+    }
 }
 
 void ExplicitChanges::add_force_elements(const dynamics::Stage& stage, const Matrix3Xd& x,

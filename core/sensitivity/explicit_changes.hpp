@@ -61,6 +61,9 @@ private:
     model::NodalColumns gradient(const dynamics::StageSolver& solver, const dynamics::Stage& stage,
                                  const Eigen::Matrix3Xd& x, const Eigen::VectorXd& rates,
                                  const Eigen::MatrixXd& d_rates, const model::NodalColumns& d_velocities) const;
+    /// Adds the changes along parameters of the constitutive law.
+    void add_law_changes(const Eigen::VectorXd& softening, const Eigen::Matrix3Xd& x,
+                         model::NodalColumns& result) const;
     void add_force_elements(const dynamics::Stage& stage, const Eigen::Matrix3Xd& x,
                             const model::NodalColumns& d_velocities, model::NodalColumns& result) const;
 

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "model/force_element.hpp"
+#include "sensitivity/model_tangent.hpp"
 
 namespace myo::sensitivity {
 namespace {
@@ -52,6 +53,9 @@ GradientSum::GradientSum(const model::Model& model, bool fibre_shapes)
       masses_(model::mass_spans(model)),
       moduli_(model::no_moduli_work(model)),
       fibres_(model::no_fibre_work(model, fibre_shapes)) {
+    for (std::size_t k = 0; k < model.material->parameters().size(); ++k)
+        by_law_.push_back(stiffness_tangent(model, law_tangent(k)));
+    gradient_.law.assign(by_law_.size(), 0.0);
     for (const fibre::Signal& signal : model.activation) gradient_.activation.emplace_back(signal.values.size(), 0.0);
     gradient_.forces_N.assign(model.forces.size(), Vector3d::Zero());
     gradient_.attached_masses_kg.assign(model.masses.size(), 0.0);
@@ -63,6 +67,11 @@ GradientSum::GradientSum(const model::Model& model, bool fibre_shapes)
 
 void GradientSum::add(const Balance& at, const Matrix3Xd& p, const Matrix3Xd& Mp) {
     model::add_moduli_work(model_, at.x, p, at.rate, moduli_);
+    for (std::size_t k = 0; k < by_law_.size(); ++k)
+        gradient_.law[k] -= dot(
+            model::internal_energy(model_, at.x, {&by_law_[k], nullptr, {}, nullptr}, model::HessianKind::none)
+                .gradient,
+            p);
     if (!model_.fibres->empty()) {
         // The work per unit activation is distributed to knots here, per equilibrium; the other works accumulate.
         std::fill(fibres_.by_activation.begin(), fibres_.by_activation.end(), 0.0);

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "model/internal_forces.hpp"
 #include "model/model.hpp"
 #include "model/virtual_work.hpp"
 
@@ -12,6 +13,7 @@ namespace myo::sensitivity {
 /// Derivative of a scalar (a loss) with respect to all inputs of a run, in units of the loss per unit of the input.
 struct ModelGradient {
     std::vector<material::Moduli> moduli;  // per cell, [1/Pa]
+    std::vector<double> law;               // per parameter of the constitutive law
     double damping_s = 0.0;
     double density_kg_m3 = 0.0;
     double velocity_force_1_s = 0.0;
@@ -78,6 +80,7 @@ private:
 
     const model::Model& model_;
     std::vector<model::MassSpan> masses_;
+    std::vector<model::Stiffness> by_law_;  // derivative of the stiffness by each parameter of the law
     ModelGradient gradient_;
     model::ModuliWork moduli_;
     model::FibreWork fibres_;

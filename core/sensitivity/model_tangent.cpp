@@ -18,6 +18,12 @@ ModelTangent damping_tangent() {
     return tangent;
 }
 
+ModelTangent law_tangent(std::size_t k) {
+    ModelTangent tangent;
+    tangent.law = k;
+    return tangent;
+}
+
 Eigen::Matrix3Xd force_element_tangent(const model::Model& model, const ModelTangent& tangent,
                                        const model::ForceState& at) {
     Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, at.x.cols());
@@ -33,6 +39,13 @@ model::Stiffness stiffness_tangent(const model::Model& model, const ModelTangent
     derivative.fibres = false;
     derivative.elastic = tangent.moduli;
     derivative.elastic_factors = derivative.viscous_factors = model.point_factors;
+    if (tangent.law) {
+        // The viscous stress does not depend on the law.
+        assert(tangent.moduli.empty() && tangent.damping_s == 0.0);
+        derivative.law = model.material->by_parameter(*tangent.law);
+        derivative.elastic = model.moduli;
+        return derivative;
+    }
     // With creep the viscous stress is 2 mu dev of the effective rate, which already contains damping.
     if (model.creep) {
         // The effective rate of creep.hpp has unit viscosity: viscous moduli are the moduli themselves.

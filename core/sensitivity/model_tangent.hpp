@@ -2,7 +2,9 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "model/force_element.hpp"
@@ -16,6 +18,7 @@ namespace myo::sensitivity {
 struct ModelTangent {
     std::vector<material::Moduli> moduli;         // per cell; the factors at the points are held
     double damping_s = 0.0;                       // derivative of the damping time
+    std::optional<std::size_t> law = {};          // parameter of the constitutive law that changes, with unit rate
     std::vector<fibre::Signal> activation;        // per fibre group: d a(t)
     std::vector<Eigen::VectorXd> force_elements;  // per element: derivative of its parameters
     std::shared_ptr<const ModelPair>
@@ -28,6 +31,9 @@ ModelTangent youngs_modulus_tangent(const model::Model& model, double youngs_mod
 
 /// Tangent with respect to the damping time [s].
 ModelTangent damping_tangent();
+
+/// Tangent with respect to parameter k of the constitutive law.
+ModelTangent law_tangent(std::size_t k);
 
 /// Derivative of the energy gradient of the force elements along the parameter, 3 x n [N per unit]; positions and
 /// velocities are held.

@@ -288,7 +288,8 @@ Result<Setup> prepare_setup(const experiment::Experiment& experiment, const Setu
 
     // The command line may replace the declared law, e.g. for the published formulation.
     const std::string law = settings.material.value_or(experiment.material.model);
-    const material::MaterialPointer material = material::find_material(law);
+    const material::MaterialPointer material = material::find_material(
+        law, law == experiment.material.model ? experiment.material.law : std::vector<double>{});
     if (!material) return experiment::declaration_error(experiment, "material.model", "no material law '" + law + "'");
 
     // The mesh conforms to the part of the body that the clamp really holds, see held_part().

@@ -138,7 +138,7 @@ TEST(ModelDerivatives, PositiveHessianIsSemidefiniteAndKeepsWhatAlreadyIs) {
     EXPECT_GT(indefinite, 0);  // otherwise nothing was projected
 
     // Stretched by its load a cell's own stiffness is already semidefinite and must stay as it is.
-    Case c("hex8_full", material::corotational(), 0.0);
+    Case c("hex8_full", material::find_material("corotational"), 0.0);
     c.moduli.viscous.clear();
     c.moduli.fibres = false;
     const Matrix3Xd rest = c.model.body->mesh.nodes;

@@ -108,7 +108,11 @@ std::vector<ui::commands::Choice> SwingingBeam::materials() const {
              "Corotational",
              "\xcf\x88 = \xce\xbc |F \xe2\x88\x92 R|\xc2\xb2 + \xce\xbb/2 tr(R\xe1\xb5\x80"
              "F \xe2\x88\x92 I)\xc2\xb2",
-             {}}};
+             {}},
+            {.id = "gent",
+             .label = "Gent",
+             .explanation = "Stiffens at a finite stretch",
+             .numbers = {{"gent_limit", "Limit J", "", "Where the stress is infinite", 30.0, {0.1, 1e4}}}}};
 }
 
 std::vector<ui::commands::Choice> SwingingBeam::integrators() const {

@@ -36,6 +36,14 @@ struct StepQuality {
     CheckState state = CheckState::green;  // green: the error can be neglected
 };
 
+/// A number that a chosen entry has, e.g. a parameter of a material law; Settings::law holds its value.
+struct ChoiceNumber {
+    std::string key;               // in settings and project files
+    std::string label, unit, tip;  // shown; the unit may be empty
+    double usual = 0.0;            // where the settings hold none
+    Limits limits{0.0, 0.0};       // for edits
+};
+
 /// One entry of a list to choose from, such as a material or a time scheme.
 struct Choice {
     std::string id;           // in settings and project files
@@ -48,6 +56,7 @@ struct Choice {
         {};                            // [1/s] above which the motion grows; slow: keep the result
     bool has_spectral_radius = false;  // the user can choose it
     std::function<StepQuality(double, const Settings&)> step_quality = {};  // for the time step in the settings
+    std::vector<ChoiceNumber> numbers = {};                                 // set for material laws only
 };
 
 /// A scalar quantity that is defined everywhere in the body and can colour it.

@@ -25,9 +25,10 @@ struct AddedEffect {
 /// All values that the user can set before a run, in SI units. Part of the project file and of undo.
 struct Settings {
     mesh::CellType element = mesh::CellType::hex8;
-    double resolution_m = 0.005;       // target edge length of the elements
-    std::string material;              // id in WorkbenchState::materials
-    double youngs_modulus_Pa = 2.6e5;  // in small strains
+    double resolution_m = 0.005;        // target edge length of the elements
+    std::string material;               // id in WorkbenchState::materials
+    std::map<std::string, double> law;  // parameters of laws by their keys; a missing one has its usual value
+    double youngs_modulus_Pa = 2.6e5;   // in small strains
     double poissons_ratio = 0.49;
     double density_kg_m3 = 1070.0;
     double damping_s = 0.0;            // Kelvin-Voigt time

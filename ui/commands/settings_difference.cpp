@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 
 #include "plot/ticks.hpp"
 
@@ -72,6 +73,26 @@ const Entry* named(const std::vector<Entry>& list, std::string Entry::*name, con
     return found != list.end() ? &*found : nullptr;
 }
 
+/// Numbers of the laws; settings with another law show a dash.
+void add_law_numbers(const std::vector<Choice>& materials, Rows& rows) {
+    for (const Choice& law : materials)
+        for (const ChoiceNumber& number : law.numbers) {
+            const auto value = [&](const Settings& s) -> std::optional<double> {
+                if (s.material != law.id) return std::nullopt;
+                const auto set = s.law.find(number.key);
+                return set != s.law.end() ? set->second : number.usual;
+            };
+            rows.add(
+                number.label,
+                [&](const Settings& s) {
+                    const std::optional<double> v = value(s);
+                    return v ? plot::plain_label(*v, 6) + (number.unit.empty() ? "" : " " + number.unit)
+                             : std::string(none);
+                },
+                [&](const Settings& a, const Settings& b) { return value(a) == value(b); });
+        }
+}
+
 void add_effects(const std::vector<const Settings*>& of, Rows& rows) {
     for (const std::string& name : names_of(of, &Settings::effects, &AddedEffect::name)) {
         const auto effect = [name](const Settings& s) { return named(s.effects, &AddedEffect::name, name); };
@@ -135,6 +156,7 @@ std::vector<SettingDifference> settings_differences(const std::vector<const Sett
     rows.add(
         "Material", [&](const Settings& s) { return label_of(materials, s.material); },
         [](const Settings& a, const Settings& b) { return a.material == b.material; });
+    add_law_numbers(materials, rows);
     rows.add_number("Young's modulus E", &Settings::youngs_modulus_Pa, 1e3, "kPa");
     rows.add_number("Poisson's ratio \xce\xbd", &Settings::poissons_ratio, 1.0, "");
     rows.add_number("Density \xcf\x81", &Settings::density_kg_m3, 1.0, "kg/m\xc2\xb3");

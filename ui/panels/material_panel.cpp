@@ -1,5 +1,7 @@
 #include "panels/material_panel.hpp"
 
+#include <algorithm>
+
 #include <imgui.h>
 
 #include "panels/preview_rows.hpp"
@@ -54,6 +56,7 @@ void MaterialPanel::draw(PanelContext& context) {
     setting_choice(context, "Material", "model/material",
                    "Energy per rest volume ψ [J/m³] of the deformation gradient F; the stress is P = ∂ψ/∂F.",
                    state.materials, &commands::Settings::material);
+    draw_law_numbers(context);
     setting_rows(context, material_fields(), edit_);
     draw_preview_rows(context, preview_edit_);
     if (!state.scene) return;
@@ -75,6 +78,21 @@ void MaterialPanel::draw(PanelContext& context) {
                      : std::string("none"));
     tooltip(context.theme, "Acceleration g [m/s²] of the trial's weight, f = M g, as the experiment declares it.");
     draw_effects(context);
+}
+
+void MaterialPanel::draw_law_numbers(PanelContext& context) {
+    const commands::WorkbenchState& state = context.state;
+    const auto law = std::find_if(state.materials.begin(), state.materials.end(),
+                                  [&](const commands::Choice& c) { return c.id == state.settings.material; });
+    if (law == state.materials.end()) return;
+    for (const commands::ChoiceNumber& number : law->numbers) {
+        commands::Settings settings = state.settings;
+        double& value = settings.law.try_emplace(number.key, number.usual).first->second;
+        const NumberField field{number.label, "model/" + number.key, number.unit, number.tip, 1.0, number.limits};
+        bool continues = false;
+        if (number_row(context, field, edit_, value, continues))
+            context.emit(commands::ChangeSettings{settings, field.name, continues});
+    }
 }
 
 void MaterialPanel::draw_effects(PanelContext& context) {

@@ -17,6 +17,8 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    /// Rows of the numbers that the chosen law has besides the moduli.
+    void draw_law_numbers(PanelContext& context);
     /// List of the added effects with a button to remove each. Draws nothing without any.
     void draw_effects(PanelContext& context);
 
