@@ -8,7 +8,8 @@ namespace myo::material {
     entry(neo_hookean) \
     entry(corotational) \
     entry(projective_corotational) \
-    entry(st_venant_kirchhoff)
+    entry(st_venant_kirchhoff) \
+    entry(gent)
 // clang-format on
 
 #define MYOLOOP_DECLARE(name) MaterialPointer name();
