@@ -9,7 +9,8 @@ namespace myo::material {
     entry(corotational) \
     entry(projective_corotational) \
     entry(st_venant_kirchhoff) \
-    entry(gent)
+    entry(gent) \
+    entry(mooney_rivlin)
 // clang-format on
 
 #define MYOLOOP_DECLARE(name) MaterialPointer name();
