@@ -95,6 +95,10 @@ const std::vector<Mutation> mutations = {
     // material
     {"model = \"neo_hookean\"", "model = \"neohookean\"", "model", "material.model: ", "\"neo_hookean\""},
     {"model = \"neo_hookean\"\n", "", "[material]", "material.model: ", "missing"},
+    {"model = \"neo_hookean\"", "model = \"gent\"", "[material]", "material.gent_limit: ", "missing"},
+    {"model = \"neo_hookean\"", "model = \"gent\"\ngent_limit = 0", "gent_limit", "material.gent_limit: ", "0.1"},
+    {"model = \"neo_hookean\"", "model = \"neo_hookean\"\ngent_limit = 30", "gent_limit",
+     "material.gent_limit: ", "no parameter of the law"},
     {"youngs_modulus_Pa =", "youngs_modulus_pa =", "youngs_modulus_pa", "material.youngs_modulus_pa: unknown key",
      "\"youngs_modulus_Pa\""},
     {"youngs_modulus_Pa = 2.6e5", "youngs_modulus_Pa = -2.6e5", "youngs_modulus_Pa",

@@ -74,7 +74,7 @@ TEST(GradientCheckOfAHeldBody, AsksCellsThatCanDeform) {
     EXPECT_LT(check.worst_error(), 1e-5);
 }
 
-/// Along E, damping and the level of a signal, where tangents exist.
+/// Along E, damping, the level of a signal and the parameters of the law, where tangents exist.
 TEST_P(AdjointRun, EqualsTheTangents) {
     const auto [kind, integrator, start, strategy, material] = GetParam();
     model::Model model = driven_beam(kind, material);
@@ -89,12 +89,16 @@ TEST_P(AdjointRun, EqualsTheTangents) {
     ASSERT_TRUE(run.complete()) << run.message;
     ModelTangent level;
     level.activation = {fibre::Signal::step(0.0, 0.0, 1.0), fibre::Signal::constant(0.0)};
-    const SensitiveTrace tangents = simulate_with_tangents(
-        model, options, {youngs_modulus_tangent(model, 2.6e5), damping_tangent(), level}, loss.nodes);
+    std::vector<ModelTangent> along_parameters{youngs_modulus_tangent(model, 2.6e5), damping_tangent(), level};
+    std::vector<double> expected{young_gradient(model, run.gradient).youngs_modulus_Pa, run.gradient.damping_s,
+                                 run.gradient.activation[0][1]};
+    for (std::size_t k = 0; k < model.material->parameters().size(); ++k) {
+        along_parameters.push_back(law_tangent(k));
+        expected.push_back(run.gradient.law.at(k));
+    }
+    const SensitiveTrace tangents = simulate_with_tangents(model, options, along_parameters, loss.nodes);
     const MotionLoss derivative = loss.evaluate(run.motion);
-    const double expected[] = {young_gradient(model, run.gradient).youngs_modulus_Pa, run.gradient.damping_s,
-                               run.gradient.activation[0][1]};
-    for (std::size_t p = 0; p < 3; ++p) {
+    for (std::size_t p = 0; p < expected.size(); ++p) {
         const double along = test::along(derivative, tangents.tangents[p]);
         EXPECT_NE(along, 0.0);
         EXPECT_NEAR(expected[p] / along, 1.0, 1e-8) << "parameter " << p;
@@ -150,6 +154,10 @@ INSTANTIATE_TEST_SUITE_P(
              dynamics::Strategy::lagged_newton, "corotational"},
         Case{fem::ElementKind::hex8_mean_dilatation, dynamics::Integrator::tr_bdf2, dynamics::StartKind::straight,
              dynamics::Strategy::lagged_newton, "st_venant_kirchhoff"},
+        Case{fem::ElementKind::hex8, dynamics::Integrator::tr_bdf2, dynamics::StartKind::straight,
+             dynamics::Strategy::automatic, "gent"},
+        Case{fem::ElementKind::tet10, dynamics::Integrator::tr_bdf2, dynamics::StartKind::equilibrium,
+             dynamics::Strategy::automatic, "mooney_rivlin"},
         Case{fem::ElementKind::tet10, {dynamics::Integrator::generalized_alpha, 0.2}, dynamics::StartKind::equilibrium},
         Case{fem::ElementKind::tet10, dynamics::Integrator::bdf2, dynamics::StartKind::straight,
              dynamics::Strategy::newton},

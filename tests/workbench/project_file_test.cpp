@@ -33,7 +33,8 @@ ui::commands::Project some_project(const fs::path& source) {
     ui::commands::Settings& s = project.settings;
     s.element = mesh::CellType::tet10;
     s.resolution_m = 0.1 / 3.0;
-    s.material = "corotational";
+    s.material = "gent";
+    s.law = {{"gent_limit", 100.0 / 3.0}, {"mooney_rivlin_share", 0.0}};
     s.integrator = "generalized_alpha";
     s.youngs_modulus_Pa = 1e5 / 7.0 * 3.0;
     s.poissons_ratio = 0.43;
