@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdlib>
@@ -37,15 +38,23 @@ void Driver::settle() {
     for (int i = 0; i < 3; ++i) frame();
 }
 
+void Driver::frame_beside_job() {
+    frame();
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+}
+
 bool Driver::wait_for_job(int seconds) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
-    while (std::chrono::steady_clock::now() < end) {
+    using std::chrono::milliseconds;
+    const auto begin = std::chrono::steady_clock::now(), end = begin + std::chrono::seconds(seconds);
+    for (auto now = begin; now < end; now = std::chrono::steady_clock::now()) {
         frame();
         if (!state().busy()) {
             settle();
             return true;
         }
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        // A long job needs the processors more than the picture does.
+        const auto waited = std::chrono::duration_cast<milliseconds>(now - begin);
+        std::this_thread::sleep_for(std::clamp(waited / 20, milliseconds(2), milliseconds(200)));
     }
     return false;
 }

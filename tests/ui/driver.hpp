@@ -24,6 +24,8 @@ public:
     void frame(double seconds = 1.0 / 60.0);
     /// Draws frames until every event has been consumed and has shown its effect.
     void settle();
+    /// Draws a frame while a job runs in the background and leaves it time.
+    void frame_beside_job();
     /// Draws frames until no job runs. Returns false after `seconds`.
     bool wait_for_job(int seconds = 20);
 

@@ -105,7 +105,7 @@ void cancel_calibration_at(Driver& driver, double evaluations) {
     const auto reached = [&](const ProgressEvent& at) {
         return evaluations == 0.0 || (at.task == "fit" && at.done >= evaluations);
     };
-    while (driver.state().busy() && !reached(driver.state().job->progress)) driver.frame();
+    while (driver.state().busy() && !reached(driver.state().job->progress)) driver.frame_beside_job();
     ASSERT_TRUE(driver.state().busy());
     driver.click("run/cancel");
     ASSERT_TRUE(driver.wait_for_job(20));

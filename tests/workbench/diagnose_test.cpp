@@ -58,7 +58,7 @@ TEST(Diagnose, FindsTheDragOfABeamAddsItAndRunsWithIt) {
     ASSERT_TRUE(driver.state().diagnosing());
     bool ranked = false;
     while (driver.state().diagnosing()) {
-        driver.frame();
+        driver.frame_beside_job();
         ranked = ranked ||
                  (driver.state().diagnosing() && driver.state().diagnosis && driver.state().diagnosis->rows.size() > 5);
     }

@@ -164,7 +164,7 @@ TEST_F(Person, GoesTheWholeWay) {
     driver.click("fit/optimize");
     bool played = false;
     while (state().busy()) {
-        driver.frame();
+        driver.frame_beside_job();
         played = played || (state().searching() && state().search && state().search->best &&
                             !state().simulated_trial()->frames.empty());
     }
