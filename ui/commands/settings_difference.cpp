@@ -16,19 +16,20 @@ std::string label_of(const std::vector<Choice>& choices, const std::string& id) 
     return found != choices.end() ? found->label : id;
 }
 
-/// Collects the rows of a table that has one column per settings object. Settings that are equal everywhere get no row.
+/// Collects the rows of a table that has one column per settings object.
 class Rows {
 public:
-    explicit Rows(const std::vector<const Settings*>& of) : of_(of) {}
+    /// @param with_equal  whether settings that are equal everywhere get a row, too
+    Rows(const std::vector<const Settings*>& of, bool with_equal) : of_(of), with_equal_(with_equal) {}
 
-    /// Adds a row, unless all settings are equal.
+    /// Adds a row, unless it would not be of interest or no settings object has a value.
     ///
     /// @param words  the value of one settings object as text
     /// @param alike  whether two are equal; texts may be equal although values differ
     void add(const std::string& name, const std::function<std::string(const Settings&)>& words,
              const std::function<bool(const Settings&, const Settings&)>& alike) {
         const auto same = [&](const Settings* s) { return alike(*of_.front(), *s); };
-        if (std::all_of(of_.begin(), of_.end(), same)) return;
+        if (!with_equal_ && std::all_of(of_.begin(), of_.end(), same)) return;
         SettingDifference row{name, {}};
         for (const Settings* s : of_) {
             std::string text = words(*s);
@@ -37,6 +38,7 @@ public:
                 if (row.values[before] == text && !alike(*of_[before], *s)) text += " (other)";
             row.values.push_back(std::move(text));
         }
+        if (std::all_of(row.values.begin(), row.values.end(), [](const std::string& v) { return v == none; })) return;
         rows_.push_back(std::move(row));
     }
 
@@ -51,6 +53,7 @@ public:
 
 private:
     const std::vector<const Settings*>& of_;
+    bool with_equal_;
     std::vector<SettingDifference> rows_;
 };
 
@@ -142,13 +145,9 @@ void add_muscles(const std::vector<const Settings*>& of, Rows& rows) {
     }
 }
 
-}  // namespace
-
-std::vector<SettingDifference> settings_differences(const std::vector<const Settings*>& of,
-                                                    const std::vector<Choice>& materials,
-                                                    const std::vector<Choice>& integrators) {
-    if (of.size() < 2) return {};
-    Rows rows(of);
+std::vector<SettingDifference> all_rows(const std::vector<const Settings*>& of, bool with_equal,
+                                        const std::vector<Choice>& materials, const std::vector<Choice>& integrators) {
+    Rows rows(of, with_equal);
     rows.add(
         "Elements", [](const Settings& s) { return to_string(s.element); },
         [](const Settings& a, const Settings& b) { return a.element == b.element; });
@@ -170,6 +169,20 @@ std::vector<SettingDifference> settings_differences(const std::vector<const Sett
     add_effects(of, rows);
     add_muscles(of, rows);
     return rows.take();
+}
+
+}  // namespace
+
+std::vector<SettingDifference> settings_differences(const std::vector<const Settings*>& of,
+                                                    const std::vector<Choice>& materials,
+                                                    const std::vector<Choice>& integrators) {
+    if (of.size() < 2) return {};
+    return all_rows(of, false, materials, integrators);
+}
+
+std::vector<SettingDifference> settings_rows(const Settings& settings, const std::vector<Choice>& materials,
+                                             const std::vector<Choice>& integrators) {
+    return all_rows({&settings}, true, materials, integrators);
 }
 
 }  // namespace myo::ui::commands

@@ -7,7 +7,7 @@
 
 namespace myo::ui::commands {
 
-/// A setting that differs between jobs, and its value in each of them.
+/// A setting and its value in each of several settings objects.
 struct SettingDifference {
     std::string name;                 // "Young's modulus E"
     std::vector<std::string> values;  // one per settings object: "260 kPa"
@@ -21,5 +21,10 @@ struct SettingDifference {
 std::vector<SettingDifference> settings_differences(const std::vector<const Settings*>& of,
                                                     const std::vector<Choice>& materials,
                                                     const std::vector<Choice>& integrators);
+
+/// All settings with their values, in the order of the panels. A setting that does not apply, such as the number of
+/// another law, has no row.
+std::vector<SettingDifference> settings_rows(const Settings& settings, const std::vector<Choice>& materials,
+                                             const std::vector<Choice>& integrators);
 
 }  // namespace myo::ui::commands
