@@ -16,6 +16,7 @@
 #include "panels/run_panel.hpp"
 #include "panels/search_panel.hpp"
 #include "panels/signal_panel.hpp"
+#include "panels/summary_panel.hpp"
 #include "panels/time_panel.hpp"
 #include "panels/verdict_panel.hpp"
 
@@ -45,6 +46,7 @@ std::vector<std::unique_ptr<Panel>> all_panels() {
     add(std::type_identity<DiagnosePanel>());
     add(std::type_identity<ChecksPanel>());
     add(std::type_identity<JobsPanel>());
+    add(std::type_identity<SummaryPanel>());
     add(std::type_identity<LogPanel>());
     return panels;
 }
