@@ -10,6 +10,7 @@
 #include "console.hpp"
 #include "exit_status.hpp"
 #include "mesh/box_mesh.hpp"
+#include "mesh/cell_traits.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/surface_check.hpp"
 #include "mesh/surface_reader.hpp"
@@ -240,12 +241,10 @@ std::function<int()> declare_mesh(CLI::App& app) {
     app.add_option_function<std::string>(
            "--type,--element",
            [call](const std::string& name) {
-               for (const mesh::CellType type : {mesh::CellType::hex8, mesh::CellType::tet4, mesh::CellType::tet10})
-                   if (to_string(type) == name) call->type = type;
-               if (!call->type || to_string(*call->type) != name)
-                   throw CLI::ValidationError("--type", unknown_word(name, {"hex8", "tet4", "tet10"}));
+               call->type = mesh::find_cell_type(name);
+               if (!call->type) throw CLI::ValidationError("--type", unknown_word(name, mesh::cell_type_names()));
            },
-           "element: hex8, tet4, tet10")
+           "element: " + join(mesh::cell_type_names()))
         ->type_name("NAME");
     add_positive_number(app, "--resolution", call->resolution_m, "edge length [m]")->type_name("METRES");
     add_unit(app, call->metres_per_unit);

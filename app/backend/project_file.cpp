@@ -13,6 +13,7 @@
 #include "commands/settings.hpp"
 #include "fibre/painted_mask.hpp"
 #include "material/catalogue.hpp"
+#include "mesh/cell_traits.hpp"
 #include "toml/toml_reader.hpp"
 #include "toml/toml_text.hpp"
 
@@ -288,8 +289,7 @@ ui::commands::Settings read_settings(const toml::TomlReader& document, const tom
     const auto within = [](const ui::commands::Limits& limits) { return toml::between(limits.lowest, limits.highest); };
     ui::commands::Settings s;
     const toml::TomlReader mesh = document.table("mesh", {"element", "resolution_m"});
-    s.element = mesh.choice<mesh::CellType>(
-        "element", {{"hex8", mesh::CellType::hex8}, {"tet4", mesh::CellType::tet4}, {"tet10", mesh::CellType::tet10}});
+    s.element = mesh.choice<mesh::CellType>("element", mesh::named_cell_types());
     s.resolution_m = mesh.number("resolution_m", toml::positive());
     std::vector<std::string> material_keys{"model", "youngs_modulus_Pa", "poissons_ratio", "density_kg_m3",
                                            "damping_s"};

@@ -11,6 +11,7 @@
 #include "base/files.hpp"
 #include "base/text.hpp"
 #include "commands/project.hpp"
+#include "mesh/cell_traits.hpp"
 #include "toml/toml_reader.hpp"
 
 namespace myo::backend {
@@ -72,9 +73,7 @@ ui::commands::Preferences read_document(const toml::TomlValue& root) {
     if (document.has("step_cost"))
         for (const toml::TomlReader& cost : document.tables("step_cost", {"element", "dofs", "seconds"}))
             ui::commands::remember(p.step_costs,
-                                   {cost.choice<mesh::CellType>("element", {{"hex8", mesh::CellType::hex8},
-                                                                            {"tet4", mesh::CellType::tet4},
-                                                                            {"tet10", mesh::CellType::tet10}}),
+                                   {cost.choice<mesh::CellType>("element", mesh::named_cell_types()),
                                     cost.number("dofs", toml::positive()), cost.number("seconds", toml::positive())});
     std::error_code ignored;
     // Recent files that no longer exist are dropped.

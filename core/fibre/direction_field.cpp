@@ -6,6 +6,7 @@
 #include <cassert>
 
 #include "fibre/cell_parts.hpp"
+#include "mesh/cell_traits.hpp"
 
 namespace myo::fibre {
 namespace {
@@ -115,7 +116,7 @@ Matrix3Xd directions_along_longest_axis(const mesh::VolumeMesh& mesh, const Eige
     double volume = 0.0;
     Vector3d first = Vector3d::Zero();
     Matrix3d second = Matrix3d::Zero();
-    const int corners = mesh.type == mesh::CellType::hex8 ? 8 : 4;
+    const int corners = mesh::cell_traits(mesh.type).corners;
     for (int c = 0; c < static_cast<int>(mesh.cell_count()); ++c) {
         const double own = (weights.size() > 0 ? weights(c) : 1.0) * place_of(mesh, c, whole_cell(mesh.type)).volume_m3;
         const Matrix3Xd X = mesh.nodes(Eigen::all, mesh.cells.col(c).head(corners));
@@ -132,7 +133,7 @@ Matrix3Xd directions_along_longest_axis(const mesh::VolumeMesh& mesh, const Eige
 Matrix3Xd smooth_directions(const mesh::VolumeMesh& mesh, const std::vector<int>& cells, const Matrix3Xd& directions) {
     assert(!cells.empty() && directions.cols() == static_cast<Index>(cells.size()));
     const Dyads at_nodes = harmonic(laplacian(mesh), GivenNodes(mesh, cells, directions));
-    const int corners = mesh.type == mesh::CellType::hex8 ? 8 : 4;
+    const int corners = mesh::cell_traits(mesh.type).corners;
     Matrix3Xd field(3, mesh.cell_count());
     for (Index c = 0; c < mesh.cell_count(); ++c) {
         Eigen::Matrix<double, 1, 6> sum = Eigen::Matrix<double, 1, 6>::Zero();

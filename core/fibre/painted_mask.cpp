@@ -9,6 +9,7 @@
 #include "fibre/cell_parts.hpp"
 #include "mesh/box_tree.hpp"
 #include "mesh/cell_topology.hpp"
+#include "mesh/cell_traits.hpp"
 
 namespace myo::fibre {
 namespace {
@@ -18,20 +19,18 @@ using Eigen::Vector3d;
 
 /// Centre of a cell from its corners; mid-side nodes are not needed.
 Vector3d centroid(const mesh::VolumeMesh& mesh, Index cell) {
-    const int corners = mesh.type == mesh::CellType::hex8 ? 8 : 4;
+    const int corners = mesh::cell_traits(mesh.type).corners;
     Vector3d sum = Vector3d::Zero();
     for (int a = 0; a < corners; ++a) sum += mesh.nodes.col(mesh.cells(a, cell));
     return sum / corners;
 }
 
 double mean_edge(const mesh::VolumeMesh& mesh, Index cell) {
+    const std::vector<std::array<int, 2>>& edges = mesh::cell_traits(mesh.type).edges;
     double sum = 0.0;
-    const auto add = [&](const auto& edges) {
-        for (const auto& [a, b] : edges)
-            sum += (mesh.nodes.col(mesh.cells(a, cell)) - mesh.nodes.col(mesh.cells(b, cell))).norm();
-        return sum / static_cast<double>(edges.size());
-    };
-    return mesh.type == mesh::CellType::hex8 ? add(mesh::hexahedron_edges) : add(mesh::tetrahedron_edges);
+    for (const auto& [a, b] : edges)
+        sum += (mesh.nodes.col(mesh.cells(a, cell)) - mesh.nodes.col(mesh.cells(b, cell))).norm();
+    return sum / static_cast<double>(edges.size());
 }
 
 /// Nearest-element queries on a mask.

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include "mesh/cell_topology.hpp"
+#include "mesh/cell_traits.hpp"
 #include "mesh/disjoint_sets.hpp"
 #include "mesh/voxel_mesh.hpp"
 
@@ -185,7 +186,7 @@ private:
 }  // namespace
 
 Connectivity connectivity(const VolumeMesh& mesh) {
-    const int corners = mesh.type == CellType::hex8 ? 8 : 4;
+    const int corners = cell_traits(mesh.type).corners;
     Connectivity result;
     DisjointSets parts(static_cast<std::size_t>(mesh.cell_count()));
     const NodeCells around = cells_around_nodes(mesh, corners);

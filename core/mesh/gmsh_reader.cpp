@@ -2,6 +2,8 @@
 #include <unordered_map>
 
 #include "base/files.hpp"
+#include "base/text.hpp"
+#include "mesh/cell_traits.hpp"
 #include "mesh/file_formats.hpp"
 #include "mesh/text_scanner.hpp"
 
@@ -16,18 +18,17 @@ struct GmshCell {
 };
 
 GmshCell gmsh_cell(long long type) {
+    for (const CellTraits& traits : all_cell_traits())
+        if (traits.gmsh_type == type) return {traits.nodes, 3, traits.type};
     switch (type) {
         case 1: return {2, 1, {}};
         case 2: return {3, 2, {}};
         case 3: return {4, 2, {}};
-        case 4: return {4, 3, CellType::tet4};
-        case 5: return {8, 3, CellType::hex8};
         case 6: return {6, 3, {}};
         case 7: return {5, 3, {}};
         case 8: return {3, 1, {}};
         case 9: return {6, 2, {}};
         case 10: return {9, 2, {}};
-        case 11: return {10, 3, CellType::tet10};
         case 12: return {27, 3, {}};
         case 13: return {18, 3, {}};
         case 14: return {14, 3, {}};
@@ -163,9 +164,9 @@ private:
         // The number of nodes of an unknown type is unknown, so the rest of the file could not be read.
         if (kind.nodes == 0 || (kind.dimension == 3 && !kind.cell)) {
             return text_.error("cells of Gmsh type " +
-                               std::to_string(type).append(" are not read: only hex8, tet4 and tet10"));
+                               std::to_string(type).append(" are not read: only " + join(cell_type_names())));
         }
-        std::array<int, 10> own{};
+        std::vector<int> own(static_cast<std::size_t>(kind.nodes));
         for (int i = 0; i < kind.nodes; ++i) {
             long long tag = 0;
             if (!text_.integer(tag))
@@ -183,8 +184,8 @@ private:
                                to_string(*kind.cell).append(" cells; one type is needed"));
         }
         soup_.type = *kind.cell;
-        if (*kind.cell == CellType::tet10) std::swap(own[8], own[9]);  // Gmsh: ... 03, 23, 13; VTK: ... 03, 13, 23
-        soup_.cells.insert(soup_.cells.end(), own.begin(), own.begin() + kind.nodes);
+        for (const int place : cell_traits(*kind.cell).gmsh_order)
+            soup_.cells.push_back(own[static_cast<std::size_t>(place)]);
         return {};
     }
 

@@ -6,21 +6,14 @@
 
 #include <Eigen/Dense>
 
+#include "mesh/cell_traits.hpp"
+
 namespace myo::mesh {
 namespace {
 
-// Mirror image of a cell in its own node order: swaps two opposite faces, or two corners with their mid-side nodes.
+/// Turns a cell inside out, in its own node order.
 void turn_round(CellType type, Eigen::Ref<Eigen::VectorXi> cell) {
-    const auto swap = [&](Eigen::Index a, Eigen::Index b) { std::swap(cell[a], cell[b]); };
-    if (type == CellType::hex8) {
-        for (Eigen::Index i = 0; i < 4; ++i) swap(i, i + 4);
-        return;
-    }
-    swap(1, 2);
-    if (type == CellType::tet10) {
-        swap(4, 6);  // 01 <-> 02
-        swap(8, 9);  // 13 <-> 23
-    }
+    cell = Eigen::VectorXi(cell(cell_traits(type).mirrored));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <Eigen/Dense>
 
 #include "mesh/cell_topology.hpp"
+#include "mesh/cell_traits.hpp"
 #include "mesh/face_table.hpp"
 
 namespace myo::mesh {
@@ -68,28 +69,6 @@ double quadratic_tetrahedron_volume(const Eigen::Matrix3Xd& nodes, const Eigen::
     return volume;
 }
 
-/// Faces of a cell type.
-struct CellFaces {
-    int count;                     // faces per cell
-    int nodes;                     // nodes per face
-    int corners;                   // number of corners; they come first
-    int (*node)(int face, int i);  // local node number i of a face
-};
-
-CellFaces faces_of(CellType type) {
-    switch (type) {
-        case CellType::hex8:
-            return {6, 4, 4, [](int face, int i) {
-                        return hexahedron_faces[static_cast<std::size_t>(face)][static_cast<std::size_t>(i)];
-                    }};
-        case CellType::tet4:
-        case CellType::tet10: break;
-    }
-    return {4, type == CellType::tet4 ? 3 : 6, 3, [](int face, int i) {
-                return tetrahedron_faces[static_cast<std::size_t>(face)][static_cast<std::size_t>(i)];
-            }};
-}
-
 /// Face of a cell with its sorted corners as key.
 struct FaceKey {
     std::array<int, 4> corners;  // ascending; -1 pads a triangle
@@ -97,16 +76,17 @@ struct FaceKey {
 };
 
 /// All faces of all cells, sorted such that faces with equal corners are adjacent.
-std::vector<FaceKey> sorted_faces(const VolumeMesh& mesh, const CellFaces& faces) {
+std::vector<FaceKey> sorted_faces(const VolumeMesh& mesh, const CellTraits& traits) {
     assert(mesh.cells.rows() == nodes_per_cell(mesh.type) || mesh.cell_count() == 0);
+    const auto face_count = static_cast<int>(traits.faces.size());
     std::vector<FaceKey> keys;
-    keys.reserve(static_cast<std::size_t>(mesh.cell_count() * faces.count));
+    keys.reserve(static_cast<std::size_t>(mesh.cell_count() * face_count));
     for (int cell = 0; cell < mesh.cell_count(); ++cell) {
-        for (int face = 0; face < faces.count; ++face) {
-            FaceKey key{{-1, -1, -1, -1}, cell * faces.count + face};
-            for (int i = 0; i < faces.corners; ++i) {
-                key.corners[static_cast<std::size_t>(i)] = mesh.cells(faces.node(face, i), cell);
-            }
+        for (int face = 0; face < face_count; ++face) {
+            FaceKey key{{-1, -1, -1, -1}, cell * face_count + face};
+            const std::vector<int>& nodes = traits.faces[static_cast<std::size_t>(face)];
+            for (std::size_t i = 0; i < static_cast<std::size_t>(traits.face_corners); ++i)
+                key.corners[i] = mesh.cells(nodes[i], cell);
             std::sort(key.corners.begin(), key.corners.end());
             keys.push_back(key);
         }
@@ -131,37 +111,19 @@ void for_equal_faces(const std::vector<FaceKey>& keys, const Visit& visit) {
 
 }  // namespace
 
-int nodes_per_cell(CellType type) {
-    switch (type) {
-        case CellType::hex8: return 8;
-        case CellType::tet4: return 4;
-        case CellType::tet10: return 10;
-    }
-    assert(false);
-    return 0;
-}
-
-std::string to_string(CellType type) {
-    switch (type) {
-        case CellType::hex8: return "hex8";
-        case CellType::tet4: return "tet4";
-        case CellType::tet10: return "tet10";
-    }
-    assert(false);
-    return {};
-}
-
 FaceTable face_table(const VolumeMesh& mesh) {
-    const CellFaces faces = faces_of(mesh.type);
-    const std::vector<FaceKey> keys = sorted_faces(mesh, faces);
+    const CellTraits& traits = cell_traits(mesh.type);
+    const std::vector<FaceKey> keys = sorted_faces(mesh, traits);
+    const auto face_count = static_cast<Eigen::Index>(traits.faces.size());
     FaceTable table;
-    table.nodes.resize(faces.nodes, faces.count * mesh.cell_count());
+    table.nodes.resize(traits.face_nodes(), face_count * mesh.cell_count());
     table.cell.resize(table.nodes.cols());
     table.beyond = Eigen::VectorXi::Constant(table.nodes.cols(), -1);
     for (Eigen::Index k = 0; k < table.cell.size(); ++k) {
-        table.cell[k] = static_cast<int>(k) / faces.count;
-        for (int i = 0; i < faces.nodes; ++i)
-            table.nodes(i, k) = mesh.cells(faces.node(static_cast<int>(k) % faces.count, i), table.cell[k]);
+        table.cell[k] = static_cast<int>(k / face_count);
+        const std::vector<int>& nodes = traits.faces[static_cast<std::size_t>(k % face_count)];
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            table.nodes(static_cast<Eigen::Index>(i), k) = mesh.cells(nodes[i], table.cell[k]);
     }
     for_equal_faces(keys, [&](std::size_t first, std::size_t end) {
         // A face shared by more than two cells is not free either; any neighbour is recorded.
@@ -185,12 +147,13 @@ BoundaryFaces boundary_faces(const VolumeMesh& mesh) {
 }
 
 Eigen::Matrix2Xi neighbouring_cells(const VolumeMesh& mesh) {
-    const CellFaces faces = faces_of(mesh.type);
-    const std::vector<FaceKey> keys = sorted_faces(mesh, faces);
+    const CellTraits& traits = cell_traits(mesh.type);
+    const std::vector<FaceKey> keys = sorted_faces(mesh, traits);
+    const auto face_count = static_cast<int>(traits.faces.size());
     std::vector<std::array<int, 2>> pairs;
     for_equal_faces(keys, [&](std::size_t first, std::size_t end) {
         // Faces of more than two cells are not counted: the mesh is not conforming there.
-        if (end == first + 2) pairs.push_back({keys[first].number / faces.count, keys[first + 1].number / faces.count});
+        if (end == first + 2) pairs.push_back({keys[first].number / face_count, keys[first + 1].number / face_count});
     });
     std::sort(pairs.begin(), pairs.end());
     Eigen::Matrix2Xi result(2, static_cast<Eigen::Index>(pairs.size()));

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <optional>
 
+#include "base/text.hpp"
+#include "mesh/cell_traits.hpp"
 #include "mesh/polygon.hpp"
 
 // VTK 9.1's own readers access memory out of bounds on corrupt files (2000 damaged files each, legacy binary: 5 of 6
@@ -49,11 +51,13 @@ void append_as(std::string_view bytes, bool big_endian, VtkArray& numbers) {
 enum class Keep { no, yes, unsupported };
 
 Keep keep(int vtk_type, CellType& type) {
+    for (const CellTraits& traits : all_cell_traits())
+        if (traits.vtk_type == vtk_type) {
+            type = traits.type;
+            return Keep::yes;
+        }
     switch (vtk_type) {
-        case VTK_HEXAHEDRON:
         case VTK_VOXEL: type = CellType::hex8; return Keep::yes;
-        case VTK_TETRA: type = CellType::tet4; return Keep::yes;
-        case VTK_QUADRATIC_TETRA: type = CellType::tet10; return Keep::yes;
         // Cells of lower dimension are ignored.
         case VTK_EMPTY_CELL:
         case VTK_VERTEX:
@@ -142,10 +146,10 @@ Result<void> add_vtk_cells(const VtkArray& connectivity, const VtkArray& offsets
         const Keep kept = keep(vtk_type, type);
         if (kept == Keep::no) continue;
         if (kept == Keep::unsupported) {
-            return bad_cell(
-                c,
-                "is of VTK type " + std::to_string(vtk_type).append(", which is not read: only hex8, tet4 and tet10"),
-                path);
+            return bad_cell(c,
+                            "is of VTK type " +
+                                std::to_string(vtk_type).append(", which is not read: only " + join(cell_type_names())),
+                            path);
         }
         // Mixed meshes are rejected: a VolumeMesh has one cell type.
         if (!soup.accepts(type)) {

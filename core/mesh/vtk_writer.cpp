@@ -18,19 +18,11 @@
 
 #include "base/files.hpp"
 #include "base/text.hpp"
+#include "mesh/cell_traits.hpp"
 #include "mesh/vtk_session.hpp"
 
 namespace myo::mesh {
 namespace {
-
-int vtk_type(CellType type) {
-    switch (type) {
-        case CellType::hex8: return VTK_HEXAHEDRON;
-        case CellType::tet4: return VTK_TETRA;
-        case CellType::tet10: return VTK_QUADRATIC_TETRA;
-    }
-    return VTK_EMPTY_CELL;
-}
 
 /// Adds fields as VTK arrays. VTK stores all components of a tuple together, like a column of the field.
 void add_fields(vtkDataSetAttributes* attributes, const std::vector<MeshField>& fields,
@@ -63,7 +55,7 @@ Result<void> write_vtu(const std::filesystem::path& path, const VolumeMesh& mesh
     }
     vtkNew<vtkUnstructuredGrid> grid;
     grid->SetPoints(points);
-    grid->SetCells(vtk_type(mesh.type), cells);
+    grid->SetCells(cell_traits(mesh.type).vtk_type, cells);
     add_fields(grid->GetPointData(), point_fields, mesh.node_count());
     add_fields(grid->GetCellData(), cell_fields, mesh.cell_count());
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "commands/body_size.hpp"
+#include "mesh/cell_traits.hpp"
 #include "platform/fonts.hpp"
 #include "plot/ticks.hpp"
 
@@ -23,11 +24,6 @@ const std::vector<commands::Choice>& element_choices() {
     return choices;
 }
 
-mesh::CellType cell_type(const std::string& id) {
-    if (id == "tet4") return mesh::CellType::tet4;
-    return id == "tet10" ? mesh::CellType::tet10 : mesh::CellType::hex8;
-}
-
 }  // namespace
 
 void MeshPanel::draw(PanelContext& context) {
@@ -44,7 +40,7 @@ void MeshPanel::draw_mesh_settings(PanelContext& context) {
     std::string element = to_string(state.settings.element);
     if (choice_row(context, "Elements", "body/element", "Shape of the finite elements.", element_choices(), element)) {
         commands::Settings settings = state.settings;
-        settings.element = cell_type(element);
+        settings.element = mesh::find_cell_type(element).value_or(settings.element);
         context.emit(commands::ChangeSettings{settings, "element", false});
     }
     // The range follows the body: 3 to 120 elements along its longest side.
