@@ -5,7 +5,7 @@
 
 #include "base/text.hpp"
 #include "check/checks.hpp"
-#include "fem/shape_functions.hpp"
+#include "fem/cell_shapes.hpp"
 
 namespace myo::check {
 namespace {
@@ -18,8 +18,8 @@ struct InsideOutPolicy {
 };
 constexpr InsideOutPolicy inside_out_policy;
 
-template <class Shape>
 /// Whether det(dx/dxi) <= 0 at one of the given reference points of a cell.
+template <class Shape>
 bool turned(const mesh::VolumeMesh& mesh, Eigen::Index cell, const Matrix3Xd& x, const Matrix3Xd& corners) {
     Eigen::Matrix<double, 3, Shape::nodes> X;
     for (int a = 0; a < Shape::nodes; ++a) X.col(a) = x.col(mesh.cells(a, cell));
@@ -28,18 +28,14 @@ bool turned(const mesh::VolumeMesh& mesh, Eigen::Index cell, const Matrix3Xd& x,
     return false;
 }
 
-/// Number of cells with a non-positive Jacobian determinant at a corner. That of tet4 is constant: one point suffices.
+/// Number of cells with a non-positive Jacobian determinant at a corner.
 int turned_cells(const mesh::VolumeMesh& mesh, const Matrix3Xd& x) {
-    Matrix3Xd tetrahedron(3, 4);
-    tetrahedron << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1;
-    const Matrix3Xd hexahedron = fem::Hex8::corners().transpose();
-    int count = 0;
-    for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) switch (mesh.type) {
-            case mesh::CellType::hex8: count += turned<fem::Hex8>(mesh, c, x, hexahedron); break;
-            case mesh::CellType::tet4: count += turned<fem::Tet4>(mesh, c, x, tetrahedron.leftCols(1)); break;
-            case mesh::CellType::tet10: count += turned<fem::Tet10>(mesh, c, x, tetrahedron); break;
-        }
-    return count;
+    return fem::with_shape(mesh.type, [&]<class Shape>(Shape shape) {
+        const Matrix3Xd corners = fem::reference_corners(shape);
+        int count = 0;
+        for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) count += turned<Shape>(mesh, c, x, corners);
+        return count;
+    });
 }
 
 }  // namespace

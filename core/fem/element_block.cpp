@@ -5,8 +5,7 @@
 #include <cassert>
 
 #include "base/name_table.hpp"
-#include "fem/quadrature.hpp"
-#include "fem/shape_functions.hpp"
+#include "fem/cell_shapes.hpp"
 
 namespace myo::fem {
 namespace {
@@ -126,11 +125,7 @@ Elements make_elements(const mesh::VolumeMesh& mesh, ElementKind kind, const Cel
 
 std::vector<MassEntry> consistent_mass(const mesh::VolumeMesh& mesh) {
     std::vector<MassEntry> entries;
-    switch (mesh.type) {
-        case mesh::CellType::hex8: add_cell_mass<Hex8>(mesh, hex_gauss(2), entries); break;
-        case mesh::CellType::tet4: add_cell_mass<Tet4>(mesh, tet_degree2(), entries); break;
-        case mesh::CellType::tet10: add_cell_mass<Tet10>(mesh, tet_degree5(), entries); break;
-    }
+    with_shape(mesh.type, [&]<class Shape>(Shape shape) { add_cell_mass<Shape>(mesh, mass_rule(shape), entries); });
     return entries;
 }
 

@@ -7,8 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "fem/quadrature.hpp"
-#include "fem/shape_functions.hpp"
+#include "fem/cell_shapes.hpp"
 #include "mesh/cell_topology.hpp"
 
 namespace myo::fibre {
@@ -22,16 +21,6 @@ struct CellPartsPolicy {
     int block_depth = 2;
 };
 constexpr CellPartsPolicy cell_parts_policy;
-
-/// Calls visit with the shape functions of a cell type.
-template <class Visit>
-auto with_shape(mesh::CellType type, const Visit& visit) {
-    switch (type) {
-        case mesh::CellType::hex8: return visit(fem::Hex8{});
-        case mesh::CellType::tet4: return visit(fem::Tet4{});
-        default: return visit(fem::Tet10{});
-    }
-}
 
 template <class Shape>
 Eigen::Matrix<double, 3, Shape::nodes> cell_nodes(const mesh::VolumeMesh& mesh, int cell) {
@@ -48,20 +37,11 @@ double reference_volume(const CellPart& part) {
     return std::abs(edges.determinant()) / 6.0;
 }
 
-/// Smallest rule for strains linear in the cell.
-std::vector<fem::QuadraturePoint> rule_of(mesh::CellType type) {
-    if (type == mesh::CellType::hex8) return fem::hex_gauss(2);
-    return type == mesh::CellType::tet4 ? fem::tet_centroid() : fem::tet_degree2();
-}
-
 }  // namespace
 
 CellPart whole_cell(mesh::CellType type) {
     CellPart part;
-    if (type == mesh::CellType::hex8)
-        part.corners = fem::Hex8::corners().transpose();
-    else
-        part.corners = (Eigen::Matrix<double, 3, 4>() << 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1).finished();
+    part.corners = fem::with_shape(type, [](auto shape) { return fem::reference_corners(shape); });
     return part;
 }
 
@@ -91,7 +71,7 @@ std::vector<CellPart> cut_in_eight(const CellPart& part) {
 }
 
 PartPlace place_of(const mesh::VolumeMesh& mesh, int cell, const CellPart& part) {
-    return with_shape(mesh.type, [&](auto shape) {
+    return fem::with_shape(mesh.type, [&](auto shape) {
         using Shape = decltype(shape);
         const auto X = cell_nodes<Shape>(mesh, cell);
         const Vector3d xi = part.centre();
@@ -112,7 +92,7 @@ PartPlace place_of(const mesh::VolumeMesh& mesh, int cell, const CellPart& part)
 
 void add_fibre_point(const mesh::VolumeMesh& mesh, int cell, const Vector3d& xi, double volume_m3,
                      const Vector3d& direction, FibreGroup& group) {
-    with_shape(mesh.type, [&](auto shape) {
+    fem::with_shape(mesh.type, [&](auto shape) {
         using Shape = decltype(shape);
         const Eigen::Matrix<double, Shape::nodes, 3> D = Shape::derivatives(xi);
         const Matrix3d jacobian = cell_nodes<Shape>(mesh, cell) * D;
@@ -124,10 +104,11 @@ void add_fibre_point(const mesh::VolumeMesh& mesh, int cell, const Vector3d& xi,
 
 void add_whole_cell(const mesh::VolumeMesh& mesh, int cell, double share,
                     const std::function<Vector3d(const Vector3d&)>& direction, FibreGroup& group) {
-    with_shape(mesh.type, [&](auto shape) {
+    fem::with_shape(mesh.type, [&](auto shape) {
         using Shape = decltype(shape);
         const auto X = cell_nodes<Shape>(mesh, cell);
-        for (const fem::QuadraturePoint& point : rule_of(mesh.type)) {
+        for (const fem::QuadraturePoint& point :
+             fem::strain_rule(shape)) {
             const double volume = point.weight * (X * Shape::derivatives(point.xi)).determinant();
             add_fibre_point(mesh, cell, point.xi, share * volume, direction(X * Shape::values(point.xi)), group);
         }

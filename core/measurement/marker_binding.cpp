@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "fem/cell_shapes.hpp"
 #include "fem/reference_coordinates.hpp"
-#include "fem/shape_functions.hpp"
 #include "material/polar.hpp"
 
 namespace myo::measurement {
@@ -14,10 +14,10 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+/// Shape functions and gradients dN/dX at a point of the cell.
 template <class Shape>
-/// Shape functions and gradients dN/dX at a point of the cell; `middle` is the start of the Newton iteration for xi.
-void set_shape(MarkerBinding& binding, const Eigen::Matrix3Xd& X, const Vector3d& point, const Vector3d& middle) {
-    const Vector3d xi = fem::reference_coordinates<Shape>(X, point, middle);
+void set_shape(MarkerBinding& binding, const Eigen::Matrix3Xd& X, const Vector3d& point) {
+    const Vector3d xi = fem::reference_coordinates<Shape>(X, point);
     const auto D = Shape::derivatives(xi);
     binding.weights = Shape::values(xi);
     // dN/dX = dN/dxi (dX/dxi)^-1.
@@ -37,11 +37,7 @@ MarkerBinding bind_marker(const mesh::VolumeMesh& mesh, const mesh::BoundaryLoca
         binding.nodes.push_back(mesh.cells(a, nearest.cell));
         X.col(a) = mesh.nodes.col(mesh.cells(a, nearest.cell));
     }
-    switch (mesh.type) {
-        case mesh::CellType::hex8: set_shape<fem::Hex8>(binding, X, nearest.point, Vector3d::Zero()); break;
-        case mesh::CellType::tet4: set_shape<fem::Tet4>(binding, X, nearest.point, Vector3d::Constant(0.25)); break;
-        case mesh::CellType::tet10: set_shape<fem::Tet10>(binding, X, nearest.point, Vector3d::Constant(0.25)); break;
-    }
+    fem::with_shape(mesh.type, [&]<class Shape>(Shape) { set_shape<Shape>(binding, X, nearest.point); });
     binding.offset = rest_m - nearest.point;
     return binding;
 }
