@@ -95,9 +95,8 @@ bool correct_discretisation(DiagnosisWork& work, JudgedFit& judged_fit, const st
                             const ErrorCorrection& correction) {
     Diagnosis& result = work.result;
     for (int round = 0; round < diagnosis_policy.numerics.most_rounds; ++round) {
-        const NumericalError* const
-            known = judged_fit.numerics ? &*judged_fit.numerics
-                                        : nullptr;  // not that of the declared fit, which may be damped far more
+        const NumericalError* const known = judged_fit.numerics ? &*judged_fit.numerics
+                                                                : nullptr;  // declared fit: damping may be far larger
         NumericalError numerics = work.stage("numerical error", 3 * work.fit_count(), [&] {
             return work.errors.at(judged_fit.fit.values, result.data.trials, known, work.progress);
         });

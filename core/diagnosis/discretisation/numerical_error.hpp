@@ -33,12 +33,11 @@ struct NumericalError {
     double rest_rms_m = 0.0;  // shift that remains with the effective modulus
     double step_ratio = 0.0;  // fine over coarse
     double mesh_ratio = 0.0;
-    double left_rms_m = 0.0;         // possible error of the extrapolation that the fit cannot compensate, see
-                                     // extrapolation_left_m()
-    double numerical_damping = 0.0;  // damping ratio that the integrator adds to the first vibration
-    std::string message;             // reason why a part is unknown; empty: none
-    PredictionShift
-        shift;  // to be added to predictions; extrapolated to zero step and edge length; empty where unknown
+    double left_rms_m = 0.0;               // possible error of the extrapolation that the fit cannot compensate, see
+                                           // extrapolation_left_m()
+    double numerical_damping = 0.0;        // damping ratio that the integrator adds to the first vibration
+    std::string message;                   // reason why a part is unknown; empty: none
+    PredictionShift shift;                 // extrapolated to zero step and edge, added to predictions; empty: unknown
     PredictionShift step_shift;            // part of the step in `shift`
     PredictionShift mesh_change;           // finer mesh minus mesh
     double mesh_factor = 1.0;              // Richardson factor of mesh_change
