@@ -67,6 +67,7 @@ struct Confusion {
 
 enum class VerdictKind { none, effects, unknown };
 
+/// Answer of a diagnosis, with confidence and reason.
 struct Verdict {
     VerdictKind kind = VerdictKind::unknown;
     std::vector<effect::EffectDeclaration> effects = {};

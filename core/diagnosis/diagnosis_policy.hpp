@@ -32,7 +32,7 @@ struct NumericsPolicy {
     /// Relative distance to a bound within which a value counts as at the bound.
     double at_bound = 1e-6;
 
-    /// Steps are lengthened while predictions change by at most this [noise levels, rms]: such a small error follows
+    /// Steps are lengthened while predictions change by at most this [noise levels, rms]: so small an error follows
     /// its order and can be removed. The limit is this share of the residual of the declared fit if that is more: a law
     /// of another form than an effect's leaves a twentieth.
     double most_step_change = 1.0;
@@ -246,7 +246,7 @@ struct VerdictPolicy {
     /// An effect that leaves less than this share of the systematic part is named although a test is still significant:
     /// its law may have another form than that of the catalogue.
     double nearly_all = 0.125;
-    /// Factor of the confidence in such an effect, and in two effects that explain the residual: they may replace one
+    /// Factor of the confidence in that effect, and in two effects that explain the residual: they may replace one
     /// effect of another form.
     double other_form = 0.6;
     /// An effect is present if all fits that contain it have more than this weight.

@@ -8,8 +8,8 @@ namespace myo::diagnosis {
 /// values of a fit, to first order.
 ///
 /// With equal parameters a finer mesh may oscillate faster or slower, with a growing phase difference. That is not a
-/// shift of positions and cannot be extrapolated. What the fit's parameters do not compensate is a shift that can be
-/// extrapolated, and the parameters are extrapolated themselves, see extrapolated_values().
+/// shift of positions and cannot be extrapolated. The part of the difference that the fit's parameters do not
+/// compensate is extrapolated as a shift; the parameters are extrapolated themselves, see extrapolated_values().
 ///
 /// One Gauss-Newton step with the derivatives of the fit.
 /// @param error  found with the values of the fit in all runs, or with error.matched of the previous iteration

@@ -12,8 +12,8 @@ struct ParameterValues;
 
 namespace myo::diagnosis {
 
-/// Lengthened time steps. Those of a diagnosis may be longer than those of a single run, because their error is
-/// removed, see numerical_error() and NumericsPolicy.
+/// Lengthened time steps. A diagnosis may use longer steps than a single run, because their error is removed, see
+/// numerical_error() and NumericsPolicy.
 struct LongerSteps {
     std::vector<double> factors;  // per trial: factor of the step, a power of two
     int runs = 0;                 // trial runs

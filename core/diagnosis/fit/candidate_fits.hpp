@@ -33,6 +33,7 @@ struct CandidateFitting {
     FitStore& store;
 };
 
+/// Result of fit_candidates().
 struct CandidateFits {
     std::vector<JudgedFit> fits;  // in the order of the starts; not usable if the fit failed
     int runs = 0;                 // approximate number of model runs

@@ -27,6 +27,7 @@ struct JointFit {
     int runs(int trials) const {
         return trials * (report.evaluations + report.jacobians * static_cast<int>(parameters.size()));
     }
+    /// Squared residual [noise squares].
     double squares() const { return residual.squaredNorm(); }
     /// Squared residual beyond its expectation for noise alone; at least 0.
     double excess() const { return std::max(0.0, squares() - static_cast<double>(residual.size())); }

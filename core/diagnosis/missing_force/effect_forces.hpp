@@ -36,7 +36,7 @@ struct BodyPatches {
     /// Sums over the nodes of each cube, 3 x count; of_nodes 3 x n.
     Eigen::Matrix3Xd sums(const Eigen::Matrix3Xd& of_nodes) const;
 };
-/// Cubes of such a size that about `about` of them fill the body.
+/// Cubes whose size is chosen so that about `about` of them fill the body.
 BodyPatches body_patches(const model::Body& body, int about);
 
 }  // namespace myo::diagnosis

@@ -15,6 +15,7 @@ struct ForceFields {
     Eigen::MatrixXd volume;                  // fields x fields [m3]: integrals of their products
     Eigen::VectorXd place;                   // n: 0 at the clamp, 1 at the far end
 };
+/// Fields of a body; hat functions at MissingForcePolicy::stations.
 ForceFields force_fields(const model::Body& body);
 
 /// Knots of courses that are piecewise linear in time.

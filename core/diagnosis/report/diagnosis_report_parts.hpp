@@ -19,8 +19,8 @@ struct DiagnosisReportPolicy {
     std::size_t correlates = 4;       // of a missing force
     std::size_t bars = 16;            // of a chart of markers; more markers are shown as a table
     int lags = 60;                    // of the autocorrelation [samples]
-    double least_correlation = 0.5;   // of a correlate that the text mentions
-    double most_p = 0.01;             // of a correlate that the text mentions
+    double least_correlation = 0.5;   // smallest of a correlate that the text mentions
+    double most_p = 0.01;             // largest of a correlate that the text mentions
 };
 inline constexpr DiagnosisReportPolicy diagnosis_report_policy;
 
@@ -58,7 +58,8 @@ report::Section parameter_section(const setup::Setup& setup, const Diagnosis& di
 report::Section error_section(const setup::Setup& setup, const Diagnosis& diagnosis);
 /// Measured motion, simulated before and after: in each trial the worst markers, and the residual over time.
 report::Section motion_section(const setup::Setup& setup, const Diagnosis& diagnosis);
-/// Spectrum, autocorrelation and distribution over the body of the remaining residual of the fit trials.
+/// Remaining residual of the fit trials: distribution over the body, and spectrum and autocorrelation in the worst
+/// trial.
 report::Section residual_section(const setup::Setup& setup, const Diagnosis& diagnosis);
 /// Significance tests.
 report::Section significance_section(const setup::Setup& setup, const Diagnosis& diagnosis);

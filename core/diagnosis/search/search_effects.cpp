@@ -38,7 +38,7 @@ std::vector<EffectScore> scored_from(DiagnosisWork& work, const JointFit& base, 
         work.progress);
 }
 
-/// Scores of the base from which effects explain more; sets the base in the search.
+/// Scores from the reset declared fit, or from the declared fit itself if its best effect leaves less; sets the base.
 std::vector<EffectScore> first_scores(Search& search) {
     DiagnosisWork& work = search.work;
     std::vector<EffectScore> scores = work.stage("score", 2 * work.fit_count(), [&] {

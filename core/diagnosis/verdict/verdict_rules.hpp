@@ -15,6 +15,7 @@ struct VerdictEvidence {
     const JudgedFit* single = nullptr;  // fit of the most credible candidate; null: none was fitted
     const JudgedFit* pair = nullptr;    // best pair, if other trials test its parameters; otherwise null
 };
+/// Evidence of a diagnosis whose candidates and pairs are ordered.
 VerdictEvidence verdict_evidence(const Diagnosis& diagnosis);
 
 /// Verdict without its ranking, and the fit that it rests on.
