@@ -22,7 +22,7 @@ void test(DiagnosisWork& work) {
     work.show();
 }
 
-/// Where little of a recording holds most of what nothing explains, a person should look there first.
+/// Adds a note on where and when most of an unexplained residual occurs, if that is a small part of a recording.
 void note_spot(const setup::Setup& setup, Diagnosis& d) {
     const std::optional<statistics::ResidualSpot> spot = d.verdict.kind == VerdictKind::unknown
                                                              ? statistics::residual_spot(d.augmented.fit.residual,
@@ -37,7 +37,7 @@ void note_spot(const setup::Setup& setup, Diagnosis& d) {
                       ": look there for a fault of the recording, or for what acted once");
 }
 
-/// The verdict, the fit it stands on with the numerical error taken anew, and all trials before and after.
+/// Verdict, its fit with the numerical error recomputed, and predictions of all trials before and after.
 void conclude(DiagnosisWork& work) {
     Diagnosis& result = work.result;
     add_error_of_other_trials(work, result.declared);

@@ -18,112 +18,116 @@
 
 namespace myo::diagnosis {
 
+/// Settings of a diagnosis.
 struct DiagnoseSettings {
-    double alpha = 0.01;               // false-alarm rate of the significance tests, all together
-    int refits = 10;                   // candidates that are fitted after the score test
-    int pairs = 5;                     // seconds that are fitted beside the best one
-    bool refine_mesh = true;           // bound and take off the mesh's error
+    double alpha = 0.01;               // false-alarm rate of all significance tests together
+    int refits = 10;                   // number of candidates that are fitted after the score tests
+    int pairs = 5;                     // number of second effects that are fitted together with the best one
+    bool refine_mesh = true;           // estimate and remove the mesh error
     std::vector<std::string> without;  // effects that may not be named
-    std::optional<std::filesystem::path>
-        fits;  // file of fits done before, read and kept up to date: to go on where it was stopped
+    /// File of finished fits, read at the start and kept up to date; a stopped diagnosis resumes from it.
+    std::optional<std::filesystem::path> fits;
     DiagnosisPolicy policy = {};
 };
 
-/// A fit with what decides about it.
+/// Fit with its assessment.
 struct JudgedFit {
     JointFit fit;
     double rms_m = 0.0;         // over the fit trials
-    double held_out_rms = 0.0;  // in units of the noise, each trial predicted from the others (linearised); of one:
+    double held_out_rms = 0.0;  // [noise levels] each trial predicted from the others (linearised); a single trial:
                                 // blocks of time
-    double held_out_in_time_rms = 0.0;  // the same with blocks of time of all trials
-    int single_trial_directions = 0;    // directions of the numbers of which one trial alone tells: they stay as fitted
-                                        // when it is held out
-    double criterion = 0.0;             // what fits are ordered by; lower is better
-    double weight = 0.0;                // share of the evidence among all that were fitted
+    double held_out_in_time_rms = 0.0;  // [noise levels] blocks of time of all trials predicted from the others
+    int single_trial_directions = 0;    // directions of the parameters that a single trial determines; they keep the
+                                        // fitted values when it is held out
+    double criterion = 0.0;             // order of fits; lower is better
+    double weight = 0.0;                // share of the evidence among all fits
     statistics::ResidualTests tests;
-    statistics::IndependenceTest independence;  // of a residual that is significant and not large
-    std::optional<NumericalError> numerics;  // found with this fit, and taken off; none: that of the declared fit was
+    statistics::IndependenceTest independence;  // computed for residuals that are significant and not large
+    std::optional<NumericalError> numerics;     // error of this fit, removed; empty: that of the declared fit was
 
     bool usable() const { return fit.usable(); }
-    /// What is systematic is the measurement's: each marker has its own.
+    /// The systematic residual is measurement drift: uncorrelated between markers.
     bool drifts() const { return independence.is_drift(); }
 };
 
-/// An effect that was tried.
+/// Effect that was tried.
 struct Candidate {
     EffectScore score;                // of its best probe
-    double adjusted_p = 1.0;          // of the score, over all candidates (Holm)
-    std::optional<JudgedFit> judged;  // where it was fitted
-    std::vector<std::string> like;    // effects whose part of the residual this experiment cannot tell from its own
+    double adjusted_p = 1.0;          // of the score, over all probes (Holm)
+    std::optional<JudgedFit> judged;  // empty: not fitted
+    std::vector<std::string> like;    // confounded effects: this experiment cannot separate them from this one
 };
 
-/// Effects that this experiment cannot tell apart, with the cosine of what they do to the residual.
+/// Two effects that this experiment cannot separate, with the cosine of their changes of the residual.
 struct Confusion {
     std::string first, second;
     double cosine = 0.0;
-    std::string next_experiment;  // what would tell them apart
+    std::string next_experiment;  // one that would separate them
 };
 
 enum class VerdictKind { none, effects, unknown };
 
+/// Answer of a diagnosis, with confidence and reason.
 struct Verdict {
     VerdictKind kind = VerdictKind::unknown;
     std::vector<effect::EffectDeclaration> effects = {};
     double confidence = 0.0;
-    std::string because = {};               // one or two sentences for a person
-    std::vector<std::string> ranking = {};  // ids in falling order of credibility, none and unknown among them
-    std::string but = {};                   // what of `because` speaks for care, its end
-    std::string rule = {};                  // of verdict_rules()
+    std::string because = {};               // one or two sentences for the user
+    std::vector<std::string> ranking = {};  // ids by decreasing credibility, including none and unknown
+    std::string but = {};                   // cautions at the end of `because`
+    std::string rule = {};                  // name of the rule, see verdict_rules()
 };
 
+/// Cost of one phase of a diagnosis.
 struct StageCost {
     std::string stage;
     double seconds = 0.0;
-    int runs = 0;  // of trials, tangents included
+    int runs = 0;  // trial runs, tangents included
 };
 
-/// What the declared model lacks, and how it is known.
+/// Result of a diagnosis: what the declared model lacks, and the evidence.
 struct Diagnosis {
     DiagnoseSettings settings;
     FitData data;          // of the fit trials
-    double noise_m = 0.0;  // rms a right model would leave
+    double noise_m = 0.0;  // rms residual of a correct model
     NumericalError numerics;
-    std::vector<double> step_factors;  // steps of all fits over the setup's, per trial; empty: 1.
-                                       // The shift belongs to these
-    double modulus_factor = 1.0;       // of the cells in all fits after the declared one's first
+    std::vector<double> step_factors;  // per trial: steps of all fits over those of the setup; empty: 1. The shift
+                                       // belongs to these steps
+    double modulus_factor = 1.0;       // of the cells, in all fits after the first declared fit
     JudgedFit declared;
     std::vector<Candidate> candidates;  // most credible first
     std::vector<JudgedFit> pairs;       // best first
     std::vector<Confusion> confusions;
     Verdict verdict;
-    JudgedFit augmented;                 // the declared fit where the verdict is none
-    prediction::SetupRun before, after;  // all trials, shifted by the numerical error
+    JudgedFit augmented;                 // declared fit if the verdict is none, best attempt if it is unknown
+    prediction::SetupRun before, after;  // all trials, numerical error removed
     std::vector<StageCost> cost;
     std::vector<std::string> notes;
     double seconds = 0.0;
-    bool stopped = false;                       // by the user; what is complete is here
-    std::string failure;                        // the declared model could not be fitted
-    std::optional<MissingForce> missing_force;  // sought where the verdict is unknown, see infer_missing_force()
+    bool stopped = false;                       // by the user; completed parts are valid
+    std::string failure;                        // reason why the declared model could not be fitted
+    std::optional<MissingForce> missing_force;  // computed if the verdict is unknown, see whole_diagnosis()
 
     bool complete() const { return !stopped && failure.empty(); }
 };
 
-/// Whether a verdict may name this effect.
+/// Whether a verdict may name this effect: not excluded by the settings.
 bool may_be_named(const DiagnoseSettings& settings, const std::string& effect);
 
-/// The setup on a body that shows every effect that may be named. All fits of a diagnosis use it, because two elements
+/// Setup with an element that resolves every effect that may be named. All fits of a diagnosis use it: two elements
 /// differ by more than small effects do.
 setup::Setup for_candidates(setup::Setup setup, const DiagnoseSettings& settings);
 
-/// The setup with the body, the steps and the cells' modulus that a diagnosis used.
+/// Setup with the element, steps and effective modulus that a diagnosis used.
 setup::Setup as_diagnosed(const Diagnosis& diagnosis, setup::Setup setup);
 
-/// Declared fit, numerical error, significance, scores, refits, pairs, verdict, prediction of all trials.
+/// Declared fit, numerical error, significance, scores, candidate fits, pairs, verdict, prediction of all trials.
 ///
-/// Trials with role `validate` take part in nothing but the last: a verdict with which they are predicted worse stands,
-/// at half its confidence. Progress: stage by stage in its own unit. The same result on any number of threads. live:
-/// called with what is known after every stage and refit, from the calling thread; may be null. Source: design of the
-/// method: Rao 1948 (score test), Hastie et al. 2009, ch. 7 (choice by held-out data).
+/// Trials with role `validate` are only predicted at the end: a verdict with which their prediction is worse keeps half
+/// its confidence. The result does not depend on the number of threads. Progress is reported by phase, each in its own
+/// unit.
+/// @param live  called with the intermediate result after every phase, from the calling thread; may be null
+/// Source: Rao 1948 (score test); Hastie et al. 2009, ch. 7 (selection by held-out data).
 Diagnosis diagnose(const setup::Setup& setup, const DiagnoseSettings& settings, const Progress& progress = {},
                    const std::function<void(const Diagnosis&)>& live = {});
 

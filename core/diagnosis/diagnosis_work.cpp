@@ -11,7 +11,7 @@
 namespace myo::diagnosis {
 namespace {
 
-/// Identifies what a fit depends on apart from mesh and steps: recordings, and declared parameters that are not fitted.
+/// Hash of what a fit depends on apart from mesh and steps: recordings, loads, and declared parameters.
 std::uint64_t fingerprint(const setup::Setup& setup) {
     Fingerprint print;
     const experiment::MaterialDeclaration& material = setup.experiment.material;

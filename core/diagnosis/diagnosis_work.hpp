@@ -14,15 +14,15 @@
 
 namespace myo::diagnosis {
 
-/// A diagnosis on its way: what its stages share.
+/// State of a running diagnosis, shared by its phases.
 struct DiagnosisWork {
     DiagnosisWork(const setup::Setup& as_declared, const DiagnoseSettings& settings, const Progress& told,
                   const std::function<void(const Diagnosis&)>& shown);
-    DiagnosisWork(const DiagnosisWork&) = delete;  // the error finder refers to the setup
+    DiagnosisWork(const DiagnosisWork&) = delete;  // the error finder refers to `setup`
     DiagnosisWork& operator=(const DiagnosisWork&) = delete;
 
     setup::Setup setup;   // with the steps of all fits
-    setup::Setup serial;  // the same; its fits run on one thread each, side by side
+    setup::Setup serial;  // same setup with one thread per fit, for fits in parallel
     const Progress& progress;
     const std::function<void(const Diagnosis&)>& live;
     std::unique_ptr<FitStore> store;
@@ -33,10 +33,10 @@ struct DiagnosisWork {
     int fit_count() const { return static_cast<int>(result.data.trials.size()); }
     std::vector<std::size_t> all_trials() const;
     void show() const;
-    /// What a stage has cost so far.
+    /// Accumulated cost of a phase.
     StageCost& cost_of(const std::string& stage);
 
-    /// Does a task whose time and runs of trials go into the table of costs.
+    /// Runs a task as a phase: adds its time and trial runs to the table of costs, and reports progress and result.
     template <class Task>
     auto stage(const std::string& name, int runs, const Task& task) {
         const Stopwatch watch;
@@ -49,11 +49,11 @@ struct DiagnosisWork {
         return value;
     }
 
-    /// A stage that fits all numbers, its trials side by side. Unusable where it failed or was cancelled.
+    /// Phase that fits all parameters, with trials in parallel. Not usable if it failed or was cancelled.
     JointFit fit(const std::string& name, const prediction::ParameterValues& start, const Effort& effort,
                  const Neighbourhood& known = {});
 
-    /// A stage that fits candidates side by side, see fit_candidates().
+    /// Phase that fits candidates in parallel, see fit_candidates().
     std::vector<JudgedFit> fit_all(const std::string& name, const JointFit& base,
                                    const std::vector<CandidateStart>& starts, double least_so_far,
                                    double pruning_factor);

@@ -4,8 +4,7 @@
 
 namespace myo::diagnosis {
 
-/// diagnose(), and where its verdict is unknown, the missing force: infer_missing_force() with its time among the
-/// costs.
+/// diagnose(), followed by infer_missing_force() if the verdict is `unknown`; its time is added to the costs.
 Diagnosis whole_diagnosis(const setup::Setup& setup, const DiagnoseSettings& settings, const Progress& progress = {},
                           const std::function<void(const Diagnosis&)>& live = {});
 

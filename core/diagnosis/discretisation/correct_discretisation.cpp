@@ -11,7 +11,8 @@
 namespace myo::diagnosis {
 namespace {
 
-/// Gives the cells the modulus with which they move like finer ones, and a fit one with which they move as before.
+/// Sets the effective modulus, with which the cells move like finer ones, and scales the fitted modulus such that the
+/// motion stays the same.
 void match_modulus(DiagnosisWork& work, JointFit& declared, NumericalError& numerics) {
     if (!work.stage("numerical error", 3 * work.fit_count(),
                     [&] { return work.errors.match(declared.values, work.result.data, numerics, work.progress); }))
@@ -26,15 +27,15 @@ void match_modulus(DiagnosisWork& work, JointFit& declared, NumericalError& nume
                                   declared.values);
 }
 
-/// The error of a fit where its own numbers make up for most of it in the other runs. None where that is not needed, or
-/// cannot be.
+/// Numerical error of a fit after its own parameters have been matched between the runs. Empty if the error is small,
+/// or if matching does not reduce it.
 std::optional<NumericalError> matched_error(DiagnosisWork& work, const JointFit& fit, const NumericalError& plain,
                                             const std::string& stage) {
     const FitData& data = work.result.data;
     const double unit_m = std::max(work.result.noise_m, flat_rms_m(data, fit.residual));
     if (!(shift_rms_m(plain.shift) > diagnosis_policy.numerics.least_matched_error * unit_m)) return {};
     const JointFit fresh = work.fit(stage, fit.values,
-                                    Effort{1});  // with derivatives there: those of a search are secants
+                                    Effort{1});  // new derivatives: those of a search are secant approximations
     if (!fresh.usable()) return {};
     std::optional<NumericalError> best;
     for (int step = 0; step < diagnosis_policy.numerics.most_matching_steps; ++step) {
@@ -58,9 +59,9 @@ struct CorrectedFit {
     NumericalError numerics;
 };
 
-/// A fit of an effect whose error is large, with what its own numbers make up for in these, and the rest taken off.
-/// None where that is not needed, or no better. The declared fit's error is that of all candidates: its numbers stay
-/// where they are.
+/// Refit of effects with a large numerical error: the fit's parameters are matched between the coarse and the refined
+/// runs, and the remaining error is removed. Empty if that is not needed or not possible. The declared fit is not
+/// matched: its error serves all candidates, so its parameters must stay.
 std::optional<CorrectedFit> corrected_by_matching(DiagnosisWork& work, const JointFit& fit, const NumericalError& plain,
                                                   const std::string& stage, const ErrorCorrection& correction) {
     if (fit.effects.empty()) return {};
@@ -75,8 +76,7 @@ std::optional<CorrectedFit> corrected_by_matching(DiagnosisWork& work, const Joi
     numerics.left_rms_m = extrapolation_left_m(data, numerics, there);
     numerics.rest_rms_m = shift_rms_m(numerics.shift);
     numerics.matched = moved_match(there, matched);
-    // The shift is found for the fit's numbers; it has to be that of the numbers at the limit, which are those of the
-    // body.
+    // The shift was found at the fitted values; it must hold at the extrapolated ones, which are those of the body.
     const prediction::ParameterValues limit = extrapolated_values(there, matched, numerics.mesh_factor);
     const std::vector<prediction::TrialPrediction> at_limit = fitted_predictions(work.setup, data.trials, limit,
                                                                                  work.progress);
@@ -96,12 +96,12 @@ bool correct_discretisation(DiagnosisWork& work, JudgedFit& judged_fit, const st
     Diagnosis& result = work.result;
     for (int round = 0; round < diagnosis_policy.numerics.most_rounds; ++round) {
         const NumericalError* const known = judged_fit.numerics ? &*judged_fit.numerics
-                                                                : nullptr;  // the declared fit may be damped far more
+                                                                : nullptr;  // declared fit: damping may be far larger
         NumericalError numerics = work.stage("numerical error", 3 * work.fit_count(), [&] {
             return work.errors.at(judged_fit.fit.values, result.data.trials, known, work.progress);
         });
         if (work.progress.cancelled()) return false;
-        const bool is_first = !result.declared.numerics;  // until then no error was taken off
+        const bool is_first = !result.declared.numerics;  // no error has been removed so far
         if (is_first) match_modulus(work, judged_fit.fit, numerics);
         const std::optional<CorrectedFit> matched = corrected_by_matching(work, judged_fit.fit, numerics, stage,
                                                                           correction);

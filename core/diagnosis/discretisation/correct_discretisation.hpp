@@ -4,15 +4,14 @@
 
 namespace myo::diagnosis {
 
-/// The numerical error at a fit, and the fit with it taken off; again while that takes the fit elsewhere: an error of
-/// another motion is another error. The first one found also gives the cells the modulus with which they move like
-/// finer ones.
+/// Computes the numerical error at a fit and refits with the error removed; repeats while the fit changes, because the
+/// error depends on the motion. The first call also sets the effective modulus of the cells.
 ///
-/// work.result.data.shift is then this fit's. False: cancelled.
+/// On return work.result.data.shift belongs to this fit. Returns false if cancelled.
 bool correct_discretisation(DiagnosisWork& work, JudgedFit& judged_fit, const std::string& stage,
                             const ErrorCorrection& settling);
 
-/// Finds the numerical error of the trials that a fit did not see.
+/// Adds the numerical error of the trials that were not used in the fit.
 void add_error_of_other_trials(DiagnosisWork& work, JudgedFit& judged_fit);
 
 }  // namespace myo::diagnosis

@@ -13,7 +13,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// Adds `factor` times what `to` has more than `from`, within the bounds of the numbers.
+/// Adds factor * (to - from) to the values, within the bounds of the parameters.
 prediction::ParameterValues moved(const std::vector<prediction::ModelParameter>& parameters,
                                   prediction::ParameterValues values, const prediction::ParameterValues& from,
                                   const prediction::ParameterValues& to, double factor) {
@@ -25,7 +25,8 @@ prediction::ParameterValues moved(const std::vector<prediction::ModelParameter>&
     return values;
 }
 
-/// Values with the change of all numbers of the fit that undoes a change of the motion.
+/// Values with the least-squares step of the fit's parameters that cancels a change of the flat residual, within
+/// bounds.
 prediction::ParameterValues undoing(const JointFit& fit, prediction::ParameterValues values, const VectorXd& change) {
     VectorXd size = fit.jacobian.colwise().norm();
     size = (size.array() > 0.0).select(size, 1.0);

@@ -4,21 +4,23 @@
 
 namespace myo::diagnosis {
 
-/// Values with which half the step and finer cells move most like the setup does with a fit's, to first order.
+/// Parameters for which the run with half the step and the run on finer cells best match the run of the setup with the
+/// values of a fit, to first order.
 ///
-/// A finer mesh with the same values may swing faster or slower, and ever more out of step: that is no shift of
-/// positions which one could extrapolate. What it changes beyond what the fit's numbers make up for is, and so are the
-/// numbers themselves: see extrapolated_values().
+/// With equal parameters a finer mesh may oscillate faster or slower, with a growing phase difference. That is not a
+/// shift of positions and cannot be extrapolated. The part of the difference that the fit's parameters do not
+/// compensate is extrapolated as a shift; the parameters are extrapolated themselves, see extrapolated_values().
 ///
-/// One step of Gauss and Newton with the fit's derivatives. @param error  found with the fit's own values, or with
-/// error.alike of the step before
+/// One Gauss-Newton step with the derivatives of the fit.
+/// @param error  found with the values of the fit in all runs, or with error.matched of the previous iteration
 MatchedValues match_discretisation(const FitData& data, const JointFit& fit, const NumericalError& error);
 
-/// A match moved to the values of another fit: the values of the refined runs keep their distance to the coarse run's.
+/// Match moved to the values of another fit; refined and coarse values keep their differences.
 MatchedValues moved_match(const JointFit& fit, const MatchedValues& matched);
 
-/// Richardson's extrapolation of the numbers of a fit: the values of a body without cells, run without steps, that
-/// moves like the setup with alike.setup.
+/// Richardson extrapolation of the parameters of a fit: values with which the limit of zero edge length and step moves
+/// like the setup with the fitted values.
+/// @param mesh_factor  see NumericalError
 prediction::ParameterValues extrapolated_values(const JointFit& fit, const MatchedValues& matched, double mesh_factor);
 
 }  // namespace myo::diagnosis

@@ -15,7 +15,7 @@ std::vector<prediction::TrialPrediction> with_factor(setup::Setup setup, const p
     return prediction::predict_trials_with(setup, values, data.trials, progress);
 }
 
-/// Derivative of the motion by the relative change of the modulus.
+/// Derivative of the predictions with respect to the relative change of the modulus (difference quotient).
 PredictionShift derivative(const setup::Setup& setup, const FitData& data,
                            const std::vector<prediction::TrialPrediction>& there,
                            const std::vector<prediction::TrialPrediction>& softer) {

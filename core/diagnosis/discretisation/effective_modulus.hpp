@@ -4,17 +4,16 @@
 
 namespace myo::diagnosis {
 
-/// The moduli with which a setup's mesh and step, and finer ones, move most like the limit that a numerical error was
-/// extrapolated to.
+/// Effective moduli with which mesh and step of the setup, and the refined ones, best reproduce the extrapolated limit.
 ///
-/// Coarse cells bend as if of another modulus, and long steps shift frequencies; both by the same share whatever the
-/// motion, while a shift of positions belongs to one motion alone. All are found by least squares on the data's
-/// samples; `error` keeps what they leave.
+/// Coarse cells deform as if of another modulus, and long steps shift frequencies; both by the same factor for every
+/// motion, whereas a shift of positions holds for one motion only. Found by least squares over the samples of the data;
+/// `error` keeps the remainder.
 ///
-/// @param setup   with the modulus factor 1
+/// @param setup   with modulus factor 1
 /// @param values  with which the error was found
-/// @param error   of all data.trials; gets .stiffening and less shift
-/// @return whether there was enough to take off, and the trials could be run
+/// @param error   of all data.trials; receives effective_modulus and by_modulus, its shift is reduced
+/// @return        false if the error is too small, or if the trials could not be run
 bool match_modulus(const setup::Setup& setup, const prediction::ParameterValues& values, const FitData& data,
                    NumericalError& error, const Progress& progress);
 

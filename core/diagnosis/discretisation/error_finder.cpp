@@ -61,7 +61,7 @@ NumericalError ErrorFinder::at(const prediction::ParameterValues& fitted, const 
                 add_scaled(difference(base[i], there[i]), 1.0, error.shift[trials[i]]);
         error.matched = *matched;
     }
-    if (plain_.effective_modulus.any()) {  // the cells' own error, as it was without
+    if (plain_.effective_modulus.any()) {  // error of the cells without the effective modulus
         error.by_modulus = plain_.by_modulus;
         error.step_rms_m = plain_.step_rms_m;
         error.mesh_rms_m = plain_.mesh_rms_m;

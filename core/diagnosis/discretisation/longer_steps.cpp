@@ -18,7 +18,7 @@ LongerSteps longer_steps(const setup::Setup& setup, const prediction::ParameterV
     std::vector<std::size_t> open(setup.trials.size());
     std::iota(open.begin(), open.end(), std::size_t{0});
     setup::Setup longer = setup;
-    for (setup::PreparedTrial& trial : longer.trials) trial.options.keep_path = false;  // no run starts near to these
+    for (setup::PreparedTrial& trial : longer.trials) trial.options.keep_path = false;  // no run starts from these
     const std::vector<prediction::TrialPrediction> fine = prediction::predict_trials_with(longer, values, open,
                                                                                           progress);
     found.runs = static_cast<int>(open.size());

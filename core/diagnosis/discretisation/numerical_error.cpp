@@ -24,14 +24,14 @@ struct Sum {
     double rms() const { return count > 0.0 ? std::sqrt(squares / count) : 0.0; }
 };
 
-/// Order at which displacements converge with the edge length.
+/// Order of convergence of displacements with the edge length.
 double mesh_order(fem::ElementKind element) {
     if (element == fem::ElementKind::hex8) return diagnosis_policy.numerics.order_hex8;
     return fem::fine_element(element) == fem::ElementKind::tet10_fine ? diagnosis_policy.numerics.order_tet10_fine
                                                                       : diagnosis_policy.numerics.order_other;
 }
 
-/// From the change by a refinement of this order to its limit.
+/// Richardson factor: distance to the limit over the change by a refinement with this ratio (fine over coarse).
 double extrapolation(double ratio, double order) { return 1.0 / (1.0 - std::pow(ratio, order)); }
 
 bool moves_modulus(const JointFit& fit) {
@@ -79,7 +79,7 @@ NumericalError numerical_error(const setup::Setup& setup, setup::Setup* refined,
         halved.modulus_factor = effective_modulus.factor_of_finer_step();
         for (setup::PreparedTrial& trial : halved.trials) {
             trial.options.h_s *= error.step_ratio;
-            trial.options.most_iterations = dynamics::SimulationOptions().most_iterations;  // it has more steps
+            trial.options.most_iterations = dynamics::SimulationOptions().most_iterations;  // limit for more steps
             trial.options.keep_path = false;
         }
         finer_step = prediction::predict_trials_with(halved, values.finer_step, trials, progress);
@@ -113,8 +113,7 @@ NumericalError numerical_error(const setup::Setup& setup, setup::Setup* refined,
             error.mesh_change[t] = change;
         }
     }
-    // A mesh so coarse that its error is far from small does not follow its order: then the finer one is taken as it
-    // is.
+    // The order does not hold far from the limit: a large change is taken over without extrapolation.
     if (by_mesh.rms() < diagnosis_policy.numerics.asymptotic_change * setup.noise_m.maxCoeff() && refined)
         error.mesh_factor = extrapolation(error.mesh_ratio, mesh_order(setup.mesh.element));
     for (const std::size_t t : trials)

@@ -9,8 +9,8 @@
 
 namespace myo::diagnosis {
 
-/// Relative changes of the modulus that let motions on these cells, and on the finer ones, with this step, and with the
-/// finer one, be those of the limit; see match_modulus().
+/// Relative changes of the modulus with which runs on this mesh and on the finer one, with this step and with the finer
+/// one, reproduce the limit; see match_modulus().
 struct EffectiveModulus {
     double mesh = 0.0, finer_mesh = 0.0;
     double step = 0.0, finer_step = 0.0;
@@ -21,63 +21,64 @@ struct EffectiveModulus {
     double factor_of_finer_step() const { return 1.0 + mesh + finer_step; }
 };
 
-/// Values with which a setup moves alike on its cells with its step, with half the step, and on finer cells.
+/// Parameter values with which the setup, the run with half the step and the run on finer cells move equally.
 struct MatchedValues {
     prediction::ParameterValues setup, finer_step, finer_mesh;
 };
 
-/// How much of a residual is the program's own doing: what a finer step and a finer mesh change in the predictions.
+/// Numerical error of predictions, from the changes by a finer step and a finer mesh.
 struct NumericalError {
-    double step_rms_m = 0.0;  // half the step against the step
-    double mesh_rms_m = 0.0;  // the finer mesh against the mesh
-    double rest_rms_m = 0.0;  // of the shift, where moduli of .stiffening have taken off most of both
-    double step_ratio = 0.0;  // finer over coarser
+    double step_rms_m = 0.0;  // change by half the step
+    double mesh_rms_m = 0.0;  // change by the finer mesh
+    double rest_rms_m = 0.0;  // shift that remains with the effective modulus
+    double step_ratio = 0.0;  // fine over coarse
     double mesh_ratio = 0.0;
-    double left_rms_m = 0.0;  // of what extrapolation takes off, the share it may be wrong by and a fit cannot take up
-    double numerical_damping = 0.0;  // damping ratio that the time scheme adds to the first vibration
-    std::string message;             // why a part of it is unknown
-    PredictionShift shift;        // extrapolated to zero step and edge, to be added to predictions; empty where unknown
-    PredictionShift step_shift;   // the step's part of it
-    PredictionShift mesh_change;  // the finer mesh less the mesh
-    double mesh_factor = 1.0;     // from that to its limit
-    std::optional<MatchedValues> matched;  // between which the changes were found; none: with the values themselves
+    double left_rms_m = 0.0;               // possible error of the extrapolation that the fit cannot compensate, see
+                                           // extrapolation_left_m()
+    double numerical_damping = 0.0;        // damping ratio that the integrator adds to the first vibration
+    std::string message;                   // reason why a part is unknown; empty: none
+    PredictionShift shift;                 // extrapolated to zero step and edge, added to predictions; empty: unknown
+    PredictionShift step_shift;            // part of the step in `shift`
+    PredictionShift mesh_change;           // finer mesh minus mesh
+    double mesh_factor = 1.0;              // Richardson factor of mesh_change
+    std::optional<MatchedValues> matched;  // values of the runs; empty: equal values in all runs
     EffectiveModulus effective_modulus;    // with which the shift was found
-    PredictionShift by_modulus;            // what that takes off the shift, to first order
+    PredictionShift by_modulus;            // its contribution, removed from the shift, to first order
 };
 
-/// From the change by half the step to its limit.
+/// Richardson factor of the change by half the step.
 double step_extrapolation();
 
-/// Runs these trials on half the step and on the refined setup (null: not on a finer mesh) and extrapolates both by
-/// Richardson's rule for the order of each. Shifts of other trials stay empty.
+/// Runs the trials with half the step and on the refined setup, and extrapolates both changes by Richardson's rule with
+/// their orders. Shifts of other trials stay empty.
 ///
-/// @param base   the setup's predictions with values.setup, one per trial of `trials`, with their traces or without;
-/// failed ones are left alone
-/// @param refined  gets its modulus factor here
-/// @param known  the error with values near these, null: none. What the step changes there is taken over where that is
-/// far below the noise
-/// @param stiffening  that of the setup, whose modulus factor is set
+/// @param refined            setup on a finer mesh, null: none; its modulus factor is set here
+/// @param values             of the three runs
+/// @param base               predictions of the setup with values.setup, one per entry of `trials`, traces not needed;
+///                           failed ones are skipped
+/// @param known              error with similar values, null: none; its step part is reused if far below the noise
+/// @param effective_modulus  of the setup, whose modulus factor is set accordingly
 /// Source: Roache 1997, Annu. Rev. Fluid Mech. 29, 123.
 NumericalError numerical_error(const setup::Setup& setup, setup::Setup* refined, const MatchedValues& values,
                                const std::vector<std::size_t>& trials,
                                const std::vector<prediction::TrialPrediction>& base, const NumericalError* known,
                                const EffectiveModulus& effective_modulus, const Progress& progress);
 
-/// finer - coarser of what is compared, per marker; 0 where nothing is.
+/// finer - coarser of the residuals, per marker 3 x T [m]; 0 where a sample is not compared.
 std::vector<Eigen::Matrix3Xd> difference(const prediction::TrialPrediction& finer,
                                          const prediction::TrialPrediction& coarser);
 
-/// Adds `factor` times the tracks to a sum, which may be empty.
+/// sum += factor * tracks; an empty sum is zero.
 void add_scaled(const std::vector<Eigen::Matrix3Xd>& tracks, double factor, std::vector<Eigen::Matrix3Xd>& sum);
 
-/// Over all samples of the trials that have a shift [m].
+/// Rms of a shift over all samples of the trials that have one [m].
 double shift_rms_m(const PredictionShift& shift);
 
-/// Takes over the shifts of trials that have none yet.
+/// Copies the shifts of trials for which `error` has none.
 void complete(NumericalError& error, const NumericalError& of_other_trials);
 
-/// What the error's extrapolation may be wrong by, each trial on its own, where parameters of a fit cannot take it up:
-/// a stiffer mesh is a lower modulus. Rms over the data [m].
+/// Possible error of the extrapolation, independent between trials, that the parameters of a fit cannot compensate
+/// (they compensate stiffer cells by a lower modulus). Rms over the data [m].
 double extrapolation_left_m(const FitData& data, const NumericalError& error, const JointFit& fit);
 
 }  // namespace myo::diagnosis

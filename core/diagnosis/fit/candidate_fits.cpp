@@ -20,7 +20,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Squares that a fit's slopes foretell of its best step within its bounds.
+/// Squared residual that the Jacobian predicts for the best step within the bounds.
 double predicted_squares(const JointFit& fit) {
     std::vector<inverse::Parameter> parameters;
     VectorXd at(static_cast<Index>(fit.parameters.size()));
@@ -34,7 +34,7 @@ double predicted_squares(const JointFit& fit) {
     return (fit.residual + J * inverse::bounded_step(J, fit.residual, bounds.lower, bounds.upper)).squaredNorm();
 }
 
-/// A value after a step within its bounds; what goes over decades goes by no more than a factor of e squared.
+/// Value after a step, within its bounds. A parameter over decades changes by at most a factor of e squared.
 double stepped(const inverse::Parameter& p, double value, double step) {
     const double most = diagnosis_policy.fits.most_factor;
     const double lower = p.over_decades ? std::max(p.lower, (value + p.scale) / most - p.scale) : p.lower;
@@ -42,7 +42,7 @@ double stepped(const inverse::Parameter& p, double value, double step) {
     return std::clamp(value + step, lower, upper);
 }
 
-/// What a fit knows of derivatives where it starts: those of the fits before, or none.
+/// Initial Jacobian of a fit: that of an earlier fit, or a new one.
 enum class Slopes { of_neighbours, anew };
 
 class Rounds {
@@ -61,7 +61,7 @@ public:
                                    found.parameters.size() < joint_parameters(fitting_.setup, found.values).size());
     }
 
-    /// Fits those that are wanted, from these values; what was better before stays.
+    /// Fits the wanted candidates from the given values. A result is kept only if it is better than the previous one.
     void run(const setup::Setup& setup, EffectFreedom freedom, const Effort& effort,
              const std::function<bool(std::size_t)>& wanted,
              const std::function<prediction::ParameterValues(std::size_t)>& from,
@@ -72,7 +72,7 @@ public:
             Neighbourhood known = slopes == Slopes::anew ? Neighbourhood{}
                                   : fit(i).usable()      ? neighbourhood_of(fit(i).fit)
                                                          : of_base_;
-            known.paths = of_base_.paths;  // those of all candidates would fill the memory
+            known.paths = of_base_.paths;  // the paths of all candidates would exceed the memory
             JointFit found = stored_fit(fitting_.store, setup, fitting_.data, from(i), freedom, effort, known,
                                         progress_.with_sink({}));
             if (!found.usable() || progress_.cancelled()) return;
@@ -145,7 +145,7 @@ CandidateFits fit_candidates(const CandidateFitting& fitting, const JointFit& ba
     rounds.run(
         fitting.serial, EffectFreedom::amount, diagnosis_policy.fits.nonlinear,
         [&](std::size_t i) { return starts[i].nonlinear; }, stepped_base);
-    // What a probe foretells may be more than the model can run with, or far from what is linear.
+    // The start that a score predicts may be far beyond the linear range, or impossible to run.
     const auto went_wrong = [&](std::size_t i) {
         return !rounds.fit(i).usable() || rounds.fit(i).fit.squares() > base.squares();
     };
@@ -179,7 +179,7 @@ CandidateFits fit_candidates(const CandidateFitting& fitting, const JointFit& ba
         return starts[i].predicted_reduction > diagnosis_policy.fits.large_reduction;
     };
     std::vector<bool> went_on(starts.size(), false);
-    // The best go first, with all threads: what they come to may leave the others no hope.
+    // The best candidate is fitted first, on all threads: its result may prune the others.
     for (;;) {
         double least = least_so_far, predicted = 1.0;
         for (std::size_t i = 0; i < starts.size(); ++i)
@@ -187,7 +187,7 @@ CandidateFits fit_candidates(const CandidateFitting& fitting, const JointFit& ba
                 least = rounds.fit(i).fit.squares();
                 predicted = starts[i].predicted_reduction;
             }
-        // While the best leaves far more than noise it may be the one that is wrong.
+        // While the best fit is far above the noise, it may be the wrong effect: the limit is higher.
         const double patience_yet = pruning_factor * std::clamp(least / static_cast<double>(base.residual.size()), 1.0,
                                                                 pruning_factor * pruning_factor);
         std::vector<std::size_t> next;
@@ -197,7 +197,7 @@ CandidateFits fit_candidates(const CandidateFitting& fitting, const JointFit& ba
                                         ? std::max(pruning_factor * pruning_factor, patience_yet)
                                         : patience_yet;
             if (went_on[i] || !rounds.is_unfinished(i)) continue;
-            // Fits that are still falling are asked how far they would.
+            // An unfinished fit also continues if its Jacobian predicts a sufficiently small residual.
             if (rounds.fit(i).fit.squares() < patience * least ||
                 predicted_squares(rounds.fit(i).fit) < pruning_factor * least)
                 next.push_back(i);

@@ -10,40 +10,44 @@
 
 namespace myo::diagnosis {
 
-/// Where a candidate's fit starts.
+/// Start of a candidate fit.
 struct CandidateStart {
     effect::EffectDeclaration effect;
-    Eigen::VectorXd step;    // of the base's own parameters; empty: none
-    bool nonlinear = false;  // the way from there is not straight: it takes more evaluations before hope is lost
-    double predicted_reduction = 0.0;  // share of the residual that its score says it takes away
-    effect::EffectParameters safe;  // of the effect, where the fit starts from when all else goes wrong; empty: nowhere
+    Eigen::VectorXd step;              // increment of the base fit's parameters; empty: none
+    bool nonlinear = false;            // start beyond the linear range: more evaluations before the fit may be pruned
+    double predicted_reduction = 0.0;  // predicted share of the squared residual that the effect removes
+    effect::EffectParameters safe;     // parameters of the probe, the fallback start; empty: none
 };
+/// Start at the amount that the score predicts.
 CandidateStart start_of(const EffectScore& score);
-/// Starts beyond the range of linear response: those of the best probe of each wanted effect.
+/// Starts beyond the linear range: those of the best probe of each effect that `wanted` accepts.
 std::vector<CandidateStart> nonlinear_starts(const std::vector<EffectScore>& scores,
                                              const std::function<bool(const EffectScore&)>& wanted);
 
-/// What fits of candidates share.
+/// Common inputs of candidate fits.
 struct CandidateFitting {
     const setup::Setup& setup;
-    const setup::Setup& serial;  // the same, whose fits run on one thread each, side by side
+    const setup::Setup& serial;  // same setup with one thread per fit, for fits in parallel
     const FitData& data;
     const DiagnoseSettings& settings;
     FitStore& store;
 };
 
+/// Result of fit_candidates().
 struct CandidateFits {
-    std::vector<JudgedFit> fits;  // in the order of the starts; unusable where they failed
-    int runs = 0;                 // of the model, about
+    std::vector<JudgedFit> fits;  // in the order of the starts; not usable if the fit failed
+    int runs = 0;                 // approximate number of model runs
 };
 
-/// Fits of these starts beside a fit's effects: how much of each at first, then the hopeful ones with all their
-/// numbers, the best first.
+/// Fits candidate effects added to the effects of a base fit: first the amount of each effect, then all parameters of
+/// the candidates that are not pruned, best first.
 ///
-/// @param base        where the starts' steps begin
-/// @param least_so_far   squares that other candidates are known to leave
-/// @param hope        those go on that leave at most so many times the least squares
-/// @param name        of the stage, for progress
+/// @param base            fit whose values the starts' steps refer to
+/// @param least_so_far    smallest squared residual of the candidates fitted before
+/// @param pruning_factor  a fit continues only if its squared residual, or the one that its Jacobian predicts, is below
+///                        this multiple of the smallest; the limit is higher while the smallest is far above the noise,
+///                        and for candidates with a comparable predicted reduction
+/// @param name            name of the phase, for progress
 CandidateFits fit_candidates(const CandidateFitting& fitting, const JointFit& base,
                              const std::vector<CandidateStart>& starts, double least_so_far, double pruning_factor,
                              const std::string& name, const Progress& progress);

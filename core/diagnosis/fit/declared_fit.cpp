@@ -13,7 +13,8 @@
 namespace myo::diagnosis {
 namespace {
 
-/// Takes longer steps for all that follows where predictions change by no more than this. True: some are longer.
+/// Lengthens the time steps of all later runs while predictions change by at most most_m [m, rms]. An explicit step
+/// (settings.h_s) is kept. Returns true if a step became longer.
 bool lengthen_steps(DiagnosisWork& work, double most_m) {
     if (work.setup.settings.h_s) return false;
     const LongerSteps longer = work.stage("step", 0, [&] {
@@ -29,12 +30,12 @@ bool lengthen_steps(DiagnosisWork& work, double most_m) {
     return any_longer(longer.factors);
 }
 
-/// Longer steps still where little of what a fit leaves changes by them.
+/// Lengthens the steps further if the step error remains small compared with the residual of the fit.
 void lengthen_steps_for(DiagnosisWork& work, JointFit& fit) {
     const double most_m = diagnosis_policy.numerics.step_change_of_left * flat_rms_m(work.result.data, fit.residual);
     if (most_m > diagnosis_policy.numerics.most_step_change * setup::mean_noise(work.setup) &&
         lengthen_steps(work, most_m))
-        forget_paths(fit.predictions);  // of other steps
+        forget_paths(fit.predictions);  // they belong to shorter steps
 }
 
 bool fail(DiagnosisWork& work, const std::string& why) {

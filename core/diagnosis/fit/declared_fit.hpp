@@ -4,9 +4,10 @@
 
 namespace myo::diagnosis {
 
-/// The first part of a diagnosis: the data, the step, the declared fit and the numerical error at it.
+/// First phase of a diagnosis: chooses data and time steps, fits the declared model, and computes the numerical error
+/// of that fit.
 ///
-/// False: cancelled, or work.result.failure says why the declared model cannot be fitted.
+/// Returns false if cancelled, or if the declared model cannot be fitted (reason in work.result.failure).
 bool fit_declared(DiagnosisWork& work);
 
 }  // namespace myo::diagnosis

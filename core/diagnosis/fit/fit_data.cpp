@@ -10,13 +10,13 @@ using Eigen::Index;
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
-/// Whether a sample of a marker is compared.
+/// Whether a sample of a marker is compared: not before the first compared sample, and only if measured.
 bool is_compared(const setup::Setup& setup, std::size_t trial, std::size_t marker, Index sample) {
     const setup::PreparedTrial& t = setup.trials[trial];
     return sample >= t.first_sample && t.measured.tracks[marker].col(sample).allFinite();
 }
 
-/// value(marker, axis, sample) of every entry of one trial after the other.
+/// value(series, sample) for every entry of the layout, N.
 template <class Value>
 VectorXd gathered(const FitData& data, const Value& value) {
     VectorXd flat(data.layout.size());
@@ -26,7 +26,7 @@ VectorXd gathered(const FitData& data, const Value& value) {
     return flat;
 }
 
-/// Where a trial of the setup stands among the predictions.
+/// Position of each trial of the setup in data.trials.
 std::vector<std::size_t> places(const FitData& data) {
     std::vector<std::size_t> place;
     for (std::size_t i = 0; i < data.trials.size(); ++i) {
@@ -36,7 +36,7 @@ std::vector<std::size_t> places(const FitData& data) {
     return place;
 }
 
-/// What is added to an entry [m].
+/// Shift of one entry [m]; 0 if there is none.
 double shift_at(const PredictionShift& shift, const statistics::ResidualSeries& at, int sample) {
     const auto trial = static_cast<std::size_t>(at.trial);
     return shift.empty() || shift[trial].empty() ? 0.0

@@ -10,44 +10,45 @@
 
 namespace myo::diagnosis {
 
-/// What is added to predictions of trials, so that they are those of a finer mesh and step: [trial of the
-/// setup][marker] 3 x T [m].
+/// Correction that is added to predictions to remove the error of mesh and time step: [trial of the setup][marker], 3 x
+/// T [m].
 using PredictionShift = std::vector<std::vector<Eigen::Matrix3Xd>>;
 
-/// The samples on which trials are compared, flattened: trial by trial, marker by marker, x y z, in time order.
+/// Samples on which trials are compared, flattened to N entries in the order trial, marker, axis (x, y, z), time.
 struct FitData {
-    std::vector<std::size_t> trials;    // of the setup
-    statistics::ResidualLayout layout;  // its trials are those numbers
-    Eigen::VectorXd noise_m;            // per entry
-    bool noise_declared = true;  // by the experiment; otherwise it is that of still markers, which no model of a real
-                                 // body comes down to
-    PredictionShift shift;       // empty: none
+    std::vector<std::size_t> trials;    // indices of the setup's trials
+    statistics::ResidualLayout layout;  // its trial numbers are these indices
+    Eigen::VectorXd noise_m;            // N: standard deviation of the noise per entry
+    bool noise_declared = true;         // false: noise of still markers, below what a model of a real body can reach
+    PredictionShift shift;              // empty: no correction
 };
+/// Measured samples of these trials, from the first sample of each that is compared.
 FitData fit_data(const setup::Setup& setup, const std::vector<std::size_t>& trials);
 
-/// (prediction + shift - measurement) / noise of the trials' predictions, in the order of data.trials.
+/// Residual (prediction + shift - measurement) / noise, N; predictions in the order of data.trials.
 Eigen::VectorXd flat_residual(const FitData& data, const std::vector<prediction::TrialPrediction>& predictions);
 
-/// A shift / noise alone, 0 where it is empty.
+/// Shift / noise, N; 0 where the shift is empty.
 Eigen::VectorXd flat_shift(const FitData& data, const PredictionShift& shift);
 
-/// Derivatives of the same, N x parameters.
+/// Jacobian of flat_residual() from the tangents of the predictions, N x parameters.
 Eigen::MatrixXd flat_jacobian(const FitData& data, const std::vector<prediction::TrialPrediction>& predictions,
                               std::size_t parameters);
 
-/// Derivatives of residuals by one number: [trial of data.trials][marker], 3 x samples [m per unit].
+/// Derivatives of residuals with respect to one parameter: [trial of data.trials][marker], 3 x samples [m per unit].
 using TrialTangents = std::vector<std::vector<Eigen::Matrix3Xd>>;
 
-/// One derivative of the same.
+/// One column of the Jacobian: tangents / noise, N.
 Eigen::VectorXd flat_tangent(const FitData& data, const TrialTangents& tangents);
 
 /// Root mean square of a flat residual [m].
 double flat_rms_m(const FitData& data, const Eigen::VectorXd& residual);
 
-/// The trial with the largest mean square of a flat residual.
+/// Trial (index in the setup) with the largest mean square of a flat residual.
 std::size_t worst_trial(const FitData& data, const Eigen::VectorXd& residual);
 
-/// A prediction with the shift of its trial added to its residual and positions.
+/// Prediction with the shift of its trial added to residual and positions. Unchanged if the prediction failed or the
+/// trial has no shift.
 prediction::TrialPrediction shifted(prediction::TrialPrediction prediction, const PredictionShift& shift,
                                     std::size_t trial);
 

@@ -12,18 +12,19 @@
 
 namespace myo::diagnosis {
 
-/// Fits that were finished, by a text that says what was fitted from where; so that work that was stopped goes on.
+/// Finished fits, stored under a text that describes problem and start; a stopped diagnosis resumes from them.
 ///
-/// Safe to share between threads. Without a file it remembers nothing.
+/// Thread-safe. Without a file nothing is stored.
 class FitStore {
 public:
     FitStore() = default;
-    /// Reads what is there; a file that is not, or is of another setup, is begun anew. `setup` says on what the fits
-    /// were done.
+    /// Reads the file. It starts empty if the file does not exist or belongs to another setup.
+    /// @param setup  description of everything that all fits depend on
     FitStore(std::filesystem::path file, std::string setup);
 
+    /// Values of a stored fit; empty if there is none.
     std::optional<Eigen::VectorXd> find(const std::string& fit) const;
-    /// Adds one and writes the file.
+    /// Stores the values of a fit and writes the file. Errors: the file cannot be written.
     Result<void> keep(const std::string& fit, const Eigen::VectorXd& values);
 
 private:

@@ -24,9 +24,9 @@ prediction::ParameterValues values_at(const std::vector<prediction::ModelParamet
     return values;
 }
 
-/// Rows (value - start) / deviation for the components of vectors: what they add to residuals and Jacobian.
+/// Prior of the components of vectors: rows (value - start) / deviation appended to residuals and Jacobian.
 struct Priors {
-    std::vector<Index> of;  // parameters
+    std::vector<Index> of;  // indices of the parameters
     VectorXd weight, start;
 
     explicit Priors(const std::vector<prediction::ModelParameter>& parameters) {
@@ -50,7 +50,7 @@ struct Priors {
     }
 };
 
-/// Places stay on the body, masses in proportion to it.
+/// Bounds places to the bounding box of the body, and masses to a multiple of its mass.
 void bound_by_body(const setup::Setup& setup, std::vector<prediction::ModelParameter>& parameters) {
     const Box body = mesh::bounding_box(setup.surface.vertices);
     const double body_kg = setup.experiment.material.density_kg_m3 * setup.body->volume_m3;
@@ -64,7 +64,7 @@ void bound_by_body(const setup::Setup& setup, std::vector<prediction::ModelParam
     }
 }
 
-/// Residuals of all trials and their derivatives, with the last predictions kept for these.
+/// Residuals and derivatives of all trials. Keeps the last predictions, which the derivatives need.
 class Residuals {
 public:
     Residuals(const setup::Setup& setup, const FitData& data, const prediction::ParameterValues& start,
@@ -80,7 +80,7 @@ public:
     inverse::ResidualEvaluation evaluate(const VectorXd& p, const Progress& progress) {
         if (last_at_.size() > 0 && p == last_at_ && last_.ok) return last_;
         inverse::ResidualEvaluation evaluation;
-        // The solver counts steps, of which it may take back many.
+        // Also limits the evaluations made by jacobian(), which the solver does not count.
         if (evaluations_++ > most_evaluations_) {
             evaluation.message = "no more evaluations are wanted";
             return evaluation;
@@ -113,8 +113,8 @@ public:
         return evaluation;
     }
 
-    /// Columns that are known are taken over; the others take runs, of all trials side by side. Empty: the model could
-    /// not be run.
+    /// Jacobian at p. Known columns are taken over; the others are computed by runs of all trials in parallel. Empty if
+    /// the model could not be run.
     MatrixXd jacobian(const VectorXd& p, const Neighbourhood& known, const Progress& progress) {
         if (last_at_.size() == 0 || p != last_at_) evaluate(p, progress);
         if (!last_.ok) return {};
@@ -141,7 +141,7 @@ public:
     }
 
 private:
-    /// Per number; empty: the model could not be run.
+    /// Derivatives per parameter; empty if the model could not be run.
     std::vector<TrialTangents> tangents(const prediction::ParameterValues& values,
                                         const std::vector<prediction::ModelParameter>& parameters,
                                         const Progress& progress) const {
@@ -162,12 +162,12 @@ private:
     int most_evaluations_;
     JointFit& fit_;
     Priors priors_;
-    std::vector<std::shared_ptr<const dynamics::StagePath>> near_;  // of the best so far
+    std::vector<std::shared_ptr<const dynamics::StagePath>> near_;  // paths of the best evaluation so far
     double least_ = std::numeric_limits<double>::infinity();
     int evaluations_ = 0;
     VectorXd last_at_;
-    inverse::ResidualEvaluation last_;                      // there
-    std::vector<prediction::TrialPrediction> predictions_;  // and these
+    inverse::ResidualEvaluation last_;                      // at last_at_
+    std::vector<prediction::TrialPrediction> predictions_;  // at last_at_
 };
 
 }  // namespace
@@ -227,7 +227,7 @@ JointFit joint_fit(const setup::Setup& setup, const FitData& data, const predict
         },
         informed, progress);
     if (fit.report.jacobian.rows() < fit.residual.size())
-        fit.residual.resize(0);  // it ran there, but nowhere beside: nothing to judge it by
+        fit.residual.resize(0);  // no Jacobian, so the fit cannot be assessed
     if (fit.usable()) fit.jacobian = fit.report.jacobian.topRows(fit.residual.size());
     for (std::size_t e = setup.experiment.effects.size(); e < fit.values.effects.size(); ++e) {
         effect::EffectDeclaration& tried = fit.values.effects[e];

@@ -9,54 +9,56 @@
 
 namespace myo::diagnosis {
 
-/// A fit of declared parameters and of effects together, with what is needed to judge it.
+/// Fit of declared parameters and effects, with the data for its assessment.
 struct JointFit {
-    std::vector<effect::EffectDeclaration>
-        effects;  // those tried, with the values found; declared ones are in values alone
+    /// Tried effects with the fitted values; declared effects are in `values` only.
+    std::vector<effect::EffectDeclaration> effects;
     std::vector<prediction::ModelParameter> parameters;
-    prediction::ParameterValues values;  // with the least cost
+    prediction::ParameterValues values;  // of the least cost
     inverse::LeastSquaresReport report;
-    Eigen::VectorXd residual;  // flat, there
-    Eigen::MatrixXd jacobian;
+    Eigen::VectorXd residual;                              // N, at `values`
+    Eigen::MatrixXd jacobian;                              // N x parameters; may contain secant updates
     std::vector<prediction::TrialPrediction> predictions;  // of data.trials, without tangents and shift
 
     double seconds = 0.0;
 
     bool usable() const { return residual.size() > 0; }
-    /// Approximate number of model runs: parameters that do not act in a trial need none there.
+    /// Approximate number of model runs: parameters that do not act in a trial need no run of it.
     int runs(int trials) const {
         return trials * (report.evaluations + report.jacobians * static_cast<int>(parameters.size()));
     }
+    /// Squared residual [noise squares].
     double squares() const { return residual.squaredNorm(); }
-    /// Squares beyond those that noise alone gives.
+    /// Squared residual beyond its expectation for noise alone; at least 0.
     double excess() const { return std::max(0.0, squares() - static_cast<double>(residual.size())); }
 };
 
-/// What is known near where a fit starts: derivatives of the flat residual by numbers, and motions.
+/// Derivatives of the flat residual and motions known near the start of a fit; they save runs and iterations.
 struct Neighbourhood {
-    std::vector<std::string> names;                                 // of the numbers
+    std::vector<std::string> names;                                 // of the parameters
     Eigen::MatrixXd columns;                                        // N x names
-    std::vector<std::shared_ptr<const dynamics::StagePath>> paths;  // of data.trials; null: none
+    std::vector<std::shared_ptr<const dynamics::StagePath>> paths;  // of data.trials; null: unknown
 };
+/// Jacobian and paths of a fit.
 Neighbourhood neighbourhood_of(const JointFit& fit);
 
-/// Rms by which predictions differ between two fits of the same numbers, to first order, in units of the noise.
+/// First-order rms difference of the predictions of two fits with the same parameters [noise levels].
 double change_between(const JointFit& a, const JointFit& b);
 
-/// What a fit moves of the effects it tries: the first parameter of each says how much there is of it, others where and
-/// how.
+/// Fitted parameters of the tried effects: the first parameter of each, its amount, or all (place, direction, ...).
 enum class EffectFreedom { amount, all };
 
-/// Levenberg-Marquardt on the data from `start`, whose effects beyond those of the experiment are fitted, too.
+/// Least-squares fit to the data from `start` (inverse::fit_by_secants). Effects of `start` beyond those of the
+/// experiment are fitted, too.
 ///
-/// setup.settings.threads trials side by side. Effects' vectors are held near their start by a weak prior of ten times
-/// their scale: the data see a place on a surface in two directions only. What is known there saves runs and
-/// iterations.
+/// Runs setup.settings.threads trials in parallel. Vectors of effects have a weak prior around their start with a width
+/// of ten times their scale: the data determine a place on a surface in two directions only. The result is not usable
+/// if the model cannot be run at the start or has no Jacobian.
 JointFit joint_fit(const setup::Setup& setup, const FitData& data, const prediction::ParameterValues& start,
                    EffectFreedom freedom, const inverse::LeastSquaresOptions& options, const Neighbourhood& known,
                    const Progress& progress);
 
-/// The declared parameters' and the tried effects' ones.
+/// Free parameters of the experiment, followed by those of the tried effects, with start values and bounds.
 std::vector<prediction::ModelParameter> joint_parameters(const setup::Setup& setup,
                                                          const prediction::ParameterValues& start,
                                                          EffectFreedom freedom = EffectFreedom::all);

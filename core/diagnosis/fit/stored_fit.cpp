@@ -11,10 +11,10 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// A double is read back as it was.
+/// Digits from which a double is restored exactly.
 constexpr int all_digits = std::numeric_limits<double>::max_digits10;
 
-/// What tells one shift from another.
+/// Number that distinguishes shifts in the key of a fit.
 double fingerprint(const PredictionShift& shift) {
     double sum = 0.0;
     for (const auto& trial : shift)

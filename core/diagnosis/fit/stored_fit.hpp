@@ -6,8 +6,8 @@
 
 namespace myo::diagnosis {
 
-/// joint_fit() that goes on from where the store says it ended, and tells the store where it ends. What cannot be kept
-/// is done again.
+/// joint_fit() with a store: a stored fit is evaluated once at its stored values, and a new result is stored. A result
+/// that cannot be written is fitted again next time.
 JointFit stored_fit(FitStore& store, const setup::Setup& setup, const FitData& data,
                     const prediction::ParameterValues& start, EffectFreedom freedom, const Effort& effort,
                     const Neighbourhood& known, const Progress& progress);

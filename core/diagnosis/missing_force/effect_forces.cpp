@@ -28,11 +28,11 @@ StateView moment_of(const dynamics::Trace& motion, std::size_t k) {
             motion.times_s[k]};
 }
 
-/// All that accelerates the nodes of one model.
+/// Sum of the nodal forces of one model, inertia included.
 class Forces {
 public:
     explicit Forces(model::Model model) : model_(std::move(model)) {
-        // Both models remember alike, so it cancels.
+        // Memory of past motion is the same in both models and cancels.
         model_.creep.reset();
         model_.softening.reset();
         stiffness_ = model::stiffness(model_);
@@ -47,7 +47,7 @@ public:
         const Eigen::VectorXd rate = model::strain_tangent(model_, m.x, m.v);
         input.rate = {0.0, &rate};
         model::InternalEnergy internal = model::internal_energy(model_, m.x, input, model::HessianKind::none);
-        // The factor scales potentials of velocities, not their gradients.
+        // The velocity factor scales potentials of velocity-dependent forces, not their gradients.
         model::add_force_elements(model_, {m.x, &m.v, 1.0, m.time_s, false}, model::HessianKind::none, internal);
         const model::MassMatrix& mass = masses_[model::span_at(masses_, m.time_s)].mass;
         return model::external_forces(model_, mass, m.time_s) +

@@ -12,7 +12,7 @@ using Eigen::Index;
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
-/// A scalar of the run between its steps.
+/// Linear interpolation of a scalar between the steps of a run.
 VectorXd resampled(const std::vector<double>& times, const std::vector<double>& values, const VectorXd& at) {
     VectorXd result(at.size());
     std::size_t right = 1;
@@ -36,7 +36,7 @@ VectorXd rate(const VectorXd& values, double dt) {
     return result;
 }
 
-/// Force of the material alone along the pattern, at some of the run's steps.
+/// Elastic force along the pattern (no viscosity, no fibres), from a subset of the steps of the run.
 VectorXd elastic_course(const model::Model& model, const dynamics::Trace& trace, const Matrix3Xd& pattern,
                         const VectorXd& at) {
     model::Stiffness elastic = model::stiffness(model);

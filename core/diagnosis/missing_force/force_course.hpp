@@ -7,11 +7,10 @@
 
 namespace myo::diagnosis {
 
-/// What a mode's amplitude goes with, strongest first: position, velocity, |v| v and acceleration of the body along the
-/// pattern, the rate at which the material's own force along it changes (strain rate), the muscles' activation, and
-/// time.
-///
-/// @param trace  of the trial with the force
+/// Quantities that correlate with the amplitude of a mode, strongest first: position, velocity, |v| v and acceleration
+/// of the body along the pattern, rate of the elastic force along the pattern (strain rate), activation of the muscles,
+/// and time.
+/// @param trace  of the trial with the force; fewer than two steps: no correlates
 std::vector<statistics::Correlate> course_correlates(const setup::Setup& setup, const effect::Affected& trial,
                                                      const dynamics::Trace& trace, const KnotTimes& knots,
                                                      const ForceMode& mode);

@@ -18,7 +18,8 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// From the middle of the clamp towards the middle of the body; a body that is clamped nowhere, or all around, along x.
+/// Position of each node, 0 ... 1, from the centre of the clamped nodes towards the centre of the body; along x if no
+/// node is clamped, or all around.
 VectorXd places(const model::Body& body) {
     const Matrix3Xd& X = body.mesh.nodes;
     Vector3d clamp = Vector3d::Zero();
@@ -43,7 +44,8 @@ double mean_value(const fibre::Signal& signal, double end_s) {
     return sum / diagnosis_policy.force.path_samples;
 }
 
-/// The trial with its loads and activations held at their mean, at rest.
+/// The trial at equilibrium under constant loads: activations at their mean, forces that act at the middle of the
+/// trial.
 effect::Affected at_mean_state(effect::Affected trial) {
     const double end = trial.options.end_s;
     for (fibre::Signal& signal : trial.model.activation) signal = fibre::Signal::constant(mean_value(signal, end));
@@ -60,7 +62,7 @@ effect::Affected at_mean_state(effect::Affected trial) {
     return trial;
 }
 
-/// The trial's body at rest in its rest shape, for those that have no equilibrium.
+/// The trial in its rest shape without loads, for trials that have no such equilibrium.
 effect::Affected at_rest(effect::Affected trial) {
     for (fibre::Signal& signal : trial.model.activation) signal = fibre::Signal::constant(1.0);
     trial.model.forces.clear();
@@ -70,8 +72,8 @@ effect::Affected at_rest(effect::Affected trial) {
     return trial;
 }
 
-/// The first knot's half hat and the second's hat for each field. A trial that starts at equilibrium has felt the first
-/// for ever.
+/// Two hat functions of time for each field: the half hat of the first knot and the hat of the second. If the trial
+/// starts at equilibrium, the first one has always acted before.
 std::vector<TimedForce> hats(const ForceFields& fields, double spacing, bool from_before) {
     std::vector<TimedForce> forces;
     for (const Matrix3Xd& pattern : fields.patterns)

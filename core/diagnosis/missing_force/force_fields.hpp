@@ -9,16 +9,16 @@
 
 namespace myo::diagnosis {
 
-/// Body forces that a missing one is put together from: along x, y and z, each weighted by hats over the way from the
-/// clamp to the far end.
+/// Basis of body forces: along x, y and z, each weighted by hat functions along the body from the clamp to the far end.
 struct ForceFields {
     std::vector<Eigen::Matrix3Xd> patterns;  // 3 x n each [N per N/m3], zero on clamped nodes
-    Eigen::MatrixXd volume;                  // fields x fields [m3]: integral of the product of two
+    Eigen::MatrixXd volume;                  // fields x fields [m3]: integrals of their products
     Eigen::VectorXd place;                   // n: 0 at the clamp, 1 at the far end
 };
+/// Fields of a body; hat functions at MissingForcePolicy::stations.
 ForceFields force_fields(const model::Body& body);
 
-/// Courses over time are linear between these times [s].
+/// Knots of courses that are piecewise linear in time.
 struct KnotTimes {
     double spacing_s = 0.025;
     int count = 2;
@@ -26,18 +26,19 @@ struct KnotTimes {
     double end_s() const { return spacing_s * static_cast<double>(count - 1); }
     Eigen::VectorXd times_s() const { return Eigen::VectorXd::LinSpaced(count, 0.0, end_s()); }
 };
-/// About 25 ms apart, closer in trials under a quarter of a second and wider in those over one and a half.
+/// Knots about 25 ms apart; closer in trials shorter than a quarter of a second, wider in those longer than 1.5 s.
 KnotTimes knot_times(double end_s);
 
-/// The signal with these values at the knots.
+/// Piecewise linear signal with these values at the knots.
 fibre::Signal knot_signal(const KnotTimes& knots, const Eigen::VectorXd& values);
 
-/// How a trial's flat residual changes with the fields' sizes at the knots, N x (knots fields), the fields of a knot
-/// side by side, to first order about the equilibrium under mean loads and activations: a response to one knot is that
-/// to another, later.
+/// Response of a trial's flat residual to the knot values of the fields, N x (knots fields), the fields of a knot
+/// adjacent.
 ///
+/// First order about the equilibrium under the mean activations and the loads at the middle of the trial; about the
+/// unloaded rest shape if there is no such equilibrium. The response to a knot is that to an earlier one, delayed.
 /// @param data  of this trial alone
-/// Empty where no such run completes.
+/// @return      empty if no such run completes
 Eigen::MatrixXd force_response(const setup::Setup& setup, const FitData& data,
                                const prediction::ParameterValues& values, const ForceFields& fields,
                                const KnotTimes& knots, const Progress& progress);

@@ -23,13 +23,14 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Squares of a residual that may be noise: twice their deviation above the expectation, and noise is not known better
-/// than to a few percent.
+/// Largest squared residual that may be noise: two standard deviations above its expectation, which is known to a few
+/// percent only.
 double noise_squares(Index samples) {
     return 1.05 * static_cast<double>(samples) + 2.0 * std::sqrt(2.0 * static_cast<double>(samples));
 }
 
-/// Integral of f^2 + (smooth df/dt)^2 over body and time, of sizes ordered as force_response()'s columns.
+/// Matrix of the integral of f^2 + (smoothing_s df/dt)^2 over body and time, for knot values in the order of the
+/// columns of force_response().
 MatrixXd size_of_force(const ForceFields& fields, const KnotTimes& knots) {
     const double dt = knots.spacing_s;
     MatrixXd time = MatrixXd::Zero(knots.count, knots.count);
@@ -46,7 +47,7 @@ MatrixXd size_of_force(const ForceFields& fields, const KnotTimes& knots) {
     return R;
 }
 
-/// A trial of the best fit, run with a force.
+/// Trial of the best fit, run with an additional force.
 class ForcedTrial {
 public:
     ForcedTrial(const setup::Setup& setup, const Diagnosis& d, std::size_t trial)
@@ -62,9 +63,9 @@ public:
 
     struct Run {
         dynamics::Trace trace;
-        VectorXd residual;  // empty: it failed
+        VectorXd residual;  // empty: the run failed
     };
-    /// @param sizes  (fields knots), as force_response()'s columns
+    /// @param sizes  fields x knots, in the order of the columns of force_response()
     Run run(const VectorXd& sizes, const Progress& progress) const {
         model::Model model = affected_.model;
         const auto count = static_cast<Index>(fields_.patterns.size());
@@ -99,7 +100,7 @@ private:
     FitData data_;
 };
 
-/// Sizes that leave the least of a run's residual, Tikhonov's step repeated.
+/// Knot values with the smallest residual of a run, from repeated Tikhonov steps.
 struct FoundForce {
     VectorXd sizes;
     ForcedTrial::Run run;
@@ -116,7 +117,7 @@ FoundForce repeated_steps(const ForcedTrial& trial, const MatrixXd& A, ForcedTri
          ++step) {
         progress.report({"missing force", 2.0 + step, 2.0 + diagnosis_policy.force.most_runs, "runs", {}});
         const double before = best.run.residual.squaredNorm();
-        // Less is asked for than the linear response promises: what it can only reach with large forces is its own
+        // The target is above what the linear response can reach: the last part needs large forces and is its own
         // error.
         const VectorXd sizes = solver.solve(best.run.residual - A * best.sizes, std::max(wanted, share * before));
         ForcedTrial::Run run = trial.run(sizes, progress);
@@ -145,7 +146,7 @@ std::string direction_words(const ForceMode& mode) {
     return words;
 }
 
-/// @param place, spread  mean and standard deviation along the body, in its length
+/// @param place, spread  mean and standard deviation along the body, in units of its length
 std::string place_words(double place, double spread) {
     const MissingForcePolicy& policy = diagnosis_policy.force;
     if (place > policy.at_end) return "at the free end";
@@ -179,7 +180,7 @@ void describe(const model::Body& body, const ForceFields& fields, ForceMode& mod
     mode.steady = square > 0.0 ? std::pow(mode.amplitude_N.mean(), 2) / square : 0.0;
 }
 
-/// Distributions and courses with the largest shares of the squared force.
+/// Modes (distribution times course) with the largest shares of the squared force.
 std::vector<ForceMode> force_modes(const ForcedTrial& trial, const VectorXd& sizes) {
     const ForceFields& fields = trial.fields();
     const Eigen::Map<const MatrixXd> courses(sizes.data(), fields.volume.rows(), trial.knots().count);

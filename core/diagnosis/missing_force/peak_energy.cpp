@@ -12,7 +12,7 @@ using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
 
-/// Per cell, nodes x 3: what makes the mean deformation gradient of the positions of its nodes, by least squares.
+/// Per cell, nodes x 3: least-squares map from its node positions x (3 x nodes) to its mean deformation gradient.
 std::vector<Eigen::MatrixX3d> mean_gradients(const mesh::VolumeMesh& mesh) {
     std::vector<Eigen::MatrixX3d> gradients;
     for (const auto& cell : mesh.cells.colwise()) {

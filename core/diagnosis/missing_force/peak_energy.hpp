@@ -6,8 +6,9 @@
 
 namespace myo::diagnosis {
 
-/// Largest isochoric energy density mu/2 (I1 - 3) of any cell in motions of these models [J/m3], with the mean
-/// deformation of the cell. predictions: with their traces, one per model; of every tenth step.
+/// Largest isochoric energy density mu/2 (I1 - 3) over all cells and every tenth step [J/m3], from the mean deformation
+/// gradient of each cell.
+/// @param predictions  one per model, with their traces
 double peak_isochoric_energy(const std::vector<model::Model>& models,
                              const std::vector<prediction::TrialPrediction>& predictions);
 

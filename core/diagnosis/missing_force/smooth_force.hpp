@@ -4,19 +4,19 @@
 
 namespace myo::diagnosis {
 
-/// Tikhonov's solutions x of |d + A x|^2 + lambda x' R x, for any lambda at once.
+/// Tikhonov solutions: x that minimises |d + A x|^2 + lambda x' R x, after one factorisation for all lambda.
 class SmoothForce {
 public:
     /// @param R  symmetric and positive definite
     SmoothForce(const Eigen::MatrixXd& A, const Eigen::MatrixXd& R);
 
-    /// With the largest lambda that keeps |d + A x|^2 at or below `squares`; where none does, nearly the least that can
-    /// be had.
+    /// Solution with the largest lambda for which |d + A x|^2 is at most `squares`; if that is out of reach, nearly the
+    /// smallest residual possible (MissingForcePolicy::reachable).
     Eigen::VectorXd solve(const Eigen::VectorXd& d, double squares) const;
 
 private:
     Eigen::MatrixXd A_;
-    Eigen::MatrixXd to_x_;  // from coordinates in which A'A is diagonal and R is 1
+    Eigen::MatrixXd to_x_;  // from coordinates in which A'A is diagonal and R the identity
     Eigen::VectorXd diagonal_;
 };
 

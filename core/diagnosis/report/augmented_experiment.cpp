@@ -11,7 +11,7 @@ namespace {
 std::string toml_number(double value) {
     char text[40];
     std::snprintf(text, sizeof text, "%.8g", value);
-    // TOML tells 3 from 3.0.
+    // TOML distinguishes integers: 3 is not 3.0.
     return std::string(text).find_first_of(".e") == std::string::npos ? std::string(text) + ".0" : std::string(text);
 }
 
@@ -37,7 +37,7 @@ std::string toml_value(const effect::EffectParameter& value) {
     return "[" + list + "]";
 }
 
-/// A file named in one folder, as named from another.
+/// Path relative to `folder` of a file that is given relative to `home`.
 std::string seen_from(const std::filesystem::path& file, const std::filesystem::path& home,
                       const std::filesystem::path& folder) {
     if (file.is_absolute()) return file.string();

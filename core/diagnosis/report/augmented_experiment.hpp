@@ -9,12 +9,11 @@
 
 namespace myo::diagnosis {
 
-/// `[[effect]]` tables of experiment.toml.
+/// Effects as `[[effect]]` tables of experiment.toml.
 std::string effect_tables(const std::vector<effect::EffectDeclaration>& effects, bool calibrate);
 
-/// The text of an experiment.toml that declares these effects besides what the person wrote in `written`; the files it
-/// names are given as seen from `folder`. What was set on the command line is not in it. Errors: `written` cannot be
-/// read.
+/// Text of an experiment.toml with these effects in addition to what the user wrote in `written`. Its file names are
+/// relative to `folder`. Settings of the command line are not included. Errors: `written` cannot be read.
 Result<std::string> augmented_experiment(const std::filesystem::path& written,
                                          const std::vector<effect::EffectDeclaration>& effects,
                                          const std::filesystem::path& folder);

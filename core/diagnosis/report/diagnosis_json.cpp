@@ -21,7 +21,8 @@ const char* kind_word(VerdictKind kind) {
     return "";
 }
 
-/// Values of a fit by the schema's names; an effect's by its parameters' own, which two effects may share.
+/// Values of a fit under the names of the schema; those of effects under the names of their parameters, with the id of
+/// the effect in front if a name is taken.
 report::Json parameters_json(const JointFit& fit) {
     report::Json json = report::Json::object();
     for (const prediction::ModelParameter& p : fit.parameters)
@@ -107,7 +108,7 @@ report::Json numerics_json(const Diagnosis& d) {
         {"message", n.message}};
 }
 
-/// rms of each marker in each trial, before and after.
+/// Rms of each marker in each trial, before and after.
 report::Json markers_json(const setup::Setup& setup, const Diagnosis& d) {
     report::Json json = report::Json::object();
     for (const setup::PreparedTrial& trial : setup.trials) {

@@ -5,13 +5,13 @@
 
 namespace myo::diagnosis {
 
-/// report/1 of an experiment: verdict, errors before and after, and below `details` what led to it. Asserts a complete
-/// diagnosis.
+/// Report of an experiment (schema report/1): verdict, errors before and after, and the evidence under `details`.
+/// Asserts a complete diagnosis.
 ///
 /// @param folder  name of the experiment's folder
 report::Json diagnosis_json(const setup::Setup& setup, const Diagnosis& diagnosis, const std::string& folder);
 
-/// Parameters of an effect as the report has them.
+/// Parameters of an effect in the form of the report.
 report::Json effect_parameters_json(const effect::EffectParameters& parameters);
 
 }  // namespace myo::diagnosis

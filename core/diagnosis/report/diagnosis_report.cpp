@@ -34,7 +34,7 @@ std::string capital(std::string text) {
 std::string times_noise(double rms_m, const Diagnosis& d) {
     return report::readable_number(rms_m / d.noise_m, 3) + " times the noise";
 }
-/// The error that counts: of trials that were predicted, or of the fitted ones where there are no others.
+/// Error of the predicted trials, or of the fitted trials if there are no others.
 report::KeyFigure error_figure(const Diagnosis& d) {
     const bool predicted = std::isfinite(d.after.validation_rms_m) || std::isfinite(d.before.validation_rms_m);
     const double before = predicted ? d.before.validation_rms_m : d.before.fit_rms_m,
@@ -71,7 +71,7 @@ std::vector<std::string> summary(const setup::Setup& setup, const Diagnosis& d) 
     return lines;
 }
 
-/// The verdict's reason, with the ids of effects as a person reads them.
+/// Reason of the verdict, with readable names of effects.
 std::string reason(const setup::Setup& setup, const Diagnosis& d) {
     if (d.verdict.kind != VerdictKind::effects) return capital(d.verdict.because);
     std::string text = "With " + names_of(d.verdict.effects) + " the systematic part of the residual falls from " +

@@ -6,8 +6,8 @@
 
 namespace myo::diagnosis {
 
-/// The page about a diagnosis: the verdict in words first, then what it stands on; the numbers of diagnosis_json(),
-/// which is in it, too. Asserts a complete diagnosis.
+/// HTML page of a diagnosis: the verdict in words, then the evidence. Embeds diagnosis_json(). Asserts a complete
+/// diagnosis.
 report::HtmlReport diagnosis_report(const setup::Setup& setup, const Diagnosis& diagnosis,
                                     const results::RunFacts& facts);
 

@@ -17,7 +17,7 @@ namespace {
 using Eigen::Index;
 using Eigen::Matrix3Xd;
 
-/// A trial's motion with the declared model and with what the verdict stands on; either may have failed.
+/// Motion of a trial with the declared model and with the verdict's fit; empty if the run failed.
 struct TrialMotion {
     std::optional<results::ComparedMotion> before, after;
     std::vector<double> time_s;
@@ -36,7 +36,7 @@ TrialMotion motion_of(const setup::Setup& setup, const Diagnosis& d, std::size_t
     return motion;
 }
 
-/// Root mean square over the markers' coordinates at every sample, in units of the noise; NaN where none was seen.
+/// Rms over the coordinates of the markers at every sample [noise levels]; NaN if no marker was seen.
 std::vector<double> rms_over_markers(const setup::Setup& setup, const prediction::TrialPrediction& prediction,
                                      Index samples) {
     std::vector<double> rms;
@@ -96,7 +96,7 @@ std::string residual_over_time(const setup::Setup& setup, const Diagnosis& d, st
     return report::svg(chart);
 }
 
-/// Markers by their error before, the largest first; those that were never seen last.
+/// Markers by decreasing error before; markers that were never seen are last.
 std::vector<std::size_t> by_error(const prediction::TrialScore* score, std::size_t count) {
     std::vector<std::size_t> order(count);
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -135,7 +135,7 @@ std::vector<report::Block> trial_blocks(const setup::Setup& setup, const Diagnos
 
 report::Section motion_section(const setup::Setup& setup, const Diagnosis& d) {
     report::Section section{"Motion", {}};
-    // Predictions tell the most; then the trials as they were declared.
+    // Predicted trials are the most informative and come first, then the fit trials.
     std::vector<std::size_t> order;
     for (const experiment::TrialRole role : {experiment::TrialRole::validate, experiment::TrialRole::fit})
         for (std::size_t t = 0; t < setup.trials.size(); ++t)

@@ -10,65 +10,68 @@
 
 namespace myo::diagnosis {
 
-/// What the page shows at once; the rest is folded away or in the tables.
+/// Numbers of items that the page shows openly; further ones are folded or in tables.
 struct DiagnosisReportPolicy {
     std::size_t estimates = 4;        // of effects, in the summary
-    std::size_t trials = 3;           // with their motion open
-    std::size_t further_markers = 3;  // of a trial, beside the worst
-    std::size_t candidates = 12;      // rows of the table
+    std::size_t trials = 3;           // with their motion unfolded
+    std::size_t further_markers = 3;  // of a trial, in addition to the worst
+    std::size_t candidates = 12;      // rows of their table
     std::size_t correlates = 4;       // of a missing force
-    std::size_t bars = 16;            // with more markers a table is easier to read
+    std::size_t bars = 16;            // of a chart of markers; more markers are shown as a table
     int lags = 60;                    // of the autocorrelation [samples]
-    double least_correlation = 0.5;   // of a correlate that is named in a sentence
-    double most_p = 0.01;             // of the same
+    double least_correlation = 0.5;   // smallest of a correlate that the text mentions
+    double most_p = 0.01;             // largest of a correlate that the text mentions
 };
 inline constexpr DiagnosisReportPolicy diagnosis_report_policy;
 
-/// "quadratic drag and clamp compliance".
+/// Text such as "quadratic drag and clamp compliance".
 std::string names_of(const std::vector<effect::EffectDeclaration>& effects);
-/// "quadratic drag".
+/// Text such as "quadratic drag".
 std::string name_in_sentence(const std::string& effect_id);
-/// How figures and tables call what the verdict stands on: "with quadratic drag", or the best that was tried.
+/// Name of the verdict's fit in figures and tables: "with quadratic drag", or that of the best attempt.
 std::string after_words(const Diagnosis& diagnosis);
-/// Colour slots of the declared model and of what the verdict stands on, the same on the whole page: bars take them in
-/// this order.
+/// Colour indices of the declared model and of the verdict's fit, the same on the whole page; bars use them in this
+/// order.
 inline constexpr int before_colour = 0, after_colour = 1;
-/// Whether there are two fits to be set side by side.
+/// Whether the page compares two fits.
 bool has_two_fits(const Diagnosis& diagnosis);
-/// "0.0312", "3.1 × 10⁻⁹", "< 10⁻¹²".
+/// P-value as text: "0.0312", "3.1 × 10⁻⁹", "< 10⁻¹²".
 std::string p_words(double p);
 
-/// A fitted number of an effect as a person reads it.
+/// Fitted parameter of an effect in readable form.
 struct EffectEstimate {
     std::string name;  // "Quadratic drag, coefficient"
     std::string value;
-    std::string deviation;  // empty when unknown
+    std::string deviation;  // empty: unknown
     std::string unit;
 };
-/// All numbers that were fitted of the effects that were tried.
+/// All fitted parameters of the tried effects.
 std::vector<EffectEstimate> effect_estimates(const setup::Setup& setup, const JointFit& fit);
-/// "903 ± 12 kg/m³".
+/// Text such as "903 ± 12 kg/m³".
 std::string estimate_words(const EffectEstimate& estimate);
-/// "coefficient 903 ± 12 kg/m³, ..." and what is no number, for a cell of a table.
+/// Text such as "coefficient 903 ± 12 kg/m³, ...", including parameters that are not numbers, for a table cell.
 std::string fitted_words(const setup::Setup& setup, const JointFit& fit);
 
-/// Declared and augmented fit side by side.
+/// Parameters of declared and augmented fit side by side.
 report::Section parameter_section(const setup::Setup& setup, const Diagnosis& diagnosis);
-/// Errors of trials and markers before and after, in mm and in units of the noise.
+/// Errors of trials and markers before and after, in mm and in noise levels.
 report::Section error_section(const setup::Setup& setup, const Diagnosis& diagnosis);
-/// Measured, before and after: in each trial the marker that was worst, and the residual over time.
+/// Measured motion, simulated before and after: in each trial the worst markers, and the residual over time.
 report::Section motion_section(const setup::Setup& setup, const Diagnosis& diagnosis);
-/// Spectrum, autocorrelation and distribution over the body of what is left of the fit trials.
+/// Remaining residual of the fit trials: distribution over the body, and spectrum and autocorrelation in the worst
+/// trial.
 report::Section residual_section(const setup::Setup& setup, const Diagnosis& diagnosis);
-/// Tests of significance, and the program's own errors.
+/// Significance tests.
 report::Section significance_section(const setup::Setup& setup, const Diagnosis& diagnosis);
+/// Numerical error of mesh and step.
 report::Section numerics_section(const setup::Setup& setup, const Diagnosis& diagnosis);
 /// Effects and pairs that were tried.
 report::Section candidate_section(const setup::Setup& setup, const Diagnosis& diagnosis);
-/// Effects that the experiment does not tell apart; asserts that there are some.
+/// Effects that the experiment cannot separate; asserts that there are some.
 report::Section confusion_section(const Diagnosis& diagnosis);
+/// Time and runs of the phases.
 report::Section cost_section(const Diagnosis& diagnosis);
-/// Asserts that a missing force was sought.
+/// Missing force, or the reason why there is none; asserts that it was computed.
 report::Section force_section(const Diagnosis& diagnosis);
 
 }  // namespace myo::diagnosis

@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 
 std::vector<double> numbers(const VectorXd& values) { return {values.begin(), values.end()}; }
 
-/// The fits that are compared, with the colours that they have on the whole page.
+/// Fit with its name and its colour, which is the same on the whole page.
 struct Compared {
     std::string name;
     const VectorXd* residual;
@@ -42,7 +42,7 @@ std::string spectrum(const Diagnosis& d, int trial) {
     return report::svg(chart);
 }
 
-/// Mean interval between samples of a trial [s].
+/// Mean sampling interval of a trial [s]; 0 if it has no two samples.
 double interval_s(const statistics::ResidualLayout& layout, int trial) {
     for (const statistics::ResidualSeries& series : layout.series) {
         if (series.trial != trial || series.size() < 2) continue;
@@ -71,7 +71,7 @@ std::string memory(const Diagnosis& d, int trial) {
     return report::svg(chart);
 }
 
-/// rms of each marker over the fit trials, in units of the noise.
+/// Rms of each marker over the fit trials [noise levels].
 std::vector<double> marker_rms(const setup::Setup& setup, const Diagnosis& d, const VectorXd& residual) {
     const std::size_t count = setup.marker_names.size();
     std::vector<double> squares(count, 0.0), samples(count, 0.0), rms;
@@ -102,7 +102,8 @@ report::Block over_the_body(const setup::Setup& setup, const Diagnosis& d) {
     return table;
 }
 
-/// First pattern of the declared model's residual in a trial, and how much of the residual it is in each fit.
+/// First pattern of the declared model's residual in a trial, and the share of each fit's first pattern in its
+/// residual.
 std::vector<report::Block> patterns(const setup::Setup& setup, const Diagnosis& d, int trial) {
     std::string words;
     std::vector<report::Block> blocks;

@@ -23,7 +23,7 @@ void add_columns(report::Table& table, const std::vector<report::Column>& column
 
 std::string yes(bool fired) { return fired ? "yes" : "no"; }
 
-/// Value and deviation of a parameter in a fit, as two cells; dashes where the fit does not have it.
+/// Two cells with value and deviation of a parameter; dashes if the fit does not have it.
 std::vector<report::Cell> estimate_cells(const JointFit& fit, const prediction::ModelParameter& wanted,
                                          const results::ReadableParameter& shown) {
     for (std::size_t i = 0; i < fit.parameters.size(); ++i) {

@@ -15,7 +15,7 @@ std::string in_sentence(std::string name) {
     return name;
 }
 
-/// Effects of the experiment itself stand before those that were tried.
+/// Effects of the experiment precede those that were tried.
 bool is_tried(const setup::Setup& setup, const prediction::ModelParameter& p) {
     return p.kind == prediction::ModelParameter::Kind::effect && p.index >= setup.experiment.effects.size();
 }
@@ -29,7 +29,7 @@ EffectEstimate estimate_of(const setup::Setup& setup, const JointFit& fit, std::
     return {shown.name, estimate.value, estimate.deviation, shown.unit};
 }
 
-/// Parameters that no fit moves: names, axes.
+/// Parameters that are not fitted: names, axes.
 std::string other_words(const effect::EffectDeclaration& effect) {
     std::string words;
     for (const auto& [name, value] : effect.parameters) {

@@ -6,10 +6,10 @@
 
 namespace myo::diagnosis {
 
-/// "coefficient_kg_m3 = 900, ..." for a person; six digits.
+/// Text such as "coefficient_kg_m3 = 900, ..."; six digits.
 std::string parameter_words(const effect::EffectParameters& parameters);
 
-/// "quadratic_drag (coefficient_kg_m3 = 900)".
+/// Text such as "quadratic_drag (coefficient_kg_m3 = 900)".
 std::string effect_words(const effect::EffectDeclaration& effect);
 
 }  // namespace myo::diagnosis

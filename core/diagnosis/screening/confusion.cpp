@@ -24,7 +24,8 @@ std::string advice(const effect::Effect& first, const effect::Effect& second) {
     return "releases from two other deflections, one small and one large";
 }
 
-/// Between what the two take off the declared fit's residual, where no fit can choose between them; 0 elsewhere.
+/// Cosine between the changes of the declared residual by two fitted candidates; 0 unless both fits have a comparable
+/// weight.
 double cosine_of_fits(const Candidate& a, const Candidate& b, const JointFit& declared) {
     if (!a.judged || !b.judged ||
         std::min(a.judged->weight, b.judged->weight) < diagnosis_policy.confusion.comparable_weight)

@@ -6,9 +6,9 @@
 
 namespace myo::diagnosis {
 
-/// The values of a fit with what it has bent put back to what was expected; none where nothing was. Without the missing
-/// effect damping stands in for every loss and lag, and from far up there no effect looks like itself; a shift of the
-/// start ends at its bound.
+/// Values of a fit with its distorted parameters reset to the expected ones; empty if none is distorted. Without the
+/// missing effect the fitted damping compensates for every loss and lag, and start shifts end at a bound; scores
+/// computed there do not identify the effect.
 std::optional<prediction::ParameterValues> debiased_start(const JointFit& fit,
                                                           const prediction::ParameterValues& expected);
 

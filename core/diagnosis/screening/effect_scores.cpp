@@ -23,7 +23,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// A column of a probe with its difference to the fit.
+/// One column of a probe with its predictions.
 struct ProbeColumn {
     std::size_t score = 0;
     Index number = 0;
@@ -39,8 +39,8 @@ struct Probe {
 
 double amount_of(const effect::EffectProbe& probe) { return effect::number(probe.columns.front(), probe.amount); }
 
-/// Parameters of a probe of one number whose effect is `multiple` times as large; false: absent, or beyond its bounds'
-/// sign.
+/// Parameters of a single-column probe with `multiple` times the effect. Returns false if the amount would be zero, not
+/// finite, or of a sign that its bounds exclude.
 bool scaled(const effect::Effect& effect, const effect::EffectProbe& probe, double multiple,
             effect::EffectParameters& result) {
     const effect::EffectParameterEntry& entry = *effect.parameter(probe.amount);
@@ -52,8 +52,8 @@ bool scaled(const effect::Effect& effect, const effect::EffectProbe& probe, doub
     return true;
 }
 
-/// How far a probe may be multiplied: amounts keep their bounds, and their sign unless columns add up to something of
-/// either.
+/// Range of the multiple of a probe that keeps its amount within bounds. Negative multiples are admitted only for
+/// joined columns and for amounts that may be negative.
 struct Range {
     double lowest = -std::numeric_limits<double>::infinity(), highest = std::numeric_limits<double>::infinity();
 };
@@ -66,7 +66,7 @@ Range multiples_of(const Probe& probe) {
     return {0.0, probe.probe.reciprocal ? amount / entry.lowest : entry.highest / amount};
 }
 
-/// How far a fit's own parameters may go from where they are, and what their best step leaves.
+/// Admissible steps of the fit's own parameters, and the squared residual after their best step.
 struct OwnSteps {
     VectorXd lower, upper;
     double squares = 0.0;
@@ -85,8 +85,8 @@ OwnSteps own_steps(const JointFit& fit) {
     return own;
 }
 
-/// As much of an effect as makes one residual, and as much as was run, each with the parameters where they take it
-/// back.
+/// Starts of a nonlinear probe: the amount that changes the residual by its own norm and, if distinct, the amount of
+/// the probe, each with the step of the fit's parameters that best compensates it.
 std::vector<EffectScore::Start> starts_away(const Probe& probe, const JointFit& fit, const OwnSteps& own,
                                             const VectorXd& S, const Range& range) {
     const double modest = std::clamp(fit.residual.norm() / std::max(S.norm(), std::numeric_limits<double>::min()),
@@ -104,8 +104,8 @@ std::vector<EffectScore::Start> starts_away(const Probe& probe, const JointFit& 
     return starts;
 }
 
-/// The last columns of A, those of a probe of several, with a row each that draws them to zero: a direction that is
-/// hardly seen (along a thin plate) shall not come out as the main one.
+/// A with one damping row for each of its last columns, those of a probe of several: a direction that is hardly
+/// observable (along a thin plate) must not dominate the result.
 MatrixXd with_damped_columns(const MatrixXd& A, const MatrixXd& S) {
     if (S.cols() < 2) return A;
     MatrixXd damped = MatrixXd::Zero(A.rows() + S.cols(), A.cols());
@@ -116,8 +116,8 @@ MatrixXd with_damped_columns(const MatrixXd& A, const MatrixXd& S) {
     return damped;
 }
 
-/// The fit's parameters and the candidate together take the best step within their bounds: a modulus at the edge of its
-/// tolerance does not stand in for what is missing.
+/// Scores a probe. The fit's parameters and the candidate together take the best step within their bounds: a modulus at
+/// the limit of its tolerance must not replace the missing effect.
 void finish(const Probe& probe, const statistics::NuisanceSpace& nuisance, const VectorXd& outside, const FitData& data,
             const JointFit& fit, const OwnSteps& own, const MatrixXd& S, EffectScore& score) {
     score.candidate = statistics::project_candidate(nuisance, S);

@@ -11,50 +11,50 @@
 
 namespace myo::diagnosis {
 
-/// What one probe of an effect says of a residual, before anything is fitted.
+/// Score of one probe of an effect on a residual, before any fit.
 struct EffectScore {
-    /// Where a fit may start.
+    /// Start values of a fit.
     struct Start {
         effect::EffectParameters effect;
-        Eigen::VectorXd step;  // of the fit's own parameters, that goes with it
+        Eigen::VectorXd step;  // of the fit's own parameters, belongs to this amount
     };
 
     std::string id;
-    Start best;  // explains the residual best to first order
-    effect::EffectParameters
-        probed;  // of one number: what was run, for a fit that finds the best one beyond what is linear; else empty
+    Start best;  // best explanation of the residual to first order
+    /// Parameters of the probe that was run, start of a fit beyond the linear range; empty for several columns.
+    effect::EffectParameters probed;
     statistics::ProjectedCandidate candidate;
-    statistics::ScoreTest test;  // explained: of the residual, with all numbers within their bounds
-    double left = std::numeric_limits<double>::infinity();  // squares of the residual that it would leave
-    std::vector<Start>
-        nonlinear;              // where the probe goes beyond the residual: starts from which a fit has to find its way
-    Eigen::VectorXd predicted;  // N: the part of the residual it would take away
-    double seconds = 0.0;       // its runs took, added up
-    std::string failure;        // why it could not be tried; empty when it was
+    statistics::ScoreTest test;  // explained: share of the squared residual, with all parameters within their bounds
+    double left = std::numeric_limits<double>::infinity();  // remaining squared residual
+    /// Starts for a nonlinear fit, if the response of the probe far exceeds the residual.
+    std::vector<Start> nonlinear;
+    Eigen::VectorXd predicted;  // N: part of the residual that the effect would remove
+    double seconds = 0.0;       // sum over its runs
+    std::string failure;        // reason why it could not be tried; empty: none
 
-    /// Explained share of the residual, by which scores are ordered; -1 if the effect could not be tried.
+    /// Explained share of the squared residual, by which scores are ordered; -1 if not usable.
     double share() const { return usable() ? test.explained : -1.0; }
     bool usable() const { return failure.empty() && candidate.rank() > 0 && test.explained > 0.0; }
 };
 
-/// Whether an effect is among those that may be named.
+/// True for effects that may be named.
 using EffectFilter = std::function<bool(const std::string& id)>;
 
-/// Which probes: the small ones, from which most is straight, or the large ones of what goes with the square of its
-/// amount.
+/// Probes with small amounts (linear response), or with large ones for effects of quadratic response.
 enum class ProbeSize { small, large };
 
-/// Scores every probe of every effect on a fit's residual, its own parameters projected out.
+/// Scores every probe of every allowed effect on the residual of a fit, with the fit's own parameters projected out.
 ///
-/// One run per column and trial, on the setup's threads side by side. A probe whose best amount has the wrong sign
-/// explains nothing. unaffected: predictions of data.trials with the fit's values, which those with a probe are
-/// compared with. They, and the setup, may have longer steps than the fit: what an effect does needs to be known to
-/// some percent only. Progress counts runs.
+/// At most one run per column and trial, in parallel on the setup's threads. A probe whose best amount has the wrong
+/// sign explains nothing. Progress counts runs. Empty if cancelled.
+/// @param unaffected  predictions of data.trials by this setup with the fit's values, reference of the probes. The
+///                    steps of the setup may be longer than those of the fit: responses are needed to a few percent
+///                    only
 std::vector<EffectScore> score_effects(const setup::Setup& setup, const FitData& data, const JointFit& fit,
                                        const std::vector<prediction::TrialPrediction>& unaffected,
                                        const EffectFilter& allowed, ProbeSize size, const Progress& progress);
 
-/// What effects may know of the experiment with a fit's values.
+/// Data of the experiment and models with the values of a fit, for the choice of probes.
 effect::EffectSearch effect_search(const setup::Setup& setup, const FitData& data,
                                    const prediction::ParameterValues& values);
 

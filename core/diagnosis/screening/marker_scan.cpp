@@ -12,22 +12,22 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// A time from which on something pays, and how much it pays in squares of the noise.
+/// Time from which a change reduces the squared residual, and by how much [noise squares].
 struct Onset {
     double from_s = 0.0;
     double gain = 0.0;
 };
 
-/// Not aligned: library sorts move it through memory of their own.
+/// Not aligned: sorts of the standard library move it through buffers that need not be aligned.
 using Amount = Eigen::Matrix<double, 4, 1, Eigen::DontAlign>;
 
-/// Gains over time, one entry per moment, ascending in time; the best moment to begin when `value(suffix sums)` is
-/// gained.
+/// Contribution of one sample to the gain of an onset.
 struct Moment {
     double time_s = 0.0;
-    Amount amount = Amount::Zero();  // what adds up from here on
+    Amount amount = Amount::Zero();  // to be summed over all samples from the onset on
 };
 
+/// Onset that maximises value(sum of the amounts from the onset on); onsets are times of samples.
 template <class Value>
 Onset best_onset(std::vector<Moment> moments, const Value& value) {
     std::stable_sort(moments.begin(), moments.end(),
@@ -42,7 +42,7 @@ Onset best_onset(std::vector<Moment> moments, const Value& value) {
     return best;
 }
 
-/// Groups of trials in which something may have happened: each alone, and all when there are several.
+/// Trials in which an event may have occurred: each one alone, and all of them (empty) if there are several.
 std::vector<std::optional<std::size_t>> trial_choices(const FitData& data) {
     std::vector<std::optional<std::size_t>> choices;
     for (const std::size_t trial : data.trials) choices.emplace_back(trial);
@@ -54,13 +54,13 @@ bool in_choice(const std::optional<std::size_t>& choice, const statistics::Resid
     return !choice || static_cast<int>(*choice) == series.trial;
 }
 
-/// Measured value less its prediction were the names exchanged: what a swap would do to each entry of the residual.
+/// Change of each entry of the residual if the names of two markers are exchanged.
 class SwapChange {
 public:
     SwapChange(const FitData& data, const JointFit& fit, int first, int second)
         : data_(data), fit_(fit), markers_{first, second} {}
 
-    /// prediction of the other marker less that of the entry's own, in units of the noise; 0 for other markers.
+    /// Prediction of the other marker minus that of the entry's own [noise levels]; 0 for all other markers.
     double at(const statistics::ResidualSeries& series, Index entry) const {
         if (series.marker != markers_[0] && series.marker != markers_[1]) return 0.0;
         const auto other = static_cast<std::size_t>(series.marker == markers_[0] ? markers_[1] : markers_[0]);

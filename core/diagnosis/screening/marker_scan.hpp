@@ -6,10 +6,10 @@
 
 namespace myo::diagnosis {
 
-/// Searches for markers that exchange names or move at some time, in one trial or in all: each pair and each marker at
-/// its best time.
+/// Scores exchanged marker names and slipped markers: each pair and each marker with its best onset, in one trial or in
+/// all.
 ///
-/// No run is needed: the predictions are at hand. Times are those of samples.
+/// Uses the predictions of the fit, no run is needed. Onsets are times of samples.
 std::vector<EffectScore> scan_markers(const setup::Setup& setup, const FitData& data, const JointFit& fit,
                                       const statistics::NuisanceSpace& nuisance, const EffectFilter& allowed);
 

@@ -14,15 +14,15 @@
 namespace myo::diagnosis {
 namespace {
 
-/// A search on its way: where candidates are scored and their fits start, beside the work.
+/// State of the search: the fit from which candidates are scored and fitted.
 struct Search {
     DiagnosisWork& work;
-    std::optional<JointFit> debiased;  // the declared fit with what it has bent put back
+    std::optional<JointFit> debiased;  // declared fit with its distorted parameters reset; empty: not used
 
     const JointFit& base() const { return debiased ? *debiased : work.result.declared.fit; }
 };
 
-/// The declared fit with what it has bent put back, where there is any.
+/// Declared fit with its distorted parameters reset; empty if none is distorted, or if the fit is not usable.
 std::optional<JointFit> debiased_fit(DiagnosisWork& work) {
     const std::optional<prediction::ParameterValues> values = debiased_start(work.result.declared.fit,
                                                                              prediction::declared_values(work.setup));
@@ -38,7 +38,7 @@ std::vector<EffectScore> scored_from(DiagnosisWork& work, const JointFit& base, 
         work.progress);
 }
 
-/// Scores from where something explains most, and says in the search where that is.
+/// Scores from the reset declared fit, or from the declared fit itself if its best effect leaves less; sets the base.
 std::vector<EffectScore> first_scores(Search& search) {
     DiagnosisWork& work = search.work;
     std::vector<EffectScore> scores = work.stage("score", 2 * work.fit_count(), [&] {
@@ -48,7 +48,7 @@ std::vector<EffectScore> first_scores(Search& search) {
     if (work.progress.cancelled() || !search.debiased ||
         best_score(scores).test.explained >= diagnosis_policy.search.sure_base)
         return scores;
-    // What was bent may also be right, or no better elsewhere: then from where the declared fit ended.
+    // The distorted values may be right, or the reset values no better: also score from the declared fit.
     std::vector<EffectScore> others = work.stage(
         "score", work.fit_count(), [&] { return scored_from(work, work.result.declared.fit, ProbeSize::small); });
     if (best_score(others).left >= best_score(scores).left) return scores;
@@ -56,7 +56,7 @@ std::vector<EffectScore> first_scores(Search& search) {
     return others;
 }
 
-/// Each effect once, with its best probe.
+/// Lists each effect once, with its best probe. P-values are Holm-adjusted over all probes.
 void list_candidates(Diagnosis& result, const std::vector<EffectScore>& scores) {
     std::vector<double> p;
     for (const EffectScore& score : scores) p.push_back(score.usable() ? score.test.p : 1.0);
@@ -70,7 +70,7 @@ void list_candidates(Diagnosis& result, const std::vector<EffectScore>& scores) 
     order_candidates(result);
 }
 
-/// Fits the candidates first ... last of the starts.
+/// Fits the candidates of the starts [first, last). Returns false if cancelled.
 bool refit(Search& search, const std::vector<CandidateStart>& starts, std::size_t first, std::size_t last) {
     if (first >= last) return true;
     Diagnosis& result = search.work.result;
@@ -88,15 +88,16 @@ bool refit(Search& search, const std::vector<CandidateStart>& starts, std::size_
     return true;
 }
 
-/// settle() of one candidate: the others stay with the shift of the declared fit.
+/// correct_discretisation() of one candidate; the others keep the shift of the declared fit. Returns false if
+/// cancelled.
 bool correct_candidate(DiagnosisWork& work, JudgedFit& candidate) {
     const bool corrected = correct_discretisation(work, candidate, "last fit", diagnosis_policy.search.correction);
     work.result.data.shift = work.result.numerics.shift;
     return corrected;
 }
 
-/// The numerical error was found with the declared fit, whose motion may be far off: where the best candidates explain
-/// most but not all, it is found anew with them.
+/// Recomputes the numerical error at the best candidates if they explain most but not all of the residual: it was
+/// computed at the declared fit, whose motion may be far off. Returns false if cancelled.
 bool correct_best(DiagnosisWork& work) {
     Diagnosis& result = work.result;
     const std::size_t count = std::min(diagnosis_policy.search.corrected_candidates, result.candidates.size());
@@ -112,7 +113,7 @@ bool correct_best(DiagnosisWork& work) {
     return true;
 }
 
-/// A fit that had to do with secants, or with few evaluations, goes on with derivatives of its own. False: cancelled.
+/// Continues a fit that used secants or few evaluations, with new derivatives. Returns false if cancelled.
 bool polish(DiagnosisWork& work, JudgedFit& found) {
     if (found.numerics || (found.fit.report.jacobians > 1 && found.fit.report.converged())) return true;
     JointFit again = work.fit("refit", found.fit.values, diagnosis_policy.search.polish);
@@ -120,13 +121,13 @@ bool polish(DiagnosisWork& work, JudgedFit& found) {
     if (again.usable() && again.squares() < found.fit.squares())
         found = judged(work.result.data, std::move(again), work.result.settings);
     else
-        found.fit.report.jacobians += again.report.jacobians;  // as many were spent on it
+        found.fit.report.jacobians += again.report.jacobians;  // derivatives spent on this fit
     return true;
 }
 
-/// Fits that leave hardly more than the best are compared on equal terms: each with the numerical error of its own
-/// motion, as that of the declared fit's is nearer to the motion of one than of another (a delayed signal bends between
-/// steps, drag and damping act on other speeds).
+/// Compares rivals of the best fit on equal terms, each with the numerical error of its own motion: that of the
+/// declared fit suits some motions better than others (a delayed signal bends between steps, drag and damping act at
+/// other speeds). Returns false if cancelled.
 bool correct_rivals(DiagnosisWork& work) {
     Diagnosis& result = work.result;
     const double best = least_left(result);
@@ -149,7 +150,7 @@ bool correct_rivals(DiagnosisWork& work) {
     return true;
 }
 
-/// Where nothing explains the residual, the best ones are polished.
+/// Continues the best fits if none explains the residual. Returns false if cancelled.
 bool polish_the_best(DiagnosisWork& work) {
     Diagnosis& result = work.result;
     const std::size_t count = explained(result)
@@ -162,7 +163,7 @@ bool polish_the_best(DiagnosisWork& work) {
     return count == 0 || correct_best(work);
 }
 
-/// How many of the starts are worth a fit after the first ones.
+/// Number of starts, counted from the first, that are fitted in the first two rounds.
 std::size_t worth_going_on(const Diagnosis& result, const std::vector<CandidateStart>& starts, bool surely) {
     const JudgedFit* const best = !result.candidates.empty() && result.candidates.front().judged
                                       ? &*result.candidates.front().judged
@@ -177,7 +178,7 @@ std::size_t worth_going_on(const Diagnosis& result, const std::vector<CandidateS
     return last;
 }
 
-/// Effects of a place or an axis that come close to the best, from other places and axes.
+/// Refits effects with a place or an axis that come close to the best, from other places and axes.
 bool refit_elsewhere(Search& search, const std::vector<EffectScore>& scores) {
     const Diagnosis& result = search.work.result;
     std::vector<CandidateStart> starts;
@@ -188,7 +189,7 @@ bool refit_elsewhere(Search& search, const std::vector<EffectScore>& scores) {
     return refit(search, starts, 0, starts.size());
 }
 
-/// Effects that go with the square of their amount, so that small probes do not show what they would explain.
+/// Scores and fits large probes: small ones underestimate effects whose response is quadratic in their amount.
 bool refit_by_large_probes(Search& search) {
     DiagnosisWork& work = search.work;
     const std::vector<EffectScore> scores = work.stage(
@@ -220,7 +221,7 @@ bool search_effects(DiagnosisWork& work) {
         return false;
     const bool surely = explained(result, Leniency::strict);
     const bool faint = is_faint(result.declared, result.data, result.numerics,
-                                result.settings.policy.judgement);  // what hardly shows is not worth a long search
+                                result.settings.policy.judgement);  // a faint residual does not justify a long search
     const std::size_t last = worth_going_on(result, starts, surely);
     starts.resize(last);
     if (!surely && !faint) {

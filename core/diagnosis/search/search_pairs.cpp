@@ -9,7 +9,7 @@
 namespace myo::diagnosis {
 namespace {
 
-/// One effect of a pair without the other: it may have needed that to find its way only.
+/// Refits one effect of a pair alone, from its values in the pair: its earlier fit may have ended in a local minimum.
 void try_alone(DiagnosisWork& work, const JudgedFit& pair, std::size_t kept) {
     if (work.progress.cancelled() || explained(work.result)) return;
     prediction::ParameterValues values = pair.fit.values;

@@ -4,7 +4,8 @@
 
 namespace myo::diagnosis {
 
-/// Where the best effect leaves something, a second beside it, and each of the two is asked whether it is still needed.
+/// Fits a second effect together with the best one if that leaves an excess, and then refits each of the two alone to
+/// test whether the other is needed.
 void search_pairs(DiagnosisWork& work);
 
 }  // namespace myo::diagnosis

@@ -25,16 +25,16 @@ double mean_noise_m(const FitData& data) {
     return std::sqrt(data.noise_m.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, data.noise_m.size())));
 }
 
-/// What the program's own errors may be after they were taken off [noise levels].
+/// Possible numerical error that remains after its removal [noise levels], limited by the policy.
 double numerical_doubt(const FitData& data, const NumericalError& numerics, const JudgementPolicy& policy) {
     return std::min(policy.most_allowed, numerics.left_rms_m / mean_noise_m(data));
 }
 
-/// Mean square on held-out data [noise squares] beyond the one that noise alone gives.
+/// Mean square on held-out data beyond that of noise alone [noise squares].
 double held_out_excess(double rms) { return std::max(0.0, rms * rms - 1.0); }
 
-/// Whether effects predict what they were not fitted to: other trials, or other times where one trial alone tells of
-/// their numbers.
+/// Whether effects predict data they were not fitted to: other trials, or other blocks of time if a single trial
+/// determines some of their numbers.
 bool predicts_held_out(const JudgedFit& fit, const JudgedFit& before, const JudgementPolicy& policy) {
     const auto rms = fit.single_trial_directions > before.single_trial_directions ? &JudgedFit::held_out_in_time_rms
                                                                                   : &JudgedFit::held_out_rms;
@@ -47,7 +47,7 @@ bool at_bound(const prediction::ModelParameter& p, const prediction::ParameterVa
     return value <= p.parameter.lower + little || value >= p.parameter.upper - little;
 }
 
-/// What is left but for chance [noise levels].
+/// Lower confidence limit of the systematic residual [noise levels].
 double surely_left(const statistics::SystematicRms& systematic, const JudgementPolicy& policy) {
     return std::isfinite(systematic.deviation) ? systematic.rms - policy.chance_deviations * systematic.deviation
                                                : systematic.rms;
@@ -104,8 +104,8 @@ void weigh(const FitData& data, const std::vector<JudgedFit*>& fits, const Judge
     };
     const auto order = [](const JudgedFit* a, const JudgedFit* b) { return a->criterion < b->criterion; };
     compare(&JudgedFit::held_out_rms);
-    // What one trial alone tells of is not tested by holding that out: a fit that is best by it is compared by blocks
-    // of time.
+    // Numbers that a single trial determines are not tested by holding out that trial. If the best fit has more of them
+    // than another, fits are compared by blocks of time.
     int least_told = std::numeric_limits<int>::max();
     for (const JudgedFit* fit : fits)
         if (fit->usable()) least_told = std::min(least_told, fit->single_trial_directions);
@@ -165,7 +165,7 @@ bool differs_from_zero(const JointFit& fit, const JudgementPolicy& policy) {
     const std::size_t first_tried = fit.values.effects.size() - std::min(fit.values.effects.size(), fit.effects.size());
     struct Amount {
         std::string name;
-        double deviations = 0.0;  // of a vector the largest component's
+        double deviations = 0.0;  // vector: of its largest component
     };
     std::map<std::size_t, Amount> amounts;
     for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
@@ -175,7 +175,7 @@ bool differs_from_zero(const JointFit& fit, const JudgementPolicy& policy) {
         if (amount.name != p.of_effect) continue;
         const double deviations = std::abs(prediction::value_of(p, fit.values)) /
                                   fit.report.deviations(static_cast<Eigen::Index>(i));
-        if (deviations > amount.deviations) amount.deviations = deviations;  // not where it is not a number
+        if (deviations > amount.deviations) amount.deviations = deviations;  // false for NaN
     }
     return std::all_of(amounts.begin(), amounts.end(),
                        [&](const auto& amount) { return amount.second.deviations >= policy.significant_deviations; });
@@ -206,8 +206,7 @@ bool explains(const JudgedFit& fit, const JudgedFit& before, const FitData& data
     const double doubt = numerical_doubt(data, own, policy), was = before.tests.systematic.rms;
     const double left = leniency == Leniency::generous ? surely_left(fit.tests.systematic, policy)
                                                        : fit.tests.systematic.rms;
-    // An effect that went as far as it may and leaves something would have gone on: the rest is neither a matter of its
-    // form nor of a doubtful mesh.
+    // An effect at its bound would have grown further: its remainder is due neither to its form nor to the mesh.
     const bool excused = leniency == Leniency::generous && !effect_at_bound(fit.fit);
     const double of_mesh = doubt * (excused ? policy.generous : 1.0),
                  of_form = excused ? policy.share_of_form * was : 0.0;

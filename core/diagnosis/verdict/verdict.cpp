@@ -10,7 +10,7 @@
 namespace myo::diagnosis {
 namespace {
 
-/// Ids of the candidates, most credible first, with the verdict's first.
+/// Ranking: effects or kind of the verdict, then the other candidates, most credible first, then `unknown` and `none`.
 void rank(Diagnosis& d) {
     std::vector<std::string>& ranking = d.verdict.ranking;
     for (const effect::EffectDeclaration& effect : d.verdict.effects) ranking.push_back(effect.id);
@@ -62,7 +62,7 @@ void take_over_corrected(Diagnosis& d) {
                    [](const effect::EffectDeclaration& a, const effect::EffectDeclaration& b) { return a.id == b.id; });
     };
     const auto take_over = [&](JudgedFit& fit) {
-        const double weight = fit.weight;  // it was chosen with
+        const double weight = fit.weight;  // of the selection
         fit = d.augmented;
         fit.weight = weight;
     };

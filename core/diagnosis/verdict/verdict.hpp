@@ -6,20 +6,19 @@
 
 namespace myo::diagnosis {
 
-/// Sets the verdict by the first of verdict_rules() that applies, and gives the fit it stands on: the declared one,
-/// that of the asserted effects, or the best attempt where nothing explains the residual.
+/// Sets the verdict by the first of verdict_rules() that applies. Returns the fit it rests on: that of the declared
+/// model, that of the named effects, or the best attempt if nothing explains the residual.
 JudgedFit decide(Diagnosis& diagnosis);
 
-/// What a person must know where extrapolation may leave more than the noise: how much, of what, and which is to be
-/// finer.
+/// Note for the case that extrapolation may leave more than the noise: size and cause of the error, and the remedy.
 std::string above_noise_note(const NumericalError& numerics, double noise_m);
 
-/// Once the numerical error of the fit that asserted effects stand on, `augmented`, has been found with it: the
-/// verdict, and the fit among the candidates or pairs, are that one's.
+/// Takes over the final fit `augmented`, whose own numerical error is removed, for the values of the verdict and for
+/// the fit among candidates or pairs. Does nothing unless the verdict names effects.
 void take_over_corrected(Diagnosis& diagnosis);
 
-/// Halves the confidence, and says why, where the trials that took no part are predicted worse with the verdict's
-/// effects than without, `before` and `after` being known. The answer stands as it was: these trials choose nothing.
+/// Halves the confidence, and adds a note, if the trials that took no part are predicted worse with the effects of the
+/// verdict than without. Requires `before` and `after`. The verdict stays: these trials choose nothing.
 void discount_worse_predictions(Diagnosis& diagnosis);
 
 }  // namespace myo::diagnosis

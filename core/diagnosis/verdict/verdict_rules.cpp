@@ -26,7 +26,7 @@ Conclusion nothing_missing(const VerdictEvidence& e) {
     return {verdict, d.declared};
 }
 
-/// No force on a body moves each marker by itself.
+/// Residual that is uncorrelated between markers: no force on a body causes that.
 Conclusion drift(const VerdictEvidence& e) {
     const Diagnosis& d = e.diagnosis;
     Verdict verdict{VerdictKind::none};
@@ -59,7 +59,7 @@ Conclusion named(const VerdictEvidence& e, const JudgedFit& fit, double weight) 
     return {verdict, fit};
 }
 
-/// The better of the two attempts, where it does not explain the residual.
+/// Verdict `unknown`, with the better of the best single effect and the best pair.
 Conclusion unexplained(const VerdictEvidence& e) {
     const Diagnosis& d = e.diagnosis;
     const VerdictPolicy& policy = e.policy.verdict;
@@ -74,8 +74,8 @@ Conclusion unexplained(const VerdictEvidence& e) {
     return {verdict, best};
 }
 
-/// A modulus that the declared model left at a bound, too, says nothing against the effect: muscles at unknown levels,
-/// for one, hardly determine it.
+/// Whether a fit removes most of the residual, where the noise was not declared. A modulus at a bound counts against
+/// the effect only if the declared fit has none there: muscles at unknown levels, for example, hardly determine it.
 bool removes_most(const VerdictEvidence& e, const JudgedFit& fit) {
     const Diagnosis& d = e.diagnosis;
     const VerdictPolicy& policy = e.policy.verdict;
@@ -88,13 +88,13 @@ bool removes_most(const VerdictEvidence& e, const JudgedFit& fit) {
            (!untested_by_trials || leaves(&JudgedFit::held_out_in_time_rms, policy.most_left_held_out));
 }
 
-/// The second effect of a pair hardly does anything.
+/// Whether the second effect of the pair hardly reduces the residual.
 bool is_idle(const VerdictEvidence& e) {
     return e.single &&
            e.pair->tests.systematic.rms > e.policy.judgement.most_of_residual * e.single->tests.systematic.rms;
 }
 
-/// Probability that the effect of a fit acts, alone or beside another.
+/// Probability that the effect of a fit acts, alone or with a second one.
 double presence(const Diagnosis& d, const JudgedFit& fit) {
     const auto is_it = [&](const effect::EffectDeclaration& effect) { return effect.id == fit.fit.effects.front().id; };
     double weight = fit.weight;
@@ -116,7 +116,7 @@ bool explains_all(const VerdictEvidence& e, const JudgedFit& fit) {
     return explains(fit, d.declared, d.data, d.numerics, e.policy.judgement);
 }
 
-/// Weight among the fits that explain the residual: others may predict held-out trials better and are not the answer.
+/// Weight among the fits that explain the residual. Others do not count, even if they predict held-out trials better.
 double weight_among_explaining(const VerdictEvidence& e, const JudgedFit& fit) {
     std::vector<const JudgedFit*> others;
     const auto add = [&](const JudgedFit& other) {
@@ -128,14 +128,14 @@ double weight_among_explaining(const VerdictEvidence& e, const JudgedFit& fit) {
     return weight_among(fit, others, e.policy.judgement);
 }
 
-/// Probability that an effect acts and is all there is: where a second one fits better still, though the first explains
-/// the residual alone, the second may be fitting the mesh.
+/// Probability that an effect acts alone. If a pair fits better although the first effect explains the residual, the
+/// second may compensate for the mesh error.
 double weight_alone(const VerdictEvidence& e, const JudgedFit& fit) {
     return std::max(fit.weight, e.policy.verdict.other_form *
                                     std::max(presence(e.diagnosis, fit), weight_among_explaining(e, fit)));
 }
 
-/// One effect removes nearly all, and which second one removes the rest is open.
+/// One effect removes nearly all, but the data do not determine which second effect removes the rest.
 bool second_is_open(const VerdictEvidence& e) {
     return e.single && removes_nearly_all(e) && e.diagnosis.pairs.front().weight < e.policy.verdict.second_effect;
 }

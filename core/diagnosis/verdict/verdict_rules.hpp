@@ -8,51 +8,54 @@
 
 namespace myo::diagnosis {
 
-/// What the rules of the verdict look at.
+/// Input of the verdict rules.
 struct VerdictEvidence {
     const Diagnosis& diagnosis;
     const DiagnosisPolicy& policy;      // of the diagnosis
-    const JudgedFit* single = nullptr;  // of the most credible candidate; null: none was fitted
-    const JudgedFit* pair = nullptr;    // the best one whose parameters other trials test; null: none
+    const JudgedFit* single = nullptr;  // fit of the most credible candidate; null: none was fitted
+    const JudgedFit* pair = nullptr;    // best pair, if other trials test its parameters; otherwise null
 };
+/// Evidence of a diagnosis whose candidates and pairs are ordered.
 VerdictEvidence verdict_evidence(const Diagnosis& diagnosis);
 
-/// A verdict without its ranking, and the fit that it rests on.
+/// Verdict without its ranking, and the fit that it rests on.
 struct Conclusion {
     Verdict verdict;
     JudgedFit fit;
 };
 
+/// Rule of the verdict: a condition, and the conclusion if it holds.
 struct VerdictRule {
     std::string name;
     bool (*applies)(const VerdictEvidence& evidence);
     Conclusion (*conclude)(const VerdictEvidence& evidence);
 };
 
-/// In the order in which they are tried: the first that applies gives the verdict. The last one always applies.
+/// Rules in the order in which they are tried: the first one that applies gives the verdict. The last one always
+/// applies.
 ///
-///   drift            significant, but uncorrelated between markers: none, the measurement drifts
-///   nothing_missing  no test is significant, or the residual is below the program's own error: none
+///   drift            significant, but uncorrelated between markers: `none`, the measurement drifts
+///   nothing_missing  not significant, or below the numerical allowance: `none`
 ///   single_effect    one effect explains the residual
-///   pair             two effects do, and the second is needed
+///   pair             two effects explain it, and the second is needed
 ///   nearly_all       one effect removes all but an eighth of the systematic residual
 ///   most_by_pair     the noise was not declared, and two effects remove most of the residual
-///   most_by_single   the same by one effect
-///   faint            a residual that another simulator of the same model may leave: none
-///   unexplained      unknown
+///   most_by_single   the noise was not declared, and one effect removes most of the residual
+///   faint            small enough to be the difference between two simulators of the same model: `none`
+///   unexplained      otherwise: `unknown`
 const std::vector<VerdictRule>& verdict_rules();
 
-/// "quadratic_drag (coefficient_kg_m3 = 910) and cable_tug (...)". Asserts that there is an effect.
+/// Text such as "quadratic_drag (coefficient_kg_m3 = 910) and cable_tug (...)". Asserts that there is an effect.
 std::string effects_in_words(const std::vector<effect::EffectDeclaration>& effects);
 
-/// How far the systematic residual falls with a fit's effects, in a sentence.
+/// Sentence about the fall of the systematic residual with the effects of a fit.
 std::string systematic_fall(const JudgedFit& fit, const JudgedFit& declared);
 
-/// "2.31 times the noise".
+/// Text such as "2.31 times the noise".
 std::string times_noise(double rms);
 
-/// Whether the parameters of two effects rest on one trial alone, which no other trial tests. A single effect is tested
-/// by the residual itself, and one that acts in one trial cannot be tested by others.
+/// Whether a single trial determines some numbers of a pair, so that no other trial tests them. False for pairs with an
+/// effect that acts in one trial only: other trials cannot test it. A single effect is tested by the residual itself.
 bool is_untested(const JudgedFit& pair, const JudgedFit& declared);
 
 }  // namespace myo::diagnosis
