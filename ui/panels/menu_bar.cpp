@@ -15,7 +15,7 @@
 namespace myo::ui::panels {
 namespace {
 
-// titles in order; the Steps of the palette have no menu
+// titles in order; the Tasks of the palette have no menu
 constexpr std::array<const char*, 5> menus{"File", "Edit", "View", "Run", "Help"};
 
 /// Submenus of File.
