@@ -245,8 +245,7 @@ report::Section candidate_section(const setup::Setup& setup, const Diagnosis& d)
     if (!pairs.rows.empty())
         section.blocks.insert(
             section.blocks.end(),
-            {report::Paragraph{"One effect left a significant residual, so a second one was fitted with the best."},
-             pairs});
+            {report::Paragraph{"One effect left a residual, so a second one was fitted with the best."}, pairs});
     return section;
 }
 
