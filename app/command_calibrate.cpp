@@ -115,7 +115,7 @@ Result<void> write_results(const CalibrateCall& call, const setup::Setup& setup,
 
 /// Reports incomplete results and returns the exit status.
 int end_status(const CalibrateCall& call, const calibration::Calibration& calibration, Console& console) {
-    const std::string restart = " written to " + call.out.string() + ", --resume goes on from them";
+    const std::string restart = " written to " + call.out.string() + ", --resume continues from them";
     if (calibration.stopped) {
         console.complain(calibration.fit.converged()
                              ? "stopped before all trials were predicted; the fitted values are written to " +
@@ -208,7 +208,7 @@ std::function<int()> declare_calibrate(CLI::App& app) {
     add_count(
         app, "--starts", call->starts,
         "fits: the first from the declared values, the others from random ones around them (--seed); the best is kept");
-    app.add_flag("--resume", call->resume, "go on from the calibrate.json in DIR");
+    app.add_flag("--resume", call->resume, "continue from the calibrate.json in DIR");
     return [call] { return calibrate_command(*call); };
 }
 

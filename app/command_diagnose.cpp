@@ -74,16 +74,15 @@ std::string verdict_lines(const diagnosis::Diagnosis& d) {
     for (const effect::EffectDeclaration& effect : d.verdict.effects) text += diagnosis::effect_words(effect) + "  ";
     text += " (confidence " + format_number(d.verdict.confidence, 3) + ")\n" + d.verdict.because;
     for (const diagnosis::Confusion& c : diagnosis::confusions_of_verdict(d))
-        text += (diagnosis::is_decided(d, c) ? "\nalike here, but the fits decide: "
-                                             : "\nnot to be told apart here: ") +
+        text += (diagnosis::is_decided(d, c) ? "\nsimilar here, but the fits decide: " : "\nconfounded here: ") +
                 c.first + " and " + c.second + " (cosine " + format_number(c.cosine, 4) + "); " + c.next_experiment +
-                " would tell them apart";
+                " would separate them";
     for (const std::string& note : d.notes) text += "\nnote: " + note;
     if (d.missing_force && !d.missing_force->failure.empty())
         text += "\nno force is inferred: " + d.missing_force->failure;
     if (d.missing_force && !d.missing_force->modes.empty())
         text += "\na force would explain " + format_number(100.0 * d.missing_force->removed(), 3) +
-                " % of what is left in " + d.missing_force->trial + ": up to " +
+                " % of the residual of " + d.missing_force->trial + ": up to " +
                 format_number(d.missing_force->modes.front().peak_N(), 3) + " N " +
                 d.missing_force->modes.front().where;
     return text;
@@ -152,7 +151,7 @@ int diagnose_command(const DiagnoseCall& call) {
     const double setup_s = opening.stopwatch.seconds();
     const diagnosis::Diagnosis d = diagnosis::whole_diagnosis(setup, settings, progress);
     if (d.stopped) {
-        console.complain("stopped; what was fitted is kept in " + call.out.string() + ", --resume goes on from it");
+        console.complain("stopped; what was fitted is kept in " + call.out.string() + ", --resume continues from it");
         return status_stopped;
     }
     if (!d.failure.empty()) {
@@ -189,9 +188,9 @@ std::function<int()> declare_diagnose(CLI::App& app) {
                    if (!effect::find_effect(id))
                        throw CLI::ValidationError("--without", unknown_word(id, effect::effect_ids()));
            },
-           "effects that shall not be considered")
+           "effects to exclude")
         ->type_name("A,B");
-    app.add_flag("--resume", call->resume, "go on from the fits kept in DIR by a run that was stopped");
+    app.add_flag("--resume", call->resume, "continue from the fits kept in DIR by a run that was stopped");
     return [call] { return diagnose_command(*call); };
 }
 

@@ -124,7 +124,7 @@ Result<MeshOutcome> mesh_surface(const MeshCall& call, const Progress& progress)
 /// Reads a volume mesh and converts it if possible; tet4 to tet10 is the only conversion.
 Result<MeshOutcome> check_volume(const MeshCall& call) {
     if (call.resolution_m || call.max_volume_m3 || call.quality)
-        return Error{"is a volume mesh already: its elements can be checked and converted, not made anew",
+        return Error{"is a volume mesh already: its elements can be checked and converted, not remeshed",
                      call.file.string()};
     Result<mesh::VolumeMesh> mesh = mesh::read_volume(call.file, call.metres_per_unit.value_or(1.0));
     if (!mesh) return mesh.error();

@@ -103,7 +103,7 @@ Result<void> write_results(const OptimizeCall& call, const setup::Setup& setup, 
 /// Reports an incomplete search and returns the exit status.
 int end_status(const OptimizeCall& call, const calibration::Optimization& result, Console& console) {
     const std::string kept = "; the best signals so far are written to " + call.out.string() +
-                             ", --resume goes on from them";
+                             ", --resume continues from them";
     if (result.stopped) {
         console.complain("stopped before the search converged" + kept);
         return status_stopped;
@@ -199,7 +199,7 @@ std::function<int()> declare_optimize(CLI::App& app) {
     add_count(app, "--max-evaluations", call->max_evaluations, "runs with their gradient, at most (default: 100)");
     add_count(app, "--starts", call->starts,
               "searches: the first from where the signals rest, the others from random levels (--seed)");
-    app.add_flag("--resume", call->resume, "go on from the optimize.json in DIR");
+    app.add_flag("--resume", call->resume, "continue from the optimize.json in DIR");
     return [call] { return optimize_command(*call); };
 }
 

@@ -108,7 +108,7 @@ std::function<int()> declare_screenshot(CLI::App& app) {
                    "quantity that colours the body: displacement, stretch, von_mises, ...")
         ->type_name("NAME");
     app.add_option("--import", call->picture.import,
-                   "recording of motion capture to be looked at, as before it becomes a trial")
+                   "recording of motion capture to show, as before it becomes a trial")
         ->type_name("FILE");
     add_unit(app, call->picture.metres_per_unit);
     app.add_flag("--calibrate", call->picture.calibrate, "calibrate before drawing, instead of a plain run");

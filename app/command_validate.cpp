@@ -110,7 +110,8 @@ int run_validate(ValidateCall call) {
     const int status = call.defaults ? defaults_validation(call, progress, console)
                                      : diagnosis_validation(call, progress, console);
     if (status != status_done || !progress.cancelled()) return status;
-    console.complain("stopped; finished cases are kept in " + call.out.string() + ", the same call goes on from them");
+    console.complain("stopped; finished cases are kept in " + call.out.string() +
+                     ", the same call continues from them");
     return status_stopped;
 }
 
@@ -133,9 +134,9 @@ std::function<int()> declare_validate(CLI::App& app) {
     app.add_option("--out", call->out,
                    "folder for cases and results, made when missing; finished cases in it are not repeated")
         ->type_name("DIR");
-    app.add_flag(
-        "--defaults", call->defaults,
-        "calibrate random experiments with nothing but defaults instead: how often are numbers wrong without a word?");
+    app.add_flag("--defaults", call->defaults,
+                 "calibrate random experiments with nothing but defaults instead: how often are numbers wrong without "
+                 "a warning?");
     add_count(app, "--cases", call->options.range.cases, "number of cases (default: 24)");
     app.add_option_function<std::string>(
            "--first",

@@ -14,7 +14,7 @@ const std::vector<Subcommand>& commands() {
     static const std::vector<Subcommand> table{
         {"simulate", "Runs the trials of an experiment folder with its declared model", declare_simulate},
         {"calibrate", "Fits the declared unknowns of an experiment folder and reports", declare_calibrate},
-        {"diagnose", "Finds the physical effect that the declared model lacks, and what it is worth", declare_diagnose},
+        {"diagnose", "Finds the physical effect that the declared model lacks, with its parameters", declare_diagnose},
         {"validate", "Diagnoses synthetic experiments with known answers: how reliable diagnose is", declare_validate,
          "study"},
         {"optimize", "Finds the actuation that makes the markers follow a trial's trace", declare_optimize},
@@ -22,7 +22,7 @@ const std::vector<Subcommand>& commands() {
          declare_gradcheck},
         {"mesh", "Meshes a surface, or checks a volume mesh; prints counts and quality", declare_mesh},
         {"screenshot", "Draws the workbench into a picture, without a display", declare_screenshot},
-        {"reproduce", "Repeats an experiment of the paper, our numbers beside its own", declare_reproduce},
+        {"reproduce", "Repeats an experiment of the paper and compares the numbers", declare_reproduce},
         {"bench", "Measures speed and memory of the solver; prints a table", declare_bench},
         {"frames", "Measures how long the workbench takes for a frame, drawn without a display", declare_frames},
         {"effects", "Lists the vocabulary of missing effects", declare_effects},

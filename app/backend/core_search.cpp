@@ -98,9 +98,9 @@ std::vector<ui::commands::ParameterRow> signal_rows(const inverse::ActuationProb
     std::vector<ui::commands::ParameterRow> rows;
     for (std::size_t s = 0; s < problem.sought.signals.size(); ++s) {
         const auto row = static_cast<Eigen::Index>(s);
-        rows.push_back({problem.sought.signals[s].name + ", least a", "", start.row(row).minCoeff(),
+        rows.push_back({problem.sought.signals[s].name + ", minimum a", "", start.row(row).minCoeff(),
                         values.row(row).minCoeff(), nothing_known});
-        rows.push_back({problem.sought.signals[s].name + ", greatest a", "", start.row(row).maxCoeff(),
+        rows.push_back({problem.sought.signals[s].name + ", maximum a", "", start.row(row).maxCoeff(),
                         values.row(row).maxCoeff(), nothing_known});
     }
     return rows;
@@ -310,7 +310,7 @@ Result<ui::commands::SearchResult> optimize_scene(const ui::commands::Scene& sce
     if (!found.fit.converged() && !found.stopped) result.problem = "The search did not converge: " + found.fit.message;
     result.parameters = signal_rows(*problem, found.fit.start, found.fit.values);
     for (ui::commands::ParameterRow& row : result.parameters) row.deviation = nothing_known;
-    result.notes = {"Signals follow " + request.trial + "; they are those of the muscles now, in all trials."};
+    result.notes = {"Signals follow " + request.trial + "; the muscles use them in all trials now."};
     result.rms_before_m = found.before.fit_rms_m;
     result.rms_after_m = found.after.fit_rms_m;
     result.run = shown.found(found.fit);

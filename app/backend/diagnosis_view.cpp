@@ -147,9 +147,9 @@ public:
                                       diagnosis::name_in_sentence(c.second) + " (cosine " + format_number(c.cosine, 3) +
                                       "); " + c.next_experiment + " would separate them.";
             if (diagnosis::is_decided(d_, c))
-                view_.alike.push_back("Alike here, but the fits decide: " + words);
+                view_.alike.push_back("Similar here, but the fits decide: " + words);
             else
-                view_.confounded.push_back("Not to be told apart here: " + words);
+                view_.confounded.push_back("Confounded here: " + words);
         }
         return std::move(view_);
     }
@@ -163,7 +163,7 @@ private:
         switch (verdict.kind) {
             case diagnosis::VerdictKind::none:
                 view_.verdict = ui::commands::DiagnosisVerdict::none;
-                view_.headline = "Nothing is missing";
+                view_.headline = "No effect is missing";
                 chosen_ = declared_key;
                 break;
             case diagnosis::VerdictKind::effects:
@@ -175,7 +175,7 @@ private:
                 break;
             case diagnosis::VerdictKind::unknown:
                 view_.verdict = ui::commands::DiagnosisVerdict::unknown;
-                view_.headline = "Something is missing that none of the known effects explains";
+                view_.headline = "An effect is missing that none of the known effects explains";
                 chosen_ = d_.missing_force && !d_.missing_force->modes.empty() ? missing_force_key : "";
                 break;
         }
@@ -192,7 +192,7 @@ private:
         const double before = d_.before.validation_rms_m, after = d_.after.validation_rms_m;
         if (d_.verdict.kind != diagnosis::VerdictKind::none && std::isfinite(before) && std::isfinite(after) &&
             before > 0.0)
-            text += " On trials that took no part the error goes from " + format_number(1e3 * before, 3) + " to " +
+            text += " On trials that were not used the error changes from " + format_number(1e3 * before, 3) + " to " +
                     format_number(1e3 * after, 3) + " mm.";
         return text;
     }
@@ -294,7 +294,7 @@ private:
     void add_rows() {
         ui::commands::DiagnosisRow declared = fitted_row(declared_key, "Declared model", d_.declared);
         declared.kind = ui::commands::DiagnosisRow::Kind::declared;
-        declared.value = "nothing added";
+        declared.value = "no effect added";
         declared.predicted_m.clear();
         declared.after_m.clear();
         view_.rows.push_back(std::move(declared));

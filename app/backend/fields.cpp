@@ -58,11 +58,11 @@ struct Field {
 const std::vector<Field>& catalogue() {
     static const std::vector<Field> all{
         {{"displacement", "Displacement |u|", "mm", 1e-3, false,
-          "|u| = |x \xe2\x88\x92 X|: distance of a point x from where it rests, X."},
+          "|u| = |x \xe2\x88\x92 X|: distance of a point x from its rest position X."},
          false,
          displacement},
         {{"velocity", "Velocity |v|", "mm/s", 1e-3, false,
-          "|v| = |dx/dt|: speed of a point, by central differences of the frames that are shown."},
+          "|v| = |dx/dt|: speed of a point, by central differences of the shown frames."},
          false,
          velocity},
         {{"stretch", "Stretch \xce\xbb\xe2\x82\x81", "", 1.0, false,
@@ -73,15 +73,15 @@ const std::vector<Field>& catalogue() {
          [](const FieldInput& in) { return in.at_nodes(in.means().stretch); }},
         {{"von_mises", "Von Mises stress", "kPa", 1e3, false,
           "\xcf\x83\xe1\xb5\xa5 = \xe2\x88\x9a(3/2 s : s), s = \xcf\x83 \xe2\x88\x92 tr(\xcf\x83)/3 I, of Cauchy's "
-          "stress \xcf\x83, law and fibres together, mean over a cell; at a node the mean of the cells around."},
+          "stress \xcf\x83, law and fibres together, mean over a cell; at a node the mean of the surrounding cells."},
          true,
          [](const FieldInput& in) { return in.at_nodes(in.means().von_mises_Pa); }},
         {{"pressure", "Pressure p", "kPa", 1e3, true,
-          "p = \xe2\x88\x92tr(\xcf\x83)/3 of Cauchy's stress \xcf\x83: positive where the body is pressed together."},
+          "p = \xe2\x88\x92tr(\xcf\x83)/3 of Cauchy's stress \xcf\x83: positive in compression."},
          true,
          [](const FieldInput& in) { return in.at_nodes(in.means().pressure_Pa); }},
         {{"activation", "Contraction 1 \xe2\x88\x92 a", "%", 0.01, true,
-          "How much shorter the muscle wants to be than at rest, 1 \xe2\x88\x92 a(t), times the share of a cell that "
+          "Target shortening of the muscle relative to rest, 1 \xe2\x88\x92 a(t), times the share of a cell that "
           "is muscle; negative where it lengthens."},
          true,
          activation}};

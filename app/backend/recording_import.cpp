@@ -81,12 +81,12 @@ bool has_trials(const ui::commands::Scene& scene) { return !source_of(scene).exp
 std::string problem_of(const ui::commands::Scene& scene, const ui::commands::ImportChoices& choices,
                        const ui::commands::ImportView& view) {
     // A signed permutation has determinant 1 or -1; -1 is a reflection, 0 a repeated axis.
-    if (rotation_of(choices.axes).determinant() < 0.5) return "The axes mirror the body: turn one of them round.";
+    if (rotation_of(choices.axes).determinant() < 0.5) return "The axes mirror the body: reverse one of them.";
     std::set<std::string> names;
     for (std::size_t i = 0; i < choices.markers.size(); ++i) {
         const ui::commands::ImportedMarker& marker = choices.markers[i];
         if (marker.name.empty()) continue;
-        if (!names.insert(marker.name).second) return "Two labels are the marker " + marker.name + ".";
+        if (!names.insert(marker.name).second) return "Two labels are assigned to the marker " + marker.name + ".";
         if (has_trials(scene) && !declared(declared_scene_markers(scene), marker.name))
             return "The experiment has no marker " + marker.name + ".";
         if (!view.target_m.col(static_cast<Index>(i)).allFinite())
@@ -94,7 +94,7 @@ std::string problem_of(const ui::commands::Scene& scene, const ui::commands::Imp
         if (!has_trials(scene) && !view.before_m.col(static_cast<Index>(i)).allFinite())
             return "The marker " + marker.name + " is not seen before the start; leave it out.";
     }
-    if (names.empty()) return "No label is a marker of the body yet.";
+    if (names.empty()) return "No label is assigned to a marker yet.";
     const experiment::Experiment& experiment = source_of(scene).experiment;
     // Displacements are relative to the rest pose, so every marker of the body must be visible before the start.
     if (has_trials(scene) && experiment.markers.compare == experiment::Comparison::displacement)
@@ -111,7 +111,7 @@ std::string problem_of(const ui::commands::Scene& scene, const ui::commands::Imp
         return "The experiment has a trial " + choices.trial + " already: choose another name.";
     if (!has_trials(scene) && choices.folder.empty()) return "Choose a new folder for the experiment.";
     if (is_bundled(scene) && choices.folder.empty())
-        return "Bundled examples stay as they are: choose a folder for a copy of this one.";
+        return "Bundled examples are not changed: choose a folder for a copy of this one.";
     return "";
 }
 
@@ -191,7 +191,7 @@ ui::commands::ImportView view_recording(const ui::commands::Scene& scene, const 
     } else if (!pairs.empty()) {
         view.translation_m = (to - view.rotation * from).rowwise().mean();
         view.placed_by = "Shifted by " + number +
-                         (choices.turns ? "; three that are not on one line turn it, too." : ".");
+                         (choices.turns ? "; three that are not collinear turn it, too." : ".");
     } else {
         // Without pairs the centre of the markers is placed at the centre of the body, so that they are visible.
         Vector3d sum = Vector3d::Zero();
@@ -200,7 +200,7 @@ ui::commands::ImportView view_recording(const ui::commands::Scene& scene, const 
             if (seen.col(i).allFinite()) sum += seen.col(i), ++finite;
         const Box box = scene.surface.vertices.cols() > 0 ? mesh::bounding_box(scene.surface.vertices) : Box{};
         view.translation_m = 0.5 * (box.lowest + box.highest) - view.rotation * sum / std::max(1, finite);
-        view.placed_by = "Not placed yet: its middle is put on that of the body.";
+        view.placed_by = "Not placed yet: its centre is put on the centre of the body.";
     }
     view.before_m = (view.rotation * seen).colwise() + view.translation_m;
     view.residual_m = (view.before_m - view.target_m).colwise().norm();
@@ -245,7 +245,8 @@ Result<ui::commands::ImportChoices> propose_recording_markers(const ui::commands
     // Three placed markers determine the rigid motion; the others follow from it and are projected onto the surface.
     const auto placed = std::count_if(choices.markers.begin(), choices.markers.end(),
                                       [](const ui::commands::ImportedMarker& m) { return m.rest_m.has_value(); });
-    if (placed < 3) return Error{"Click where three of the markers sit on the body; the others can then be told.", ""};
+    if (placed < 3)
+        return Error{"Click where three of the markers sit on the body; the others can then be matched.", ""};
     const mesh::BoundaryLocator surface(body.mesh, body.boundary);
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const Vector3d place = view.before_m.col(static_cast<Index>(i));

@@ -78,10 +78,10 @@ public:
                 to_string(integrator), label, explanation, damping, critical, has_radius, quality};
         };
         return {entry(dynamics::Integrator::tr_bdf2, "TR-BDF2",
-                      "Second order, no visible damping of its own: for data.\n"
+                      "Second order, no visible numerical damping: for data.\n"
                       "The trapezoidal rule over γ h, γ = 2 − √2, then BDF2 over the whole step (Bank et al. 1985)."),
                 entry(dynamics::Integrator::implicit_euler, "Implicit Euler",
-                      "First order, as in the paper: damps by itself, ζ ≈ ω h / 2.\nx₁ = x₀ + h v₁, M (v₁ − v₀) / h = "
+                      "First order, as in the paper: numerical damping ζ ≈ ω h / 2.\nx₁ = x₀ + h v₁, M (v₁ − v₀) / h = "
                       "f(x₁) + Λ M v₀"),
                 entry(dynamics::Integrator::bdf2, "BDF2",
                       "Second order, one solve a step, damps more than TR-BDF2.\n"
@@ -173,15 +173,15 @@ public:
                                       ? "the least det(e₁, e₂, e₃) / (|e₁| |e₂| |e₃|) of the edges at its corners and "
                                         "in its middle (Knupp 2003)"
                                       : "12 (3 V)^(2/3) / Σ of its squared edges (Liu & Joe 1994)";
-        body.report = {{"Volume", formatted("%.4g cm³", 1e6 * quality.volume), false, "Of all elements together."},
-                       {"Volume error", formatted("%.3f %%", 100.0 * quality.volume_error.value_or(0.0)),
-                        std::abs(quality.volume_error.value_or(0.0)) > 0.02,
-                        "(V − V₀) / V₀ of the elements' volume V and the surface's V₀; orange above 2 %."},
-                       {"Least " + quality.measure, formatted("%.3f", quality.least), quality.least < 0.1,
-                        "Shape of the worst element, " + shape +
-                            ": 1 is perfect, 0 flat, less turned inside out; orange below 0.1."},
-                       {"Mean edge", formatted("%.3g mm", 1e3 * quality.mean_edge), false,
-                        "Mean length of the edges between corners, each once."}};
+        body.report = {
+            {"Volume", formatted("%.4g cm³", 1e6 * quality.volume), false, "Sum over all elements."},
+            {"Volume error", formatted("%.3f %%", 100.0 * quality.volume_error.value_or(0.0)),
+             std::abs(quality.volume_error.value_or(0.0)) > 0.02,
+             "(V − V₀) / V₀ of the elements' volume V and the surface's V₀; orange above 2 %."},
+            {"Least " + quality.measure, formatted("%.3f", quality.least), quality.least < 0.1,
+             "Shape of the worst element, " + shape + ": 1 is perfect, 0 flat, below 0 inverted; orange below 0.1."},
+            {"Mean edge", formatted("%.3g mm", 1e3 * quality.mean_edge), false,
+             "Mean length of the edges between corners, each once."}};
         if (is_volume_file(scene.path))
             body.report.insert(
                 body.report.begin(),

@@ -183,10 +183,11 @@ std::string with_layers(fem::ElementKind element, int layers) {
 }  // namespace
 
 BenchCase bench_accuracy() {
-    BenchCase result{"accuracy",
-                     "a bar of 200 x 5 x 5 mm beside beam theory: layers, Poisson's ratio (0.49 where not told), long "
-                     "and skewed cells",
-                     {}};
+    BenchCase result{
+        "accuracy",
+        "a bar of 200 x 5 x 5 mm against beam theory: layers, Poisson's ratio (0.49 where not stated), long "
+        "and skewed cells",
+        {}};
     const auto add = [&](AccuracyRow row) {
         result.runs.push_back({row.name, [row] { return measure_accuracy(row); }});
     };

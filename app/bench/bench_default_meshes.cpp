@@ -65,7 +65,7 @@ Result<BenchFigures> measure_default_mesh(const SolvedBox& box, fem::ElementKind
 
 BenchCase bench_default_meshes() {
     BenchCase result{"default-meshes",
-                     "bodies held at one end, with the cells that the program chooses, beside an independent program",
+                     "bodies held at one end, with the cells that the program chooses, against an independent program",
                      {}};
     for (const fem::ElementKind element : {fem::ElementKind::hex8, fem::ElementKind::tet10})
         for (const SolvedBox& box : solved_boxes)

@@ -25,7 +25,7 @@ Result<BenchFigures> locking(const BenchBeam& beam) {
 BenchCase bench_locking() {
     BenchCase result{"locking",
                      "deflection of the soft beam's tip under gravity (neo-Hookean, statics) with every element, "
-                     "beside converged values",
+                     "against converged values",
                      {}};
     for (const std::string& id : fem::element_ids()) {
         BenchBeam beam;

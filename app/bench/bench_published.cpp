@@ -86,8 +86,8 @@ Result<BenchFigures> honest(const Eigen::Vector3i& cells) {
 
 BenchCase bench_published() {
     BenchCase result{"published",
-                     "the formulation as published beside traces of the published program, and the default model "
-                     "beside converged values",
+                     "the formulation as published against traces of the published program, and the default model "
+                     "against converged values",
                      {}};
     for (const PublishedTrace& trace : published_traces())
         result.runs.push_back({trace.file, [trace] { return beside_trace(trace); }});

@@ -40,7 +40,7 @@ Result<BenchFigures> tangents(int count) {
 
 BenchCase bench_tangents() {
     return {"tangents",
-            "exact sensitivities beside the default run",
+            "exact sensitivities with the default run",
             {{"2", [] { return tangents(2); }}, {"40", [] { return tangents(40); }}}};
 }
 

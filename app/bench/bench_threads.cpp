@@ -38,7 +38,7 @@ Result<BenchFigures> two_threads(const Eigen::Vector3i& cells, int steps) {
 
 BenchCase bench_threads() {
     return {"threads",
-            "one run on two threads beside one, TR-BDF2, residual 1e-6, wall clock: for an otherwise idle machine",
+            "one run on two threads against one, TR-BDF2, residual 1e-6, wall clock: for an otherwise idle machine",
             {{"4,608 DOF",
               [] {
                   return two_threads({23, 7, 7}, 40);

@@ -275,7 +275,7 @@ std::vector<std::string> findings_of(const Assessments& all) {
         "With a signal of its own the antagonist contracts to " + format_number(lowest, 3) +
         " at most (AC2 would have it at " + format_number(1.0 - 0.5 * (late.arm.fits.back().signals(0) - 1.0), 3) +
         "). The arm bends " + format_number(bending_direction(late.arm.measured_m) * 180.0 / std::numbers::pi, 2) +
-        " deg beside the x axis, which is about what hand-placed markers leave uncertain; the paper left y out.");
+        " deg off the x axis, which is about what hand-placed markers leave uncertain; the paper left y out.");
     if (!late.others.empty())
         findings.push_back(
             "Other recordings at pressures inside the map are predicted, in the plane of their own bending, with " +

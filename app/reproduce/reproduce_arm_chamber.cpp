@@ -155,7 +155,7 @@ Result<Reproduction> run_arm_chamber(const ReproduceSettings& settings, const Pr
     const Result<std::vector<RobotTrial>> trials = read_arm_sweep(settings);
     if (!trials) return trials.error();
     Reproduction result;
-    result.title = "Pneumatic arm: pressure in true chambers beside the muscle model";
+    result.title = "Pneumatic arm: pressure in true chambers against the muscle model";
     if (!own_file)
         result.warnings.push_back(
             "the fine mesh of the paper's arm with its ribbed chambers is not public: a plain arm with chambers stands "
@@ -242,7 +242,7 @@ Result<Reproduction> run_arm_chamber(const ReproduceSettings& settings, const Pr
 }  // namespace
 
 ReproductionCase reproduce_arm_chamber() {
-    return {"arm-chamber", "pressure in true chambers of an arm beside the muscle model", run_arm_chamber};
+    return {"arm-chamber", "pressure in true chambers of an arm against the muscle model", run_arm_chamber};
 }
 
 }  // namespace myo::reproduce

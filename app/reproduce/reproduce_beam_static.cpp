@@ -261,7 +261,7 @@ std::vector<std::string> findings_of(const std::vector<StaticRow>& rows) {
                 mm(std::abs(fine_tet_a.dz_mm[true_mass] - tet_a.dz_mm[true_mass])) +
                 " with the true mass: finer meshes had their mass wrong too (" +
                 format_number(100.0 * fine_tet_a.mass_share, 3) + " %), which hid the gain.",
-            "Case E, hexahedra as published: " + mm(hex_e.dz_mm[published]) + " beside the commercial solver's " +
+            "Case E, hexahedra as published: " + mm(hex_e.dz_mm[published]) + " against the commercial solver's " +
                 mm(commercial[2].dz_mm) + ": a body with three quarters of the bending stiffness makes up for locking.",
             "Our model is within " + format_number(100.0 * worst_hex, 2) + " % (hexahedra) and " +
                 format_number(100.0 * worst_tet, 2) +
@@ -286,7 +286,7 @@ Result<Reproduction> run_beam_static(const ReproduceSettings& settings, const Pr
     result.figures.push_back(
         {"",
          {step_figure(*rows, *trials),
-          "Every case: from the published model to ours, beside the commercial solver and the real beam."}});
+          "Every case: from the published model to ours, with the commercial solver and the real beam."}});
     for (const StaticRow& row : *rows) {
         report::Json entry = {{"case", row.one.cases},
                               {"mesh", row.one.mesh()},

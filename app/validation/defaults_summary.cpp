@@ -61,7 +61,7 @@ report::Table rate_table(const DefaultsSummary& s) {
         table.rows.push_back({name, p.count, p.of, 100.0 * p.share(), 100.0 * p.lower(), 100.0 * p.upper()});
     };
     add("right, or the true cause named", s.right);
-    add("wrong without a word", s.silent);
+    add("wrong without a warning", s.silent);
     add("false alarms", s.false_alarms);
     add("right with half a sampling interval as step, without a slip", s.half_interval_right);
     for (const auto& [slip, p] : s.by_slip) add("right or named, slip: " + slip, p);
@@ -139,7 +139,7 @@ std::string summary_text(const DefaultsSummary& s) {
     std::string text = std::to_string(s.cases) + " cases";
     for (const auto& [answer, count] : s.answers) text += ", " + std::to_string(count) + " " + to_string(answer);
     text += "\n\nright, or the true cause named: " + at_least_words(s.right);
-    text += "\nwrong without a word:           " + at_most_words(s.silent);
+    text += "\nwrong without a warning:        " + at_most_words(s.silent);
     text += "\nfalse alarms:                   " + at_most_words(s.false_alarms);
     for (const auto& [slip, p] : s.by_slip) text += "\n  slip " + slip + ": " + at_least_words(p);
     for (const auto& [shape, p] : s.by_shape) text += "\n  " + shape + ": " + at_least_words(p);
@@ -173,7 +173,7 @@ report::Json summary_json(const DefaultsSummary& s) {
 
 report::HtmlReport defaults_report(const std::vector<DefaultsRecord>& records, const std::string& command_line) {
     const DefaultsSummary s = defaults_summary(records);
-    report::HtmlReport report{.title = "What the defaults are worth"};
+    report::HtmlReport report{.title = "Reliability of the defaults"};
     report.summary = {std::to_string(s.cases) +
                           " random experiments, simulated by another element with mesh and step refined until they "
                           "settle, calibrated with nothing but defaults; a third of them declared with a slip.",
@@ -182,7 +182,7 @@ report::HtmlReport defaults_report(const std::vector<DefaultsRecord>& records, c
     const auto percent = [](double share) { return format_number(100.0 * share, 3); };
     report.key_figures = {
         {"right or named", percent(s.right.share()), "%", "at least " + percent(s.right.lower()) + " %"},
-        {"wrong without a word", percent(s.silent.share()), "%", "at most " + percent(s.silent.upper()) + " %"},
+        {"wrong without a warning", percent(s.silent.share()), "%", "at most " + percent(s.silent.upper()) + " %"},
         {"false alarms", percent(s.false_alarms.share()), "%", "at most " + percent(s.false_alarms.upper()) + " %"},
         {"time", format_number(s.median_time_ratio, 3), "", "over that with half a sampling interval, median"}};
     report.sections.push_back({"Rates", {rate_table(s)}});

@@ -33,9 +33,9 @@ report::Table rate_table(const ValidationSummary& s) {
     };
     add("right first", s.top_1);
     add("right among two", s.top_2);
-    add("right first, where no other effect is said to look alike", s.separable_top_1);
+    add("right first, where no other effect is confounded", s.separable_top_1);
     add("right among two, there", s.separable_top_2);
-    add("right, or said not to be told apart from the truth", s.in_group);
+    add("right, or confounded with the truth", s.in_group);
     add("effect missed (answered none)", s.missed);
     add("false alarm without an effect", s.false_alarms);
     add("deleted effect answered unknown", s.unknown);
@@ -51,7 +51,7 @@ report::Table confusion_table(const ValidationSummary& s) {
     for (const auto& [truth, row] : s.confusion)
         for (const auto& [answer, count] : row) answers.insert(answer);
     report::Table table{
-        "Rows: what is true, in brackets what the diagnosis was not told of. Columns: what it answered.",
+        "Rows: truth, in brackets an effect deleted from the catalogue. Columns: answer of the diagnosis.",
         {{"Truth"}},
         {}};
     for (const std::string& answer : answers) table.columns.push_back({answer});
@@ -66,8 +66,9 @@ report::Table confusion_table(const ValidationSummary& s) {
 
 /// Accuracy of the parameters of correctly named effects.
 report::Table parameter_table(const ValidationSummary& s) {
-    report::Table table{
-        "Of effects named rightly.", {{"Effect"}, {"Parameter"}, {"Median error"}, {"Good"}, {"Of"}}, {}};
+    report::Table table{"Parameters of effects that were named correctly.",
+                        {{"Effect"}, {"Parameter"}, {"Median error"}, {"Good"}, {"Of"}},
+                        {}};
     for (const ParameterQuality& q : s.parameters)
         table.rows.push_back(
             {q.effect, q.parameter,
@@ -91,7 +92,7 @@ report::Table wrong_table(const std::vector<CaseRecord>& records) {
                          {"Size", "× noise", 3},
                          {"Answer"},
                          {"Confidence", "", 2},
-                         {"Like the truth"},
+                         {"Similar to truth"},
                          {"Held out before", "× noise", 3},
                          {"After", "× noise", 3}},
                         {}};
@@ -113,7 +114,7 @@ std::string reliability_figure(const ValidationSummary& summary) {
     chart.x = {.label = "stated confidence", .lowest = 0.0, .highest = 1.0};
     report::ChartPanel panel;
     panel.y = {.label = "share of right answers", .lowest = 0.0, .highest = 1.0};
-    panel.series.push_back({.name = "as it should be",
+    panel.series.push_back({.name = "ideal",
                             .x = {0.0, 1.0},
                             .y = {0.0, 1.0},
                             .style = report::SeriesStyle::dashed,
@@ -135,7 +136,7 @@ std::string reliability_figure(const ValidationSummary& summary) {
 
 report::HtmlReport validation_report(const std::vector<CaseRecord>& records, const std::string& command_line) {
     const ValidationSummary s = validation_summary(records);
-    report::HtmlReport report{.title = "How far the diagnosis is to be trusted"};
+    report::HtmlReport report{.title = "Reliability of the diagnosis"};
     std::string families;
     for (const auto& [family, count] : s.families)
         families += (families.empty() ? "" : ", ") + std::to_string(count) + " " + family;
@@ -152,7 +153,7 @@ report::HtmlReport validation_report(const std::vector<CaseRecord>& records, con
         {"calibration error", format_number(s.calibration_error, 2), "", "mean distance of confidence and share right"},
         {"diagnosis", format_number(s.median_diagnose_s, 3), "s", "median, one thread"}};
     if (s.failed > 0)
-        report.warnings.lines = {std::to_string(s.failed) + " cases failed and count in none of the rates."};
+        report.warnings.lines = {std::to_string(s.failed) + " cases failed and are not counted in any rate."};
     report.sections.push_back({"Rates", {rate_table(s)}});
     report.sections.push_back({"Answers", {confusion_table(s)}});
     report.sections.push_back(

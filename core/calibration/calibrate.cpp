@@ -205,12 +205,12 @@ std::vector<std::string> calibration_warnings(const setup::Setup& setup, const C
         const inverse::Parameter& parameter = calibration.parameters[static_cast<std::size_t>(i)].parameter;
         // The standard deviation exceeds half the range, so the bounds carry more information than the data.
         if (fit.deviations(i) > 0.5 * (parameter.upper - parameter.lower))
-            warnings.push_back(name(i) + ": the data tell less of it than its bounds do (± " +
+            warnings.push_back(name(i) + ": the data determine it less than its bounds do (± " +
                                format_number(fit.deviations(i), 2) + ")");
         for (Eigen::Index j = 0; j < i; ++j)
             // Above this correlation the two standard deviations are dominated by the common combination.
             if (std::abs(fit.correlation(i, j)) > 0.999)
-                warnings.push_back(name(j) + " and " + name(i) + ": these trials cannot tell them apart (correlation " +
+                warnings.push_back(name(j) + " and " + name(i) + ": these trials cannot separate them (correlation " +
                                    format_number(fit.correlation(i, j), 6) + ")");
     }
     for (const ValueAtBound& at : values_at_bounds(calibration))

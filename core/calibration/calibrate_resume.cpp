@@ -14,7 +14,7 @@ Result<EarlierCalibration> read_calibration(const fs::path& folder, const setup:
     if (!json) return json.error();
     // A file that does not match is an error: continuing from other parameters would give a wrong start silently.
     const auto refuse = [&](const std::string& what) {
-        return Error{what + "; without --resume it starts anew", file.string()};
+        return Error{what + "; without --resume it starts again", file.string()};
     };
     if (!json->is_object() || !json->contains("schema") || json->at("schema") != "calibrate/1" ||
         !json->contains("parameters"))

@@ -31,14 +31,14 @@ std::vector<Finding> check_markers(const CheckedJob& job) {
     if (markers.size() < 2) return {fine_finding("", "one marker, which any mesh holds")};
     const std::string pair = "markers " + markers[first].name + " and " + markers[second].name + " are " +
                              report::length_words(nearest) + " apart";
-    Finding finding = fine_finding("", pair + ", the nearest ones, beside edges of " + report::length_words(edge));
+    Finding finding = fine_finding("", pair + ", the nearest ones, with edges of " + report::length_words(edge));
     finding.figure = nearest;
     finding.threshold = markers_policy.least_edge_share * edge;
     finding.unit = "m";
     if (nearest >= finding.threshold) return {finding};
     finding.level = CheckLevel::doubtful;
     finding.sentence = pair + " and the mesh's edges " + report::length_words(edge) +
-                       " long: what strains between them is lost";
+                       " long: the strain between them is lost";
     finding.way_out = std::string("choose shorter edges (") + setup::edge_setting + "), or compare one of them";
     return {finding};
 }

@@ -68,7 +68,7 @@ std::vector<Finding> of_declared_values(const CheckedJob& job) {
     if (!std::isfinite(left)) return {};
     const double ratio = left / setup::mean_noise(job.setup);
     Finding finding = judged_residual(
-        "what the model leaves of the recordings with the declared values, " + beside_noise(left, ratio), ratio, 1.0);
+        "the residual of the recordings with the declared values, " + beside_noise(left, ratio), ratio, 1.0);
     if (finding.level == CheckLevel::fine) return {finding};
     finding.sentence += ": nothing was fitted";
     const std::string names = suspect_names(*job.earlier);
@@ -86,7 +86,7 @@ std::vector<Finding> of_fit(const CheckedJob& job) {
     const double ratio = job.run->fit_rms_m / setup::mean_noise(job.setup);
     // Noise and numerical errors are independent, so the expected residual is the root of the sum of squares.
     const double numerical = job.calibration->numerical.motion_noise_levels, expected = std::hypot(1.0, numerical);
-    std::string sentence = "what the model leaves of the fit trials, " + beside_noise(job.run->fit_rms_m, ratio);
+    std::string sentence = "the residual of the fit trials, " + beside_noise(job.run->fit_rms_m, ratio);
     if (expected > residual_policy.least_told_rise)
         sentence += ", of which mesh and step make about " + format_number(numerical, 2);
     Finding finding = judged_residual(sentence, ratio, expected);
@@ -94,7 +94,7 @@ std::vector<Finding> of_fit(const CheckedJob& job) {
     const std::string names = suspect_names(*job.earlier);
     const std::string
         diagnose = "diagnose names the effect that is missing (myoloop diagnose, or Diagnose in the window)";
-    finding.way_out = names.empty() ? "nothing that is checked explains it: " + diagnose
+    finding.way_out = names.empty() ? "no check explains it: " + diagnose
                                     : "suspected, in this order: " + names + "; once these are settled, " + diagnose;
     return {finding};
 }

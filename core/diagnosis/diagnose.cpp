@@ -31,7 +31,7 @@ void note_spot(const setup::Setup& setup, Diagnosis& d) {
     if (!spot) return;
     std::vector<std::string> markers;
     for (const int marker : spot->markers) markers.push_back(setup.marker_names[static_cast<std::size_t>(marker)]);
-    d.notes.push_back(format_number(100.0 * spot->share, 2) + " % of what is left (of its squares) lies between " +
+    d.notes.push_back(format_number(100.0 * spot->share, 2) + " % of the squared residual lies between " +
                       format_number(spot->from_s, 3) + " and " + format_number(spot->to_s, 3) + " s of " +
                       setup.trials[static_cast<std::size_t>(spot->trial)].name + ", in " + join(markers) +
                       ": look there for a fault of the recording, or for what acted once");

@@ -24,7 +24,7 @@ Effect clock_offset() {
     using namespace clock_offset_parts;
     return {"clock_offset",
             EffectStage::measurement,
-            "samples were taken later or earlier than they say",
+            "samples were taken later or earlier than stated",
             {fitted_number(offset, -10.0, 10.0, 0.01)},
             apply,
             probes};

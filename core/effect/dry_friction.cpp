@@ -45,7 +45,7 @@ Effect dry_friction() {
     using namespace dry_friction_parts;
     return {"dry_friction",
             EffectStage::force,
-            "something rubs at one point of the surface",
+            "dry friction acts at one point of the surface",
             {fitted_number("friction_force_N", 0.0, 100.0, 0.005, true),
              {"position_m", EffectParameterKind::vector3, false, -10.0, 10.0, 0.01},
              {"normal", EffectParameterKind::direction, true, -std::numbers::pi, std::numbers::pi, 0.3}},

@@ -30,7 +30,7 @@ Effect point_mass() {
     using namespace point_mass_parts;
     return {"point_mass",
             EffectStage::force,
-            "a mass that nobody declared sits at a point of the surface",
+            "an undeclared mass is attached at a point of the surface",
             {fitted_number("mass_kg", 0.0, 10.0, 0.002, true),
              {"position_m", EffectParameterKind::vector3, false, -10.0, 10.0, 0.01}},
             apply,

@@ -25,7 +25,7 @@ Effect viscoelastic_creep() {
     using namespace viscoelastic_creep_parts;
     return {"viscoelastic_creep",
             EffectStage::material,
-            "a Maxwell branch beside the elastic network, on the deviatoric stress",
+            "a Maxwell branch parallel to the elastic network, on the deviatoric stress",
             {fitted_number(ratio, 0.0, 50.0, 0.1, true), fitted_number(time, 1e-3, 1e4, 0.05, true)},
             apply,
             probes};

@@ -39,7 +39,7 @@ std::variant<MuscleBox, MuscleMask, MuscleLine> read_part(const toml::TomlReader
     if (given.empty()) table.fail("box_m", "where the muscle is, is missing: give one of box_m, mask, line_m");
     if (given.size() > 1)
         table.fail(given.back(),
-                   "stands beside " + given.front() + "; a muscle has exactly one of box_m, mask, line_m");
+                   "cannot be combined with " + given.front() + "; a muscle has exactly one of box_m, mask, line_m");
     if (given.front() != "line_m") table.reject("radius_m", "belongs to line_m, which is missing");
     if (given.front() == "line_m") return read_line(table);
     if (given.front() == "box_m") return MuscleBox{table.box("box_m"), unit_direction(table, "fibre")};
@@ -77,7 +77,7 @@ std::vector<MuscleDeclaration> read_muscles(const toml::TomlReader& document, co
             muscle.follows = FollowsDeclaration{follows.text("muscle"), follows.number("ratio")};
         }
         if (table.has("signal") && muscle.follows)
-            table.fail("signal", "stands beside follows; a muscle has one of the two");
+            table.fail("signal", "cannot be combined with follows; a muscle has one of the two");
         if (table.has("signal")) {
             muscle.signal = read_signal(table, folder, muscle.name);
             muscle.signal_file = table.file("signal", folder);

@@ -87,9 +87,9 @@ void put_names_back(const std::string& key, TrialRecording& read) {
     for (const measurement::Exchange& exchange : measurement::put_back_exchanges(read.recording.tracks)) {
         std::vector<std::string> names;
         for (const std::size_t i : exchange.markers) names.push_back(recording.labels[i]);
-        read.warnings.push_back(key + ": markers " + quoted_list(names) + " bear each other's names from " +
+        read.warnings.push_back(key + ": markers " + quoted_list(names) + " have exchanged names from " +
                                 format_number(recording.time_s(exchange.first), 4) + " s to " +
-                                format_number(recording.time_s(exchange.end - 1), 4) + " s, and are put back");
+                                format_number(recording.time_s(exchange.end - 1), 4) + " s, which is corrected");
     }
 }
 

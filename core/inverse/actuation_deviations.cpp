@@ -132,7 +132,7 @@ std::vector<std::string> undetermined_words(const SoughtSignals& sought, const W
                 "signal " + signal.name + ": " + of_all(smooth) +
                 " come from the smoothness more than from the markers, so they have no standard deviation");
         if (wide > 0)
-            warnings.push_back("signal " + signal.name + ": the markers tell less of " + of_all(wide) +
+            warnings.push_back("signal " + signal.name + ": the markers determine less of " + of_all(wide) +
                                " than the bounds do");
         for (Index other = 0; other < s; ++other) {
             Index alike = 0;
@@ -145,7 +145,7 @@ std::vector<std::string> undetermined_words(const SoughtSignals& sought, const W
             }
             if (2 * alike > knots)
                 warnings.push_back("signals " + sought.signals[static_cast<std::size_t>(other)].name + " and " +
-                                   signal.name + ": these markers cannot tell them apart at " + std::to_string(alike) +
+                                   signal.name + ": these markers cannot separate them at " + std::to_string(alike) +
                                    " of " + std::to_string(knots) + " times");
         }
     }

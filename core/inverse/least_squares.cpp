@@ -139,7 +139,7 @@ LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, c
         first.jacobian = derivatives.at(report.start, first);
         if (n > 0 && first.jacobian.size() == 0) {
             first.ok = false;
-            first.message = "the model could not be run beside these values";
+            first.message = "the model could not be run near these values";
         }
     }
     set_covariance(parameters, first, report);

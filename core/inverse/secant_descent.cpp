@@ -74,7 +74,7 @@ public:
     }
 
 private:
-    static constexpr const char* no_derivatives = "the model could not be run beside these values";
+    static constexpr const char* no_derivatives = "the model could not be run near these values";
 
     VectorXd physical(const VectorXd& u) const { return physical_values(parameters_, u); }
     VectorXd slopes() const { return physical_slopes(parameters_, here_.u); }

@@ -184,7 +184,7 @@ private:
 Result<MarkerMatch> match_markers(const Matrix3Xd& rest_m, const Matrix3Xd& seen_m, double tolerance_m,
                                   const Eigen::Matrix3d& expected) {
     const std::vector<Index> columns = usable(seen_m);
-    if (rest_m.cols() == 0) return Error{"there is no marker to be told", ""};
+    if (rest_m.cols() == 0) return Error{"there is no marker to match", ""};
     if (columns.empty()) return Error{"the recording shows no marker before the motion", ""};
     const Matrix3Xd places = seen_m(Eigen::all, columns);
     Search search(rest_m, places, tolerance_m);

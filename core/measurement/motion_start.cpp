@@ -316,7 +316,7 @@ StartOfMotion find_motion_start(const Recording& recording, const std::vector<st
     const Eigen::Index first = trace_back(group, *gross, result.threshold_m);
     if (first <= 1) {
         // Sample 0 is its own reference: whether the body was at rest then is unknown.
-        result.message = "the motion has begun by the second sample, so the start is taken at the first one, " +
+        result.message = "the motion has started by the second sample, so the start is taken at the first one, " +
                          seconds_text(result.time_s) + "; give the start if the recording begins later";
         return result;
     }

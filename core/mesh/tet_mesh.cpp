@@ -56,7 +56,8 @@ Result<fs::path> find_worker() {
     }
     const fs::path beside = fs::read_symlink("/proc/self/exe", code).parent_path() / "myoloop-tetgen";
     if (fs::is_regular_file(beside, code)) return beside;
-    return Error{"the tetrahedral mesher myoloop-tetgen is not beside the program; set MYOLOOP_TETGEN to its path", ""};
+    return Error{"the tetrahedral mesher myoloop-tetgen is not next to the program; set MYOLOOP_TETGEN to its path",
+                 ""};
 }
 
 // A point inside each cavity: from the centre of one of its triangles half way to the opposite surface.
@@ -132,7 +133,7 @@ Result<void> judge(const ChildEnd& end, const TetOptions& options) {
                          ""};
         case ChildEnd::How::not_started:
             return Error{std::string("the tetrahedral mesher could not be started: ") + std::strerror(end.code), ""};
-        case ChildEnd::How::signalled: return Error{"TetGen gave up: the surface intersects itself or is broken", ""};
+        case ChildEnd::How::signalled: return Error{"TetGen failed: the surface intersects itself or is broken", ""};
         case ChildEnd::How::exited: break;
     }
     switch (end.code) {
@@ -146,8 +147,8 @@ Result<void> judge(const ChildEnd& end, const TetOptions& options) {
         case worker_status::tetgen_error + 3:
         case worker_status::tetgen_error + 4:
         case worker_status::tetgen_error + 5:
-            return Error{"TetGen gave up: the surface intersects itself or has parts that nearly touch", ""};
-        default: return Error{"TetGen gave up: the surface intersects itself or is broken", ""};
+            return Error{"TetGen failed: the surface intersects itself or has parts that nearly touch", ""};
+        default: return Error{"TetGen failed: the surface intersects itself or is broken", ""};
     }
 }
 

@@ -135,7 +135,7 @@ report::Section parameter_section(const setup::Setup& setup, const calibration::
     // A single parameter has no correlation.
     if (calibration.parameters.size() < 2) return section;
     report::Table correlation{
-        "How errors of the parameters go together: 1 and −1 mean that the data tell them apart badly.", {{""}}, {}};
+        "How errors of the parameters go together: 1 and −1 mean that the data hardly separate them.", {{""}}, {}};
     const auto n = static_cast<Eigen::Index>(calibration.parameters.size());
     for (const prediction::ModelParameter& p : calibration.parameters)
         correlation.columns.push_back({readable_parameter(p, setup).name, "", 3});

@@ -130,7 +130,7 @@ ShownOrder shown_order(const prediction::TrialScore* before, const prediction::T
     // If all errors after the fit are within a quarter, their order is noise; the error before the fit is more
     // informative.
     const bool alike = before != nullptr && !(most > 1.25 * least);
-    shown.reason = alike ? ", the marker with the largest error before the fit; after it all are alike."
+    shown.reason = alike ? ", the marker with the largest error before the fit; after it all errors are similar."
                          : ", the marker with the largest error.";
     shown.markers.resize(after.markers.size());
     std::iota(shown.markers.begin(), shown.markers.end(), std::size_t{0});

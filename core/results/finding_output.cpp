@@ -43,7 +43,7 @@ report::Json findings_json(const std::vector<check::Finding>& findings) {
 }
 
 report::Section findings_section(const std::vector<check::Finding>& findings) {
-    report::Table table{"What the model takes for granted, and what was found of it.",
+    report::Table table{"Assumptions of the model, with findings.",
                         {{"Check"}, {"State"}, {"Found"}, {"Figure"}, {"Threshold"}, {"Threshold from"}},
                         {}};
     for (const check::CheckLevel level : worst_first)

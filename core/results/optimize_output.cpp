@@ -152,7 +152,7 @@ Result<EarlierOptimization> read_optimization(const fs::path& folder, const setu
     // Values are only valid for the same trial, signals and knots; any difference is an error instead of a silent
     // restart.
     const auto refuse = [&](const std::string& what) {
-        return Error{what + "; without --resume it starts anew", file.string()};
+        return Error{what + "; without --resume it starts again", file.string()};
     };
     const auto is = [&](const char* key, const report::Json& value) {
         return json->contains(key) && json->at(key) == value;

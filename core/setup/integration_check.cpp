@@ -54,7 +54,7 @@ IntegrationCheck check_integration(const model::Model& model, const dynamics::Ti
             check.warnings.push_back("the velocity force Λ = " + format_number(lambda, 4) +
                                      " 1/s is above Λ_crit = " + format_number(*check.critical_velocity_force_1_s, 4) +
                                      " 1/s of this body at " + step_text(h_s) +
-                                     ", so that its motion will grow without end; try a smaller Λ, or none with " +
+                                     ", so that its motion will grow without bound; try a smaller Λ, or none with " +
                                      to_string(dynamics::Integrator::tr_bdf2));
     }
     // A velocity force feeds energy back and cancels part of the numerical damping; only the remainder is lost.

@@ -163,7 +163,7 @@ Result<void> check_seen(Setup& setup) {
             setup.warnings.push_back("trial " + trial.name + ": no marker was seen in it, so it takes no part");
         else if (trial.measured.sample_count() < 3)
             setup.warnings.push_back("trial " + trial.name + ": " + std::to_string(trial.measured.sample_count()) +
-                                     " samples tell next to nothing");
+                                     " samples contain too little information");
     }
     if (!any) return experiment::declaration_error(setup.experiment, "trial", "no marker was seen in any trial to fit");
     return {};

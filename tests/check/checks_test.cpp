@@ -258,7 +258,7 @@ TEST(CheckResidual, NamesWhatIsSuspectedInOrder) {
     EXPECT_EQ(judged(1.02).level, CheckLevel::fine);
     EXPECT_EQ(judged(3.0).level, CheckLevel::doubtful);
     EXPECT_THAT(judged(3.0).sentence, HasSubstr("is 3 times the noise"));
-    EXPECT_THAT(judged(3.0).way_out, HasSubstr("nothing that is checked explains it: diagnose names"));
+    EXPECT_THAT(judged(3.0).way_out, HasSubstr("no check explains it: diagnose names"));
     earlier[1].level = CheckLevel::doubtful;
     earlier[2].level = CheckLevel::wrong;
     EXPECT_EQ(judged(30.0).level, CheckLevel::wrong);

@@ -110,9 +110,9 @@ protected:
 TEST_F(DiagnosisReport, HasAllSectionsAndTheVerdictFirst) {
     const std::string text = page();
     std::size_t last = 0;
-    for (const char* title : {"Missing from the model: quadratic drag", "Verdict", "Parameters", "Errors", "Motion",
-                              "What is left", "Is there anything to explain?", "Suspects ruled out", "Candidates",
-                              "What looks alike in this experiment", "Cost"}) {
+    for (const char* title :
+         {"Missing from the model: quadratic drag", "Verdict", "Parameters", "Errors", "Motion", "Residual",
+          "Is there anything to explain?", "Numerical errors", "Candidates", "Confounded effects", "Cost"}) {
         const std::size_t at = text.find(std::string(">") + title + "</h", last);
         EXPECT_NE(at, std::string::npos) << title;
         if (at != std::string::npos) last = at;
@@ -172,7 +172,7 @@ TEST_F(DiagnosisReport, OfARightModelHasNoAfter) {
     diagnosis_.augmented = diagnosis_.declared;
     diagnosis_.after = diagnosis_.before;
     const std::string text = page();
-    EXPECT_NE(text.find("the declared model is enough"), std::string::npos);
+    EXPECT_NE(text.find("the declared model is sufficient"), std::string::npos);
     EXPECT_EQ(text.find(">After"), std::string::npos);
     EXPECT_EQ(text.find("Candidates"), std::string::npos);
 }

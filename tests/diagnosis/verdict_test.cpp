@@ -123,7 +123,7 @@ TEST(Verdict, WanderOfTheMeasurementNeedsNoEffect) {
     decide(d);
     EXPECT_EQ(d.verdict.kind, VerdictKind::none);
     EXPECT_LT(d.verdict.confidence, 0.7);
-    EXPECT_NE(d.verdict.because.find("wanders"), std::string::npos);
+    EXPECT_NE(d.verdict.because.find("measurement drift"), std::string::npos);
     Diagnosis beside = with_candidate(5.0);
     decide(beside);
     EXPECT_EQ(beside.verdict.kind, VerdictKind::unknown) << "half is left";
@@ -131,7 +131,7 @@ TEST(Verdict, WanderOfTheMeasurementNeedsNoEffect) {
     beside.candidates.front().judged->independence = all_by_themselves;
     decide(beside);
     ASSERT_EQ(beside.verdict.kind, VerdictKind::effects);
-    EXPECT_NE(beside.verdict.because.find("every marker goes its own way"), std::string::npos);
+    EXPECT_NE(beside.verdict.because.find("uncorrelated between markers"), std::string::npos);
 }
 
 TEST(Verdict, ASecondEffectHasToDoSomething) {
@@ -176,7 +176,7 @@ TEST(Verdict, ASecondEffectIsNamedOnlyWhereItIsLikelierThanTheOthers) {
         decide(d);
         EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
         EXPECT_EQ(d.verdict.effects.size(), weight > 0.5 ? 2u : 1u);
-        EXPECT_EQ(d.verdict.because.find("too small to tell which") == std::string::npos, weight > 0.5);
+        EXPECT_EQ(d.verdict.because.find("too small to identify") == std::string::npos, weight > 0.5);
     }
 }
 
@@ -268,7 +268,7 @@ TEST(Verdict, BoundsThatAFitEndsAtCastDoubt) {
             end_at(*d.candidates[0].judged, prediction::ModelParameter::Kind::effect, at_bound ? 100.0 : 50.0);
             decide(d);
             EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
-            EXPECT_EQ(d.verdict.because.find("as far as it may") != std::string::npos, at_bound);
+            EXPECT_EQ(d.verdict.because.find("Its size reached its limit") != std::string::npos, at_bound);
             confidence[at_bound] = d.verdict.confidence;
         }
         EXPECT_NEAR(confidence[1] / confidence[0], 0.5, 1e-12);

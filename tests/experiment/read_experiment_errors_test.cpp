@@ -143,7 +143,7 @@ const std::vector<Mutation> mutations = {
      "muscle[0].box_m: ", "one of box_m, mask, line_m"},
     {"box_m = [[0.01, 0.0, 0.0], [0.09, 0.015, 0.03]]",
      "box_m = [[0.01, 0.0, 0.0], [0.09, 0.015, 0.03]]\nmask = \"signal.csv\"", "mask",
-     "muscle[0].mask: ", "beside box_m"},
+     "muscle[0].mask: ", "combined with box_m"},
     {"box_m = [[0.01, 0.0, 0.0], [0.09, 0.015, 0.03]]", "mask = \"paint.csv\"", "mask",
      "muscle[0].mask: ", "not found"},
     {"box_m = [[0.01, 0.0, 0.0], [0.09, 0.015, 0.03]]",

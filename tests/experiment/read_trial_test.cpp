@@ -99,7 +99,7 @@ TEST_F(ReadTrial, PutsExchangedMarkersBackAndSaysSo) {
     ASSERT_TRUE(read) << read.error().text();
     ASSERT_EQ(read->warnings.size(), 1u);
     EXPECT_THAT(read->warnings[0],
-                HasSubstr("markers \"tip\", \"side\" bear each other's names from 4 s to 6 s, and are put back"));
+                HasSubstr("markers \"tip\", \"side\" have exchanged names from 4 s to 6 s, which is corrected"));
     for (const Eigen::Matrix3Xd& track : read->recording.tracks)
         EXPECT_EQ((track.colwise() - track.col(0)).norm(), 0.0);
 }

@@ -193,7 +193,7 @@ TEST(ActuationDeviations, NameSignalsThatCannotBeToldApart) {
     p.smoothness_m_s = 1e-6;
     const ActuationDeviations found = actuation_deviations(p, values, 1e-5);
     ASSERT_TRUE(found.found) << found.reason;
-    EXPECT_THAT(::testing::PrintToString(found.warnings), HasSubstr("cannot tell them apart"));
+    EXPECT_THAT(::testing::PrintToString(found.warnings), HasSubstr("cannot separate them"));
     EXPECT_THAT(::testing::PrintToString(found.warnings), HasSubstr("come from the smoothness"));
     EXPECT_LT(found.correlation(1, 0), -0.95);
     // Without smoothness nothing is left that would determine them.

@@ -145,7 +145,7 @@ TEST(LeastSquares, FailsWhereTheModelCannotBeRunBesideTheStart) {
     };
     const LeastSquaresReport report = fit_least_squares(start, residuals, none, {}, {});
     EXPECT_EQ(report.status, FitStatus::failed);
-    EXPECT_EQ(report.message, "the model could not be run beside these values");
+    EXPECT_EQ(report.message, "the model could not be run near these values");
 }
 
 /// With the Jacobian of the start given, no other is asked for there while it serves.

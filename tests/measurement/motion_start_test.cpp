@@ -88,7 +88,7 @@ TEST(MotionStart, WhatCannotBeFoundIsSaid) {
     EXPECT_FALSE(start.found);
     EXPECT_EQ(start.time_s, 0.0);
     EXPECT_EQ(start.last_still, -1);
-    EXPECT_THAT(start.message, HasSubstr("begun by the second sample"));
+    EXPECT_THAT(start.message, HasSubstr("started by the second sample"));
     take.start_s = 100.0;
     start = find_motion_start(make_take(take));
     EXPECT_FALSE(start.found);

@@ -260,7 +260,7 @@ TEST(Palette, FindsACommandByWordsInAnyOrder) {
     driver.open_beam();
     driver.key(ui::platform::key_k, {.ctrl = true});
     ASSERT_TRUE(driver.has("palette/text"));
-    driver.type("step diagnose");
+    driver.type("tasks diagnose");
     driver.key(ImGuiKey_Enter);
     EXPECT_EQ(driver.window->step(), commands::Step::diagnose);
     EXPECT_FALSE(driver.has("palette/text"));
@@ -288,9 +288,9 @@ TEST(Palette, FindsExamplesTrialsPanelsQuantitiesAndLateFiles) {
     ASSERT_TRUE(driver.wait_for_job());
     ask("colour height");
     EXPECT_EQ(driver.state().view.field, "height");
-    ask("colour nothing");
+    ask("colour none");
     EXPECT_TRUE(driver.state().view.field.empty());
-    ask("lately beam");
+    ask("recent beam");
     ASSERT_TRUE(driver.wait_for_job());
     EXPECT_FALSE(driver.state().run) << "it was opened anew";
 }

@@ -221,7 +221,7 @@ ui::commands::ImportView SwingingBeam::view_import(const ui::commands::Scene& sc
     }
     view.residual_m = (view.before_m - view.target_m).colwise().norm();
     view.placed_by = "Shifted.";
-    if (named == 0) view.problem = "No label is a marker of the body yet.";
+    if (named == 0) view.problem = "No label is assigned to a marker yet.";
     return view;
 }
 
@@ -377,7 +377,7 @@ Result<ui::commands::SearchResult> SwingingBeam::optimize(const ui::commands::Sc
         result.settings.muscles.front().signal = fibre::Signal{{0.0, 1.0}, {1.0, 1.0 - 0.05 * k}};
         result.run = *run;
         view.log.push_back({10.0 / (k + 1), 1e-3 / (k + 1), 1.0 / (k + 1)});
-        view.parameters = {{settings.muscles.front().name + ", least a", "", 1.0, 1.0 - 0.05 * k,
+        view.parameters = {{settings.muscles.front().name + ", minimum a", "", 1.0, 1.0 - 0.05 * k,
                             std::numeric_limits<double>::quiet_NaN()}};
         view.settings = result.settings;
         view.best = std::make_shared<const ui::commands::RunResult>(*run);

@@ -109,10 +109,10 @@ Result<ui::commands::DiagnosisView> SwingingBeam::diagnose(const ui::commands::S
     view.because =
         "With linear drag the residual is 1.1 times the noise instead of 12.0; no test finds more than noise in it.";
     view.confounded = {
-        "Not to be told apart here: linear drag and extra damping (cosine 0.982); a release in another direction would "
+        "Confounded here: linear drag and extra damping (cosine 0.982); a release in another direction would "
         "separate them."};
     if (unexplained) {
-        view.headline = "Something is missing that none of the known effects explains";
+        view.headline = "An effect is missing that none of the known effects explains";
         view.because = "The residual is significant, and no effect of the catalogue takes it away.";
         view.confidence = 0.8;
         ui::commands::DiagnosisRow force;

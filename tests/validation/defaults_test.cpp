@@ -135,7 +135,7 @@ TEST(DefaultsSummary, CountsWhatTheRecordsSay) {
     EXPECT_NEAR(s.normalised_rms.at("youngs_modulus_Pa"), std::sqrt((1.0 + 4.0 + 400.0 + 0.0) / 4.0), 1e-9);
     EXPECT_NEAR(s.median_time_ratio, 1.5, 1e-12);
     EXPECT_EQ(s.twice_the_time_at_most.of, 3);  // where half an interval was right
-    EXPECT_THAT(validation::summary_text(s), HasSubstr("wrong without a word"));
+    EXPECT_THAT(validation::summary_text(s), HasSubstr("wrong without a warning"));
     const std::string page = report::html(validation::defaults_report(records, "myoloop validate --defaults"));
     for (const char* text : {"false alarm", "silent", "straight_for_sagging"}) EXPECT_THAT(page, HasSubstr(text));
 }

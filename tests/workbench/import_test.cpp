@@ -83,7 +83,7 @@ TEST(CoreImport, BundledExamplesStayAsTheyAre) {
     driver.workbench->execute(ui::commands::ChangeImport{choices});
     // Nothing is added unless this holds: the example belongs to the checkout.
     ASSERT_EQ(driver.state().import->view.problem,
-              "Bundled examples stay as they are: choose a folder for a copy of this one.");
+              "Bundled examples are not changed: choose a folder for a copy of this one.");
     driver.workbench->execute(ui::commands::AddRecording{});
     EXPECT_FALSE(driver.state().busy());
     choices.folder = folder.path() / "copy";

@@ -41,7 +41,7 @@ std::shared_ptr<const FieldFrame> force_frame(const WorkbenchState& state) {
 std::vector<FieldKind> field_kinds(const Backend& backend) {
     std::vector<FieldKind> kinds = backend.fields();
     kinds.push_back({force_field, "Residual force |f|", "mN", 1e-3, false,
-                     "Size of the force on each part of the body that the declared model lacks, by the chosen row of "
+                     "Size of the missing force on each part of the body, by the selected row of "
                      "the diagnosis."});
     return kinds;
 }
@@ -57,8 +57,8 @@ bool of_diagnosis(const FieldKind& kind) { return kind.id == force_field; }
 
 std::string needed_for(const FieldKind& kind, const WorkbenchState& state) {
     if (!of_diagnosis(kind)) return state.simulated_trial() ? "" : "Needs a run.";
-    if (!state.diagnosis || !state.diagnosis->complete) return "Known after Diagnose.";
-    return shown_forces(state) ? "" : "The chosen row of the diagnosis has no forces on this body in this trial.";
+    if (!state.diagnosis || !state.diagnosis->complete) return "Available after Diagnose.";
+    return shown_forces(state) ? "" : "The selected row of the diagnosis has no forces on this body in this trial.";
 }
 
 void FieldStore::take(Answer answer) {

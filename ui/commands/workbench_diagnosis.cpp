@@ -36,7 +36,7 @@ void Workbench::diagnose() {
                           live_diagnosis_.reset();
                           if (*result) return show_diagnosis(std::move(**result));
                           if (cancelled)
-                              log(LogLevel::information, "Diagnosis cancelled before it knew anything.");
+                              log(LogLevel::information, "Diagnosis cancelled without results.");
                           else
                               log_failure(result->error(), "Diagnosis failed");
                           end_task(cancelled ? JobOutcome::stopped : JobOutcome::failed,
@@ -52,7 +52,7 @@ void Workbench::show_diagnosis(DiagnosisView diagnosis) {
     state_.diagnosis = std::make_shared<const DiagnosisView>(std::move(diagnosis));
     const DiagnosisView& d = *state_.diagnosis;
     if (d.stopped)
-        log(LogLevel::information, "Diagnosis cancelled; what it knew by then is shown, without a verdict.");
+        log(LogLevel::information, "Diagnosis cancelled; interim results are shown, without a verdict.");
     else
         log_done("Diagnosed in " + plot::value_label(d.seconds, 3) + " s: " + d.headline + ", confidence " +
                      plot::value_label(100.0 * d.confidence, 2) + " %.",
@@ -89,8 +89,8 @@ void Workbench::add_effect(const std::string& key) {
     if (settings == state_.settings) return;
     change_settings({settings, "effects"});
     log(LogLevel::done, row->name +
-                            " is part of the model now, with the modulus and damping that were fitted beside it. Run "
-                            "to see the motion with it.");
+                            " was added to the model, with the modulus and damping that were fitted with it. Run "
+                            "to see its motion.");
 }
 
 }  // namespace myo::ui::commands

@@ -33,7 +33,7 @@ void Workbench::drop(const std::vector<fs::path>& files) {
     const auto taken = (body != files.end() ? 1 : 0) + (recording != files.end() ? 1 : 0);
     if (const auto left = static_cast<std::ptrdiff_t>(files.size()) - taken; left > 0)
         log(LogLevel::warning,
-            "One body and one recording are opened at a time; " + std::to_string(left) +
+            "Only one body and one recording can be opened at a time; " + std::to_string(left) +
                 (left == 1 ? " of the dropped files is left out." : " of the dropped files are left out."));
 }
 

@@ -83,14 +83,14 @@ void Workbench::propose_markers() {
     const auto named = std::count_if(proposed->markers.begin(), proposed->markers.end(),
                                      [](const ImportedMarker& m) { return !m.name.empty(); });
     log(LogLevel::information, "Proposed " + std::to_string(named) + (named == 1 ? " marker." : " markers.") +
-                                   " Look at their distances before you go on.");
+                                   " Check their distances before you continue.");
 }
 
 void Workbench::align_import() {
     const SceneTrial* const trial = state_.scene_trial();
     const SimulatedTrial* const run = state_.simulated_trial();
     if (!state_.import || !trial || !run)
-        return log(LogLevel::warning, "Run the trial first that the recording is to be aligned with.");
+        return log(LogLevel::warning, "Run the trial first to align the recording with it.");
     const auto start = backend_->align_import(*state_.scene, *run, trial->time_s, state_.import->file,
                                               state_.import->choices);
     if (!start) return log(LogLevel::warning, "Not aligned. " + start.error().text());

@@ -144,7 +144,7 @@ void Workbench::restore(int id) {
         state_.diagnosis = record.diagnosis;
         state_.diagnosis_settings = record.settings;
     }
-    log(LogLevel::information, record.name + " of " + record.clock + " is shown again, with its settings.");
+    log(LogLevel::information, record.name + " of " + record.clock + " is restored, with its settings.");
 }
 
 void Workbench::forget(int id) {

@@ -99,7 +99,7 @@ void Workbench::quit() {
 }
 
 void Workbench::write_report(const fs::path& folder) {
-    if (!state_.scene || !state_.run) return log(LogLevel::warning, "There is nothing to report before a run.");
+    if (!state_.scene || !state_.run) return log(LogLevel::warning, "A report needs a run.");
     const auto written = backend_->write_report(folder, *state_.scene, *state_.run, state_.found.get(),
                                                 state_.diagnosis.get());
     if (!written) return log_failure(written.error(), "Cannot write the report");

@@ -112,7 +112,7 @@ void Workbench::show_project(const std::filesystem::path& file, Project project,
                                        [&](const Muscle& own) { return own.name == muscle.declared; });
         if (muscle.declared.empty() || known) continue;
         log(LogLevel::warning, "The experiment no longer has the muscle " + muscle.declared +
-                                   "; the project keeps it as one of its own" +
+                                   "; the project keeps it as its own muscle" +
                                    (muscle.paint ? "." : ", without paint."));
         // Without a declared counterpart the muscle is kept as one created in the workbench.
         muscle.declared.clear();

@@ -84,7 +84,7 @@ void Workbench::search(const std::string& verb, Search find) {
                   if (*result) return show_found(verb, std::move(**result));
                   if (cancelled)
                       log(LogLevel::information,
-                          task_->name + " cancelled before it had any values; the settings are unchanged.");
+                          task_->name + " cancelled without values; the settings are unchanged.");
                   else
                       log_failure(result->error(), task_->name + " failed");
                   end_task(cancelled ? JobOutcome::stopped : JobOutcome::failed,
@@ -157,7 +157,7 @@ void Workbench::show_found(const std::string& verb, SearchResult result) {
         log_done(verb + ": " + errors, found.run.checks);
     if (!untouched)
         log(LogLevel::information,
-            "The settings were changed meanwhile and stay as they are; Restore in Jobs takes over what was found.");
+            "The settings were changed meanwhile and are kept; Restore in Jobs applies the result.");
     for (const std::string& warning : found.warnings) log(LogLevel::warning, warning);
     show_checks(found.run.checks, found.settings);
     JobRecord record;

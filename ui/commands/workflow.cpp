@@ -55,17 +55,16 @@ StepStatus run_status(const WorkbenchState& state) {
 }
 
 StepStatus measure_status(const WorkbenchState& state) {
-    if (!is_measured(*state.scene))
-        return {StepState::missing, "No measured markers: there is nothing to compare with."};
+    if (!is_measured(*state.scene)) return {StepState::missing, "No measured markers to compare with."};
     if (!state.run) return {StepState::ready, "Run to see the error against the markers."};
-    if (!state.run_is_current()) return {StepState::stale, "The errors are those of earlier settings: run again."};
+    if (!state.run_is_current()) return {StepState::stale, "The errors are of earlier settings: run again."};
     return {StepState::done, "Error against the markers " + plot::millimetres(state.run->rms_m) + " rms."};
 }
 
 StepStatus fit_status(const WorkbenchState& state) {
     if (!is_measured(*state.scene)) return {StepState::missing, "A fit needs measured markers."};
     if (state.scene->calibrated.empty() && state.settings.muscles.empty())
-        return {StepState::missing, "Nothing is unknown: no value to calibrate, no muscle to optimise."};
+        return {StepState::missing, "Unknown parameters: none. No muscle to optimise."};
     if (!state.found)
         return {StepState::ready, state.scene->calibrated.empty()
                                       ? "Optimise the muscles' signals."
@@ -78,7 +77,7 @@ StepStatus fit_status(const WorkbenchState& state) {
 StepStatus diagnose_status(const WorkbenchState& state) {
     if (!can_be_diagnosed(*state.scene))
         return {StepState::missing, "A diagnosis needs a trial of role fit with measured markers."};
-    if (!state.diagnosis || !state.diagnosis->complete) return {StepState::ready, "Ask what the model lacks."};
+    if (!state.diagnosis || !state.diagnosis->complete) return {StepState::ready, "Find missing effects."};
     // Adding an effect follows the diagnosis' own recommendation, so it does not make the diagnosis outdated.
     Settings bare = state.settings, then = state.diagnosis_settings;
     bare.effects.clear(), then.effects.clear();
@@ -88,7 +87,7 @@ StepStatus diagnose_status(const WorkbenchState& state) {
 }
 
 StepStatus report_status(const WorkbenchState& state) {
-    if (!state.run) return {StepState::missing, "There is nothing to report before a run."};
+    if (!state.run) return {StepState::missing, "A report needs a run."};
     if (!state.run_is_current()) return {StepState::stale, "The run is of earlier settings: run again."};
     return {StepState::ready, "Write the report, pictures and tables."};
 }

@@ -12,11 +12,10 @@ namespace {
 
 /// Summary of the packages' own copyright files.
 constexpr const char* bound_by =
-    "Myoloop's own source is under the MIT licence. A binary that is passed on is bound by more: CHOLMOD's supernodal "
-    "module and SPQR are under the GPL 2 or later, METIS's Apache "
-    "licence goes together with the GPL 3 only, and the mesher myoloop-tetgen holds TetGen, which is under the AGPL 3. "
-    "So pass a binary on under the GPL 3, its mesher under the AGPL 3, "
-    "and the source with both.";
+    "Myoloop's source is under the MIT licence. A distributed binary is bound by further licences: CHOLMOD's "
+    "supernodal module and SPQR are under the GPL 2 or later, METIS's Apache licence is compatible with the GPL 3 "
+    "only, and the mesher myoloop-tetgen contains TetGen, which is under the AGPL 3. So distribute a binary under the "
+    "GPL 3, its mesher under the AGPL 3, and the source with both.";
 
 /// Table of names, versions and licences, as the backend lists them.
 void draw_libraries(const std::vector<commands::Library>& libraries) {
@@ -47,7 +46,7 @@ void draw_about(PanelContext& context, bool& open) {
     // The list scrolls in a low window, so that the button stays visible.
     ImGui::BeginChild("about",
                       {0.0f, std::min(460.0f * theme.scale, ImGui::GetIO().DisplaySize.y - 170.0f * theme.scale)});
-    muted_text(theme, "A workbench for soft robots. It stands on these libraries and fonts:");
+    muted_text(theme, "A workbench for soft robots, built on these libraries and fonts:");
     draw_libraries(context.backend.libraries());
     ImGui::Spacing();
     // The summary comes last: it follows from the licences in the list.

@@ -147,10 +147,10 @@ void add_view_actions(std::vector<Action>& all) {
         viewport::StandardView view;
     };
     static constexpr Look looks[] = {
-        {"view.oblique", "Look from the side and above", platform::key_0, "0", viewport::StandardView::oblique},
-        {"view.x", "Look along x", platform::key_1, "1", viewport::StandardView::from_x},
-        {"view.y", "Look along y", platform::key_2, "2", viewport::StandardView::from_y},
-        {"view.z", "Look along z", platform::key_3, "3", viewport::StandardView::from_z}};
+        {"view.oblique", "Oblique view", platform::key_0, "0", viewport::StandardView::oblique},
+        {"view.x", "View along x", platform::key_1, "1", viewport::StandardView::from_x},
+        {"view.y", "View along y", platform::key_2, "2", viewport::StandardView::from_y},
+        {"view.z", "View along z", platform::key_3, "3", viewport::StandardView::from_z}};
     for (const Look& look : looks)
         all.push_back({look.id,
                        "View",
@@ -299,7 +299,7 @@ void add_run_actions(std::vector<Action>& all) {
 void add_step_actions(std::vector<Action>& all) {
     for (const commands::Step step : commands::all_steps)
         all.push_back({std::string("step.") + commands::step_id(step),
-                       "Steps",
+                       "Tasks",
                        commands::step_title(step),
                        {},
                        [step](PanelContext& context, viewport::ViewportState&) { context.window.step = step; }});

@@ -34,12 +34,12 @@ void BodyPanel::draw(PanelContext& context) {
         context.window.file = open_dialog(path_.empty() && state.scene ? state.scene->path
                                                                        : std::filesystem::path(path_));
     context.items.mark("body/browse");
-    tooltip(theme, "Choose from a list (Ctrl+O)");
+    tooltip(theme, "Browse (Ctrl+O)");
     // What can be opened, and what is assumed about a mesh without an experiment.
     if (!state.scene) {
         muted_text(theme,
-                   "A folder with an experiment.toml brings body, clamp, material and measured markers. A closed "
-                   "surface or a volume mesh alone is taken as silicone, "
+                   "A folder with an experiment.toml contains body, clamp, material and measured markers. For a closed "
+                   "surface or a volume mesh alone, silicone is assumed, "
                    "held at the lower end of its longest axis.");
         return;
     }
@@ -60,7 +60,7 @@ void BodyPanel::draw(PanelContext& context) {
     text_row(theme, "Trials", std::to_string(scene.trials.size()));
     if (!state.project.empty())
         text_row(theme, "Project",
-                 state.project.filename().string() + (state.unsaved() ? ", with changes" : ", saved"));
+                 state.project.filename().string() + (state.unsaved() ? ", unsaved changes" : ", saved"));
     for (const std::string& warning : scene.warnings) notice(theme, commands::LogLevel::warning, warning);
 }
 

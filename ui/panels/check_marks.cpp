@@ -21,7 +21,7 @@ struct Mark {
 Mark mark_of(const commands::WorkbenchState& state, const platform::Theme& theme) {
     if (!state.checks) return {platform::icon::shield, theme.muted, "no checks yet", no_checks_words};
     const commands::CheckReport& report = *state.checks;
-    const std::string counted = commands::count_words(report.rows) + "\nof " + report.job + ", begun " + report.clock;
+    const std::string counted = commands::count_words(report.rows) + "\nof " + report.job + ", started " + report.clock;
     // Outdated checks get a neutral colour: they say nothing about the present settings.
     if (!state.checks_are_current())
         return {platform::icon::stale, theme.muted, "checks: " + commands::doubt_words(report.rows) + ", outdated",
@@ -59,7 +59,7 @@ void checks_line(PanelContext& context, const commands::CheckRows& rows, const s
     check_text(context.theme, commands::worst_state(rows), "Checks: " + commands::doubt_words(rows));
     context.items.mark(item);
     // The line names only what needs attention; the tooltip counts all states.
-    tooltip(context.theme, commands::count_words(rows) + "\nA click shows what was found.");
+    tooltip(context.theme, commands::count_words(rows) + "\nClick to show the findings.");
     go_to_checks(context);
 }
 

@@ -56,7 +56,7 @@ void draw_narrow_row(const platform::Theme& theme, const commands::CheckRow& row
     draw_question(theme, row);
     draw_sentence(theme, row);
     if (row.figure.empty()) return;
-    muted_text(theme, row.figure + (row.threshold.empty() ? "" : ", doubtful beyond " + row.threshold));
+    muted_text(theme, row.figure + (row.threshold.empty() ? "" : ", threshold " + row.threshold));
     tooltip(theme, row.source);
 }
 
@@ -88,7 +88,7 @@ void ChecksPanel::draw_head(PanelContext& context) {
         check_text(theme, state, std::to_string(count) + " " + commands::check_word(state));
         ImGui::SameLine(0.0f, 16.0f * theme.scale);
     }
-    const std::string of = "of " + report.job + ", begun " + report.clock;
+    const std::string of = "of " + report.job + ", started " + report.clock;
     ImGui::TextColored(theme.muted, "%s", elided(of, ImGui::GetContentRegionAvail().x).c_str());
     ImGui::EndGroup();
     context.items.mark("checks/head");
@@ -119,11 +119,11 @@ void ChecksPanel::draw_rows(PanelContext& context) {
             ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed, 96.0f * theme.scale);
         heading_row(theme, {{"State", ""},
                             {"Check", ""},
-                            {"Found", "What was found, and what helps"},
-                            {"Figure", "", true},
-                            {"Doubtful beyond", "Hover over a threshold to see where it comes from", true}});
+                            {"Finding", "Finding and remedy"},
+                            {"Value", "", true},
+                            {"Threshold", "Hover over a threshold to see its source", true}});
     } else {
-        heading_row(theme, {{"State", ""}, {"Check", "What was found, and what helps"}});
+        heading_row(theme, {{"State", ""}, {"Check", "Finding and remedy"}});
     }
     for (std::size_t i = 0; i < rows.size(); ++i) {
         ImGui::TableNextRow();

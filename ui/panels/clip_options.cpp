@@ -35,7 +35,7 @@ void draw_clip_options(PanelContext& context, const viewport::Camera& camera, co
     if (ImGui::Checkbox("Cut the body open", &plane.on) && plane.on) turn(body, plane, plane.normal);
     context.items.mark("view/clip");
     tooltip(context.theme,
-            "Cuts away the elements whose middle at rest, X, lies beyond a plane: n \xc2\xb7 X > d. Which ones does "
+            "Hides the elements whose centre at rest, X, lies beyond a plane: n \xc2\xb7 X > d. The selection does "
             "not change while the body moves.");
     if (!plane.on) return;
     struct Direction {
@@ -45,13 +45,13 @@ void draw_clip_options(PanelContext& context, const viewport::Camera& camera, co
         const char* tip;
     };
     // "View" depends on the camera, so the table is built in each frame.
-    const Direction directions[] = {{"X", "view/clip_x", Eigen::Vector3d::UnitX(), "Across the x axis"},
-                                    {"Y", "view/clip_y", Eigen::Vector3d::UnitY(), "Across the y axis"},
-                                    {"Z", "view/clip_z", Eigen::Vector3d::UnitZ(), "Across the z axis"},
+    const Direction directions[] = {{"X", "view/clip_x", Eigen::Vector3d::UnitX(), "Normal to the x axis"},
+                                    {"Y", "view/clip_y", Eigen::Vector3d::UnitY(), "Normal to the y axis"},
+                                    {"Z", "view/clip_z", Eigen::Vector3d::UnitZ(), "Normal to the z axis"},
                                     {"View", "view/clip_view", viewport::camera_axes(camera).back,
                                      // The direction is copied: the cut must not move when the user looks at it from
                                      // the side.
-                                     "Across the direction in which you look now; stays when you turn the view"}};
+                                     "Normal to the present view direction; stays when the view turns"}};
     bool first = true;
     for (const Direction& direction : directions) {
         if (!first) ImGui::SameLine();
@@ -71,7 +71,7 @@ void draw_clip_options(PanelContext& context, const viewport::Camera& camera, co
     context.items.mark("view/clip_position");
     tooltip(
         context.theme,
-        "Where the plane is along its direction, d, in the body's own coordinates at rest. Ctrl and a click: type it.");
+        "Position d of the plane along its normal, in coordinates of the body at rest. Ctrl+click to type a value.");
     ImGui::Checkbox("Show the other part", &plane.flip);
     context.items.mark("view/clip_flip");
 }

@@ -69,8 +69,8 @@ void DiagnosePanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     if (!state.scene) {
         muted_text(context.theme,
-                   "Finds what the model lacks: compares the simulation with measured markers and tries every known "
-                   "effect on what is left. "
+                   "Finds missing effects: compares the simulation with measured markers and tries every known "
+                   "effect on the residual. "
                    "Open an experiment folder to begin.");
         return;
     }
@@ -85,11 +85,12 @@ void DiagnosePanel::draw(PanelContext& context) {
     draw_head(context);
     if (!state.diagnosis) {
         if (!state.diagnosing())
-            muted_text(context.theme,
-                       "Diagnose fits the declared values, tests whether more than noise is left, tries every effect "
-                       "of the catalogue on it and "
-                       "fits the best. Trials of role validate are predicted once, at the end. It takes some minutes "
-                       "and can be cancelled.");
+            muted_text(
+                context.theme,
+                "Diagnose fits the declared values, tests whether the residual exceeds the noise, tries every effect "
+                "of the catalogue and "
+                "fits the best. Trials of role validate are predicted once, at the end. It takes some minutes "
+                "and can be cancelled.");
         return;
     }
     const float width = ImGui::GetContentRegionAvail().x;
@@ -190,7 +191,7 @@ void DiagnosePanel::draw_head(PanelContext& context) {
     const bool with_confidence = d.complete && all > confidence_width + 160.0f * s;  // otherwise in the tooltip
     const float room = all - (with_confidence ? confidence_width : 0.0f);
     const std::string confidence = "confidence " + plot::value_label(100.0 * d.confidence, 2) + " %";
-    const std::string headline = d.complete ? d.headline : "Cancelled before a verdict: this is what was known by then";
+    const std::string headline = d.complete ? d.headline : "Cancelled before a verdict: interim results";
     ImGui::TextColored(verdict_color(theme, d), "%s", elided(headline, room).c_str());
     ImGui::PopFont();
     context.items.mark("diagnose/verdict");
@@ -201,9 +202,8 @@ void DiagnosePanel::draw_head(PanelContext& context) {
     if (with_confidence) {
         ImGui::SameLine(0.0f, 12.0f * s);
         ImGui::TextColored(theme.muted, "%s", confidence.c_str());
-        tooltip(
-            theme,
-            "How credible the verdict is among all that was tried, the declared model and \"none of these\" included.");
+        tooltip(theme,
+                "Probability of the verdict among all candidates, the declared model and \"none of these\" included.");
     }
     if (!add.empty()) {
         ImGui::SameLine();
@@ -213,8 +213,8 @@ void DiagnosePanel::draw_head(PanelContext& context) {
         context.items.mark("diagnose/add");
         ImGui::EndDisabled();
         tooltip(theme, row->name + ": " + row->value +
-                           "\n\nBecomes part of the model, with the modulus and the damping that were fitted beside "
-                           "it. The next run has it; undo takes it out.");
+                           "\n\nAdds it to the model, with the modulus and the damping that were fitted with "
+                           "it. The next run uses it; undo removes it.");
     }
     if (words.empty()) return;
     // One or two lines, depending on the height that is left.
@@ -243,10 +243,10 @@ void DiagnosePanel::draw_ranking(PanelContext& context) {
     const bool narrow = width < 480.0f, tight = width < 420.0f;
     const std::vector<Heading> headings{
         {"", ""},
-        {"Effect", "Best first. A click shows what the effect would do."},
+        {"Effect", "Best first. Click a row to show its effect."},
         {"Fitted value", "With one standard deviation, fitted together with the declared parameters."},
-        {"Explains [%]",
-         "Share of the residual's square that it could take away, after what the declared parameters absorb.", true},
+        {"Explains [%]", "Share of the squared residual that it can remove, after what the declared parameters absorb.",
+         true},
         {std::string("Held out [") + times + "]",
          "Error on blocks of data that the fit did not see, in units of the noise: 1 is perfect.", true},
         {"Weight [%]", "Share of the evidence among all that was fitted, the declared model included.", true}};
@@ -270,7 +270,7 @@ void DiagnosePanel::draw_ranking(PanelContext& context) {
         ImGui::PopStyleColor();
         context.items.mark("diagnose/row/" + row.key);
         // The tooltip adds what the columns cannot show: similar effects, and why there are no force arrows.
-        const std::string like = row.like.empty() ? "" : "This experiment cannot tell it from " + row.like + ".";
+        const std::string like = row.like.empty() ? "" : "In this experiment it is confounded with " + row.like + ".";
         std::string words = row.name +
                             (row.value.empty() ? "" : ": " + row.value);  // complete, however narrow the table is
         for (const std::string& more : {like, row.no_force})
@@ -417,7 +417,7 @@ void DiagnosePanel::draw_errors(PanelContext& context, const commands::Diagnosis
     const platform::Theme& theme = context.theme;
     const commands::DiagnosisView& d = *state.diagnosis;
     if (row.kind == commands::DiagnosisRow::Kind::missing_force)
-        return muted_text(theme, "The missing force is no model: there is no prediction with it.");
+        return muted_text(theme, "The missing force is not a model: there is no prediction with it.");
     if (!ImGui::BeginTable("errors", 6,
                            ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
                                ImGuiTableFlags_BordersOuterH))
@@ -425,9 +425,9 @@ void DiagnosePanel::draw_errors(PanelContext& context, const commands::Diagnosis
     ImGui::TableSetupScrollFreeze(0, 1);
     const std::string of_noise = std::string(" [") + times + " noise]";
     const std::string before = "rms error over the markers of the declared model, its parameters fitted",
-                      after = "with " + lower_first(row.name) + " beside them";
+                      after = "with " + lower_first(row.name) + " fitted with them";
     const std::vector<Heading> headings{{"Trial", ""},
-                                        {"Role", "Trials that are predicted took no part in any fit or choice."},
+                                        {"Role", "Predicted trials were not used in any fit or choice."},
                                         {"Before [mm]", before, true},
                                         {"After [mm]", after, true},
                                         {"Before" + of_noise, before, true},

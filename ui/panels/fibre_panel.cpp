@@ -44,21 +44,21 @@ const std::vector<commands::Choice>& action_choices() {
 
 const std::vector<commands::Choice>& direction_choices() {
     static const std::vector<commands::Choice> choices{
-        {"stroke", "Along the stroke", "Fibres follow the hand, smoothed over the brush, in the plane of the surface."},
+        {"stroke", "Along the stroke",
+         "Fibres follow the stroke, smoothed over the brush, in the plane of the surface."},
         {"x", "Along x", "All fibres along the x axis."},
         {"y", "Along y", "All fibres along the y axis."},
         {"z", "Along z", "All fibres along the z axis."},
-        {"longest", "Along the longest axis", "All fibres along the axis in which the body reaches farthest."}};
+        {"longest", "Along the longest axis", "All fibres along the body's longest axis."}};
     return choices;
 }
 
 const std::vector<commands::Choice>& mirror_choices() {
     static const std::vector<commands::Choice> choices{
         {"none", "Off", "Paint where the mouse is."},
-        {"x", "Left and right in x", "What is painted on one side of the body's middle is painted on the other, too."},
-        {"y", "Left and right in y", "What is painted on one side of the body's middle is painted on the other, too."},
-        {"z", "Above and below in z",
-         "What is painted on one side of the body's middle is painted on the other, too."}};
+        {"x", "Left and right in x", "Paint on one side of the body's middle is mirrored to the other."},
+        {"y", "Left and right in y", "Paint on one side of the body's middle is mirrored to the other."},
+        {"z", "Above and below in z", "Paint on one side of the body's middle is mirrored to the other."}};
     return choices;
 }
 
@@ -148,7 +148,7 @@ void FibrePanel::draw_list(PanelContext& context) {
 /// field shows the old one.
 void FibrePanel::draw_name(PanelContext& context) {
     const commands::Muscle& muscle = *context.state.chosen_muscle();
-    row_label(context.theme, "Name", "Heads the muscle's column in files of signals.");
+    row_label(context.theme, "Name", "Heading of the muscle's column in signal files.");
     // While the field has the keyboard, its text is not replaced by the state.
     if (!typing_) typed_name_ = muscle.name;
     // A declared muscle keeps the name that it has in the experiment.
@@ -179,14 +179,14 @@ void FibrePanel::draw_link(PanelContext& context) {
     const bool leads = std::any_of(state.settings.muscles.begin(), state.settings.muscles.end(),
                                    [&](const commands::Muscle& other) { return other.follows == muscle.name; });
     // Only muscles with their own signal are offered.
-    std::vector<commands::Choice> partners{{"", "None", "It has a signal of its own."}};
+    std::vector<commands::Choice> partners{{"", "None", "It has its own signal."}};
     for (const commands::Muscle& other : state.settings.muscles)
         if (other.name != muscle.name && other.follows.empty() && !leads)
             partners.push_back({other.name, other.name, "Its signal follows that of " + other.name + "."});
     std::string partner = muscle.follows;
     if (choice_row(context, "Antagonist of", "fibres/follows",
                    leads ? "Another muscle follows this one."
-                         : "A muscle whose signal this one takes the other way: a \xe2\x88\x92 1 = ratio "
+                         : "A muscle whose signal this one follows inversely: a \xe2\x88\x92 1 = ratio "
                            "(a\xe2\x82\x80 \xe2\x88\x92 1).",
                    partners, partner))
         change(context, "antagonist", false, [&](commands::Muscle& m) {
@@ -201,7 +201,7 @@ void FibrePanel::draw_link(PanelContext& context) {
     const NumberField field{"Ratio",
                             "fibres/ratio",
                             "",
-                            "a \xe2\x88\x92 1 is so many times that of the other muscle: \xe2\x88\x92"
+                            "Factor from a \xe2\x88\x92 1 of the other muscle to that of this one: \xe2\x88\x92"
                             "1 lengthens as much as the other shortens.",
                             1.0,
                             commands::muscle_ratio_limits,
@@ -240,7 +240,7 @@ void FibrePanel::draw_muscle(PanelContext& context) {
         "Stiffness w",
         "fibres/stiffness",
         "kPa",
-        "Energy per rest volume w/2 (|F m| \xe2\x88\x92 a)\xc2\xb2: m the fibre's direction, a(t) the length it wants.",
+        "Energy per rest volume w/2 (|F m| \xe2\x88\x92 a)\xc2\xb2: m the fibre's direction, a(t) the target stretch.",
         1e3,
         commands::muscle_stiffness_limits,
         0.1};
@@ -248,8 +248,9 @@ void FibrePanel::draw_muscle(PanelContext& context) {
         change(context, "stiffness of a muscle", goes_on, [&](commands::Muscle& m) { m.stiffness_Pa = stiffness; });
     // The action of a follower results from its ratio, so only leaders have this row.
     std::string action = muscle.extends ? "extends" : "contracts";
-    if (muscle.follows.empty() && choice_row(context, "When active", "fibres/action",
-                                             "What the muscle does; turns its signal over.", action_choices(), action))
+    if (muscle.follows.empty() &&
+        choice_row(context, "When active", "fibres/action", "Action of the active muscle; a change mirrors its signal.",
+                   action_choices(), action))
         change(context, "action of a muscle", false, [&](commands::Muscle& m) {
             m.extends = action == "extends";
             // Mirrored at a = 1: a contraction becomes the extension of the same size.
@@ -286,24 +287,23 @@ void FibrePanel::draw_paint_actions(PanelContext& context) {
         return pressed;
     };
     ImGui::BeginDisabled(!ready || !(paint->weights.maxCoeff() > 0.0));
-    if (button("Grow", "fibres/grow", "One layer of elements more"))
+    if (button("Grow", "fibres/grow", "Add one layer of elements"))
         repaint("grow", fibre::grown(*paint, state.ground->neighbours));
     ImGui::SameLine();
-    if (button("Shrink", "fibres/shrink", "One layer of elements less"))
+    if (button("Shrink", "fibres/shrink", "Remove one layer of elements"))
         repaint("shrink", fibre::shrunk(*paint, state.ground->neighbours));
     ImGui::SameLine();
-    if (button("Straighten", "fibres/straighten", "All its fibres along the axis in which it reaches farthest")) {
+    if (button("Straighten", "fibres/straighten", "Align all its fibres with its longest axis")) {
         // Only the directions change; weights stay.
         fibre::CellPaint straight = *paint;
         straight.directions = fibre::directions_along_longest_axis(state.body->mesh, paint->weights);
         repaint("straighten", std::move(straight));
     }
-    if (button("Clear", "fibres/clear", "Take all its paint away"))
-        repaint("clear", fibre::blank_paint(state.body->mesh));
+    if (button("Clear", "fibres/clear", "Remove all its paint")) repaint("clear", fibre::blank_paint(state.body->mesh));
     ImGui::EndDisabled();
     ImGui::SameLine();
     ImGui::BeginDisabled(!muscle.declared.empty());
-    if (button("Remove", "fibres/remove", "Take the muscle out of the model")) {
+    if (button("Remove", "fibres/remove", "Remove the muscle from the model")) {
         commands::Settings settings = state.settings;
         settings.muscles.erase(settings.muscles.begin() + state.muscle);
         // Followers of the removed muscle become passive.
@@ -336,9 +336,9 @@ void FibrePanel::draw_brush(PanelContext& context) {
          {commands::BrushTool::add, platform::icon::brush, "Paint", "fibres/tool/paint",
           "Drag over the body to paint (B). Ctrl erases."},
          {commands::BrushTool::erase, platform::icon::eraser, "Erase", "fibres/tool/erase",
-          "Drag over the body to take paint away (E). Ctrl paints."},
+          "Drag over the body to remove paint (E). Ctrl paints."},
          {commands::BrushTool::fill, platform::icon::drop, "Fill", "fibres/tool/fill",
-          "Click on the body: all that can be reached without crossing paint becomes muscle"}}};
+          "Click on the body: fills the elements up to existing paint"}}};
     const float gap = 2.0f * theme.scale, width = std::floor((ImGui::GetContentRegionAvail().x - 3.0f * gap) / 4.0f);
     ImGui::BeginDisabled(!state.ground);
     for (const Tool& tool : tools) {
@@ -363,7 +363,7 @@ void FibrePanel::draw_brush(PanelContext& context) {
         number({"Radius",
                 "fibres/radius",
                 "mm",
-                "Radius r of the brush [mm]: it paints the elements whose middle lies no farther from the stroke, "
+                "Radius r of the brush [mm]: it paints the elements whose centre is at most r from the stroke, "
                 "measured along the surface.",
                 1e-3,
                 {1e-3 * reach, 0.5 * reach},
@@ -373,7 +373,7 @@ void FibrePanel::draw_brush(PanelContext& context) {
         number({"Depth",
                 "fibres/depth",
                 "mm",
-                "How far below the surface the brush reaches [mm], along the surface's normal.",
+                "Depth of the brush below the surface [mm], along the surface's normal.",
                 1e-3,
                 {1e-3 * reach, reach},
                 0.05},
@@ -385,8 +385,8 @@ void FibrePanel::draw_brush(PanelContext& context) {
         number({"Soft edge",
                 "fibres/falloff",
                 "%",
-                "Share q of the radius over which the weight falls to nothing: at the distance d from the stroke it is "
-                "the strength times s² (3 − 2 s), s = (r − d) / (q r), no more than 1.",
+                "Share q of the radius over which the weight falls to zero: at the distance d from the stroke it is "
+                "the strength times s² (3 − 2 s), s = (r − d) / (q r), at most 1.",
                 0.01,
                 {0.0, 1.0},
                 0.5},
@@ -394,18 +394,18 @@ void FibrePanel::draw_brush(PanelContext& context) {
         number({"Strength",
                 "fibres/strength",
                 "%",
-                "Weight in the middle: the share of an element that becomes muscle. The fibres' energy w/2 (|F m| − "
-                "a)² counts by it.",
+                "Weight in the centre: the share of an element that becomes muscle. The fibres' energy w/2 (|F m| − "
+                "a)² is scaled by it.",
                 0.01,
                 {0.01, 1.0},
                 0.5},
                brush.strength);
     }
     if (brush.tool == commands::BrushTool::add || brush.tool == commands::BrushTool::fill)
-        choose(context, "Direction", "fibres/direction", "Where the fibres run.", direction_choices(), brush.direction);
+        choose(context, "Direction", "fibres/direction", "Direction of the fibres.", direction_choices(),
+               brush.direction);
     if (brush.tool == commands::BrushTool::add || brush.tool == commands::BrushTool::erase)
-        choose(context, "Mirror", "fibres/mirror", "Two halves of the body painted alike.", mirror_choices(),
-               brush.mirror);
+        choose(context, "Mirror", "fibres/mirror", "Paints both halves of the body.", mirror_choices(), brush.mirror);
     if (!(brush == state.brush)) context.emit(commands::ChangeBrush{brush});
 }
 

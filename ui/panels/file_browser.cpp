@@ -138,7 +138,7 @@ void FileBrowser::draw_places(PanelContext& context) {
 // A double click enters a folder, but chooses an experiment folder.
 void FileBrowser::draw_entries(PanelContext& context) {
     const platform::Theme& theme = context.theme;
-    if (entries_.empty()) muted_text(theme, "Nothing here that can be chosen.");
+    if (entries_.empty()) muted_text(theme, "No matching files here.");
     std::optional<fs::path> enter, chosen;
     for (const FolderEntry& entry : entries_) {
         const bool experiment = entry.experiment && dialog_->experiments;
@@ -176,7 +176,7 @@ void FileBrowser::draw_entries(PanelContext& context) {
 /// The facts come from the backend, which knows the file formats.
 void FileBrowser::draw_preview(PanelContext& context) {
     const platform::Theme& theme = context.theme;
-    if (selected_.empty()) return muted_text(theme, "What is selected is described here.");
+    if (selected_.empty()) return muted_text(theme, "Select a file to see its description.");
     const fs::path path = folder_ / selected_;
     // Reading the file takes time, so the preview is computed once per selection.
     if (path != previewed_) {
@@ -211,7 +211,8 @@ bool FileBrowser::draw_name(PanelContext& context, const fs::path& target, bool 
                            240.0f * theme.scale;
         ImGui::SameLine();
         const std::string told = std::string(platform::icon::warning) + "  " +
-                                 (again ? "Enter again replaces it" : "There already: " + target.filename().string());
+                                 (again ? "Enter again to replace it"
+                                        : "Exists already: " + target.filename().string());
         ImGui::TextColored(theme.warning, "%s", elided(told, room).c_str());
         context.items.mark("browser/is_there");
         tooltip(theme, told);
@@ -277,7 +278,7 @@ void FileBrowser::draw_new_folder(PanelContext& context) {
     context.items.mark("browser/new_folder/name");
     ImGui::SameLine();
     ImGui::BeginDisabled(new_folder_.empty());
-    const bool pressed = ImGui::Button("Make") || (entered && !new_folder_.empty());
+    const bool pressed = ImGui::Button("Create") || (entered && !new_folder_.empty());
     context.items.mark("browser/new_folder/make");
     ImGui::EndDisabled();
     if (pressed) {
@@ -290,8 +291,8 @@ void FileBrowser::draw_new_folder(PanelContext& context) {
             typing_name_ = true;
             ImGui::CloseCurrentPopup();
         } else {
-            problem_ = fs::exists(made) ? "A file of this name is there already."
-                                        : "Cannot be made: " + failed.message();
+            problem_ = fs::exists(made) ? "A file of this name exists already."
+                                        : "Cannot be created: " + failed.message();
             typing_folder_ = true;
         }
     }
@@ -322,7 +323,7 @@ void FileBrowser::draw(PanelContext& context) {
     }
     if (ImGui::Button(platform::icon::up)) go_to(folder_.parent_path());
     context.items.mark("browser/up");
-    tooltip(context.theme, "The folder above");
+    tooltip(context.theme, "Parent folder");
     ImGui::SameLine();
     const auto& kept = context.state.preferences.bookmarks;
     const bool marked = std::find(kept.begin(), kept.end(), folder_) != kept.end();
@@ -330,7 +331,7 @@ void FileBrowser::draw(PanelContext& context) {
         context.emit(commands::Bookmark{folder_, !marked});
     context.items.mark("browser/star");
     tooltip(context.theme,
-            marked ? "Take this folder off the list at the left" : "Keep this folder in the list at the left");
+            marked ? "Remove this folder from the list at the left" : "Add this folder to the list at the left");
     ImGui::SameLine();
     if (writes() || dialog_->folders) draw_new_folder(context);
     ImGui::SetNextItemWidth(-1.0f);

@@ -26,8 +26,7 @@ void FitPanel::draw_calibrate(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
     heading(theme, "Values of the model");
-    if (state.scene->calibrated.empty())
-        return muted_text(theme, "The experiment leaves nothing unknown: material.calibrate is empty.");
+    if (state.scene->calibrated.empty()) return muted_text(theme, "Unknown parameters: none.");
     // One parameter per line.
     std::string list;
     for (const std::string& label : state.scene->calibrated) list += (list.empty() ? "" : "\n") + label;
@@ -66,20 +65,20 @@ void FitPanel::draw_optimize(PanelContext& context) {
                 0.1},
                edit_, request.frequency_Hz, ignored);
     number_row(context,
-               {"Least a",
+               {"Minimum a",
                 "fit/lowest",
                 "",
-                "Least target stretch a that is tried, a plain number: the length that the fibres want over their "
+                "Lower bound of the target stretch a, dimensionless: target length of the fibres over their "
                 "length at rest. Below 1 they pull.",
                 1.0,
                 {0.1, 1.0},
                 0.005},
                edit_, request.lowest, ignored);
     number_row(context,
-               {"Greatest a",
+               {"Maximum a",
                 "fit/highest",
                 "",
-                "Greatest target stretch a that is tried, a plain number: the length that the fibres want over their "
+                "Upper bound of the target stretch a, dimensionless: target length of the fibres over their "
                 "length at rest. Above 1 they push.",
                 1.0,
                 {1.0, 4.0},
@@ -92,7 +91,7 @@ void FitPanel::draw_optimize(PanelContext& context) {
             {"Evaluations",
              "fit/evaluations",
              "",
-             "At most so many runs of the trial, each with the exact gradient of its loss by the adjoint method.",
+             "Maximum number of runs of the trial, each with the exact gradient of its loss by the adjoint method.",
              1.0,
              {1.0, 1000.0},
              1.0},
@@ -104,8 +103,8 @@ void FitPanel::draw_optimize(PanelContext& context) {
     context.items.mark("fit/optimize");
     tooltip(
         theme,
-        "Looks for the signals with which the markers follow the trial: the least mean square distance, plus a little "
-        "for hasty signals, by a quasi-Newton search on its exact gradient. The best so far plays in the view.");
+        "Seeks the signals with which the markers follow the trial: least mean square distance plus a small penalty on "
+        "the rate of the signals, by a quasi-Newton search on its exact gradient. The best so far plays in the view.");
 }
 
 void FitPanel::draw_found(PanelContext& context) {

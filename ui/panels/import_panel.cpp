@@ -95,15 +95,14 @@ void ImportPanel::draw_file(PanelContext& context) {
         std::string unit = "mm";
         for (std::size_t u = 0; u < units.size(); ++u)
             if (reading.metres_per_unit == unit_lengths[u]) unit = units[u].id;
-        if (choice_row(context, "Unit", "import/unit", "Of the lengths in the file, which does not say it", units,
-                       unit))
+        if (choice_row(context, "Unit", "import/unit", "Unit of lengths; not stated in the file", units, unit))
             for (std::size_t u = 0; u < units.size(); ++u)
                 if (units[u].id == unit) reading.metres_per_unit = unit_lengths[u];
     }
     bool goes_on = false;
     if (file.asks_rate)
         number_row(context,
-                   {"Rate", "import/rate", "Hz", "Samples in a second: the file does not say it", 1.0, {1.0, 1e5}, 1.0},
+                   {"Rate", "import/rate", "Hz", "Samples per second; not stated in the file", 1.0, {1.0, 1e5}, 1.0},
                    edit_, reading.rate_Hz, goes_on);
     if (file.asks_rate) {
         row_label(context.theme, "0, 0, 0");
@@ -140,17 +139,16 @@ void ImportPanel::draw_placing(PanelContext& context, commands::ImportChoices& c
         }
         ImGui::EndCombo();
     }
-    row_label(
-        context.theme, "Turn",
-        "Three markers and more that are not on one line say how the cameras' frame lies on the body (Kabsch 1976)");
+    row_label(context.theme, "Turn",
+              "Three or more markers that are not collinear determine the cameras' frame (Kabsch 1976)");
     ImGui::Checkbox("by the markers##import", &choices.turns);
     context.items.mark("import/turns");
     tooltip(context.theme,
-            "Three markers and more that are not on one line say how the cameras' frame lies on the body: the rigid "
-            "motion with the least squares of their distances (Kabsch 1976). Otherwise the axes above say it.");
-    muted_text(context.theme, view.placed_by + (std::isfinite(view.rms_m) ? " They are " + fixed_mm(view.rms_m) +
-                                                                                " mm rms apart from their places."
-                                                                          : ""));
+            "Three or more markers that are not collinear determine the cameras' frame relative to the body: the rigid "
+            "motion with the least squares of their distances (Kabsch 1976). Otherwise the axes above determine it.");
+    muted_text(context.theme, view.placed_by + (std::isfinite(view.rms_m)
+                                                    ? " They are " + fixed_mm(view.rms_m) + " mm rms from their places."
+                                                    : ""));
 }
 
 void ImportPanel::draw_name(PanelContext& context, std::size_t label, commands::ImportChoices& choices) {
@@ -188,7 +186,7 @@ void ImportPanel::draw_markers(PanelContext& context, commands::ImportChoices& c
     const std::vector<Heading> headings{{"Label", ""},
                                         {"Marker", ""},
                                         {"seen [%]", "Share of the samples in which the cameras saw it", true},
-                                        {"off [mm]", "Distance before the start from where the marker sits", true}};
+                                        {"off [mm]", "Distance from the place of the marker before the start", true}};
     if (ImGui::BeginTable("labels", 4, ImGuiTableFlags_RowBg)) {
         ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthStretch);
         ImGui::TableSetupColumn("marker", ImGuiTableColumnFlags_WidthStretch);
@@ -228,9 +226,10 @@ void ImportPanel::draw_markers(PanelContext& context, commands::ImportChoices& c
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
     if (ImGui::Button("Propose", {width, 0.0f})) context.emit(commands::ProposeMarkers{});
     context.items.mark("import/propose");
-    tooltip(theme,
-            "Tells labels from markers by their names and by the distances between them. On a plain mesh: gives those "
-            "that were not clicked the nearest place of the body.");
+    tooltip(
+        theme,
+        "Matches labels to markers by their names and by the distances between them. On a plain mesh: assigns labels "
+        "that were not clicked to the nearest place on the body.");
     ImGui::SameLine();
     // The button is a toggle: its colour shows whether clicks place labels.
     ImGui::PushStyleColor(ImGuiCol_Button, import.placing ? theme.accent : theme.raised);
@@ -242,9 +241,9 @@ void ImportPanel::draw_markers(PanelContext& context, commands::ImportChoices& c
     ImGui::EndDisabled();
     ImGui::PopStyleColor(2);
     tooltip(theme, import.declared.empty()
-                       ? "Then a click on the body says where the chosen label sits, and the next one is chosen."
-                       : "Then a click on one of the experiment's markers, which the view shows as rings, says that "
-                         "the chosen label is this one, and the next label is chosen.");
+                       ? "While on, a click on the body places the selected label and selects the next one."
+                       : "While on, a click on one of the experiment's markers (rings in the view) assigns it to "
+                         "the selected label and selects the next one.");
 }
 
 /// The start can be typed, dragged in the plot, set to the first large motion, or found by comparison with a run.
@@ -273,9 +272,10 @@ void ImportPanel::draw_start(PanelContext& context, commands::ImportChoices& cho
     if (ImGui::Button("Align to the run", {width, 0.0f})) context.emit(commands::AlignImport{});
     ImGui::EndDisabled();
     context.items.mark("import/align");
-    tooltip(context.theme, context.state.run ? "The start with which displacements follow the shown run best: the "
-                                               "greatest cross-correlation of all markers together"
-                                             : "Run first: then the recording can be aligned with what is simulated.");
+    tooltip(context.theme, context.state.run
+                               ? "Sets the start at which displacements agree best with the shown run: the "
+                                 "greatest cross-correlation over all markers"
+                               : "Run first, then align the recording with the simulation.");
 }
 
 /// A plain mesh has no experiment that the trial could be added to, so a folder for a new one has to be chosen.
@@ -285,15 +285,16 @@ void ImportPanel::draw_trial(PanelContext& context, commands::ImportChoices& cho
     ImGui::InputText("##trial", &choices.trial);
     context.items.mark("import/name");
     either_row(context, "Role", "import/role",
-               "A trial of role fit is calibrated with; one of role validate is predicted, never fitted.", "fit",
-               "validate", choices.fit);
-    either_row(context, "Begins", "import/begins",
-               "Straight: held in the rest shape and let go at t = 0. At rest: in equilibrium under gravity, loads and "
-               "muscles.",
-               "straight", "at rest", choices.straight);
-    row_label(context.theme, "Goes into",
-              new_one ? "A plain mesh becomes an experiment in a folder of its own."
-                      : "The trial is added to the experiment that is open, or to a copy of it.");
+               "Trials of role fit are used in fits; trials of role validate are predicted only.", "fit", "validate",
+               choices.fit);
+    either_row(
+        context, "Begins", "import/begins",
+        "Straight: held in the rest shape and released at t = 0. At rest: in equilibrium under gravity, loads and "
+        "muscles.",
+        "straight", "at rest", choices.straight);
+    row_label(context.theme, "Target",
+              new_one ? "A plain mesh becomes an experiment in its own folder."
+                      : "The trial is added to the open experiment or to a copy of it.");
     // The button shows the present target.
     const std::string place = !choices.folder.empty() ? choices.folder.filename().string()
                               : new_one               ? "New folder\xe2\x80\xa6"
@@ -312,7 +313,7 @@ void draw_import_controls(PanelContext& context) {
     const commands::RecordingImport& import = *context.state.import;
     const std::string& problem = import.view.problem;
     muted_text(context.theme,
-               elided_lines(problem.empty() ? "It can be added." : problem, ImGui::GetContentRegionAvail().x, 2));
+               elided_lines(problem.empty() ? "Ready to add." : problem, ImGui::GetContentRegionAvail().x, 2));
     tooltip(context.theme, problem);
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
     ImGui::BeginDisabled(!problem.empty() || context.state.busy());
@@ -320,7 +321,7 @@ void draw_import_controls(PanelContext& context) {
     ImGui::EndDisabled();
     context.items.mark("import/add");
     ImGui::SameLine();
-    if (ImGui::Button("Give up", {width, 0.0f})) context.emit(commands::GiveUpImport{});
+    if (ImGui::Button("Cancel", {width, 0.0f})) context.emit(commands::GiveUpImport{});
     context.items.mark("import/give_up");
 }
 

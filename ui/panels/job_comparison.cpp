@@ -25,7 +25,7 @@ std::vector<Compared> columns_of(const commands::WorkbenchState& state) {
     for (const commands::JobRecord& record : state.history)
         if (record.compared)
             columns.push_back(
-                {record.clock, record.name + ", begun " + record.clock, &record.settings, record.run.get()});
+                {record.clock, record.name + ", started " + record.clock, &record.settings, record.run.get()});
     // The present is always the last column.
     columns.push_back({"Now", "The present settings, and the error of the run with them", &state.settings,
                        // An outdated run does not belong to the present settings.

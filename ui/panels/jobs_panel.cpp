@@ -71,12 +71,12 @@ void running_row(PanelContext& context, const commands::JobView& job, bool wide)
     ImGui::BeginDisabled(job.cancelling);
     if (small_button(
             context,
-            wide ? (job.paused ? "Go on" : "Pause") : (job.paused ? platform::icon::play : platform::icon::pause),
-            "jobs/pause", "Stops at the next step until it goes on"))
+            wide ? (job.paused ? "Resume" : "Pause") : (job.paused ? platform::icon::play : platform::icon::pause),
+            "jobs/pause", "Pauses at the next step until resumed"))
         context.emit(commands::Pause{!job.paused});
     ImGui::SameLine();
     if (small_button(context, wide ? "Cancel" : platform::icon::stop, "jobs/cancel",
-                     "Ends it; a search keeps its best values"))
+                     "Ends the job; a search keeps its best values"))
         context.emit(commands::Cancel{});
     ImGui::EndDisabled();
 }
@@ -92,8 +92,8 @@ void waiting_row(PanelContext& context, const commands::QueuedJob& job, bool wid
     text_cell(theme, "waits", theme.muted);
     ImGui::TableNextColumn();
     ImGui::TableNextColumn();
-    if (small_button(context, wide ? "Take out" : platform::icon::remove, "jobs/unqueue/" + std::to_string(job.id),
-                     "It will not be run"))
+    if (small_button(context, wide ? "Remove" : platform::icon::remove, "jobs/unqueue/" + std::to_string(job.id),
+                     "Removes the job from the queue"))
         context.emit(commands::Unqueue{job.id});
 }
 
@@ -111,7 +111,7 @@ void record_row(PanelContext& context, const commands::JobRecord& record, bool w
     if (wide)
         text_cell(theme, record.clock, theme.muted), number_cell(theme, time);
     else
-        tooltip(theme, "Begun " + record.clock + (time.empty() ? "" : ", took " + time));
+        tooltip(theme, "Started " + record.clock + (time.empty() ? "" : ", took " + time));
     text_cell(theme, result_words(record), theme.text);
     context.items.mark("jobs/record/" + id);
     ImGui::TableNextColumn();
@@ -122,18 +122,18 @@ void record_row(PanelContext& context, const commands::JobRecord& record, bool w
         ImGui::PopStyleVar();
         context.items.mark("jobs/compare/" + id);
         tooltip(theme,
-                "Draw its markers beside those of the shown run: as curves in the plots, as rings of the same colour "
-                "in the view. The settings in which it differs are listed, too.");
+                "Draw its markers with those of the shown run: as curves in the plots, as rings of the same colour "
+                "in the view. The settings that differ are listed, too.");
     }
     ImGui::TableNextColumn();
     // A failed job has nothing to show.
     ImGui::BeginDisabled(!record.can_be_restored());
     if (small_button(context, wide ? "Restore" : platform::icon::undo, "jobs/restore/" + id,
-                     "Show it again, with its settings; undo brings the present ones back"))
+                     "Show it again, with its settings; undo restores the present ones"))
         context.emit(commands::RestoreRecord{record.id});
     ImGui::EndDisabled();
     ImGui::SameLine();
-    if (small_button(context, wide ? "Forget" : platform::icon::remove, "jobs/forget/" + id, "Take it off the list"))
+    if (small_button(context, wide ? "Delete" : platform::icon::remove, "jobs/forget/" + id, "Delete it from the list"))
         context.emit(commands::ForgetRecord{record.id});
 }
 
@@ -146,9 +146,8 @@ void JobsPanel::draw(PanelContext& context) {
     const platform::Theme& theme = context.theme;
     if (!state.job && state.history.empty()) {
         muted_text(theme,
-                   "Runs, calibrations, searches and diagnoses are listed here, with what they brought, to be compared "
-                   "and taken up again. While one runs, "
-                   "others can be asked for: they wait their turn.");
+                   "Runs, calibrations, searches and diagnoses are listed here with their results, to be compared "
+                   "and restored. While one runs, further jobs wait in a queue.");
         return;
     }
     // The comparison is drawn next to the list if there is room, otherwise below it.
@@ -182,10 +181,9 @@ void JobsPanel::draw_list(PanelContext& context, const ImVec2& size) {
         {{"", ""}, 20.0f},
         {{"Job", ""}, 110.0f},
         {{"Result", ""}, 0.0f},
-        {{wide ? "Compare" : "", "Its markers in the plots, and the settings in which it differs"},
-         wide ? 60.0f : 22.0f},
+        {{wide ? "Compare" : "", "Its markers in the plots, and the settings that differ"}, wide ? 60.0f : 22.0f},
         {{"", ""}, wide ? 132.0f : 64.0f}};
-    if (wide) columns.insert(columns.begin() + 2, {{{"Begun", ""}, 64.0f}, {{"Time", "Spent on it", true}, 80.0f}});
+    if (wide) columns.insert(columns.begin() + 2, {{{"Started", ""}, 64.0f}, {{"Time", "Wall time", true}, 80.0f}});
     if (!ImGui::BeginTable(
             "jobs", static_cast<int>(columns.size()),
             ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersOuterH,

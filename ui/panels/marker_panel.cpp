@@ -20,7 +20,7 @@ constexpr const char* plot_help =  // tooltip of the help icon
     "Drag with the right button: zoom to a box\n"
     "Drag with the left button: move the curves; double-click: show all\n"
     "Click: go to that time; the vertical line can be dragged\n"
-    "Shift and drag: choose a time range, whose rms error is told; Shift and click: none\n"
+    "Shift and drag: select a time range and show its rms error; Shift and click: no range\n"
     "A name in the legend: hide or show the curve";
 
 /// Colour of another trial, chosen far in hue from measured, simulated and residual in both themes.
@@ -31,7 +31,7 @@ const ImVec4& overlay_color(const platform::Theme& theme, std::size_t trial) {
 }
 
 /// Whether there is no room for text on the buttons. The legend of several trials is then in their menu.
-bool is_narrow(const platform::Theme& theme) { return ImGui::GetContentRegionAvail().x < 460.0f * theme.scale; }
+bool is_narrow(const platform::Theme& theme) { return ImGui::GetContentRegionAvail().x < 530.0f * theme.scale; }
 
 /// The curves of one trial for one coordinate.
 struct TrialCurves {
@@ -127,17 +127,17 @@ void MarkerPanel::draw_choice(PanelContext& context) {
     draw_trials(context, narrow);
     ImGui::SameLine(0.0f, gap);
     // A default value of the plot state means "all data".
-    if (ImGui::Button(narrow ? platform::icon::expand : "Fit")) {
+    if (ImGui::Button(narrow ? platform::icon::expand : "Zoom to data")) {
         time_.range.reset();
         main_ = {};
         residual_ = {};
     }
     context.items.mark("markers/fit");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show all of the data (double-click in a plot does the same)");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show all data (double-click in a plot does the same)");
     ImGui::SameLine(0.0f, gap);
     if (ImGui::Button(narrow ? platform::icon::save : "Export\xe2\x80\xa6")) ImGui::OpenPopup("markers export");
     context.items.mark("markers/export");
-    tooltip(context.theme, "Saves what is seen of this marker as a table, a drawing or a picture");
+    tooltip(context.theme, "Saves the visible curves of this marker as a table, a drawing or a picture");
     draw_export(context, state.scene_trial()->name + "_" + markers[current].name);
     ImGui::SameLine(0.0f, gap);
     ImGui::AlignTextToFramePadding();
@@ -159,8 +159,7 @@ void MarkerPanel::draw_error(PanelContext& context) {
                                                   time_.chosen->highest);
         const std::string range = " in " + plot::value_label(time_.chosen->lowest, 3) + "\xe2\x80\x93" +
                                   plot::value_label(time_.chosen->highest, 3) + " s";
-        text = (std::isfinite(rms) ? "rms " + plot::value_label(1e3 * rms, 3) + " mm"
-                                   : std::string("nothing to compare")) +
+        text = (std::isfinite(rms) ? "rms " + plot::value_label(1e3 * rms, 3) + " mm" : std::string("no comparison")) +
                range;
     } else if (simulated && m < simulated->marker_rms_m.size() && std::isfinite(simulated->marker_rms_m[m])) {
         text = "rms of this marker  " + plot::value_label(1e3 * simulated->marker_rms_m[m], 3) + " mm";
@@ -178,7 +177,7 @@ void MarkerPanel::draw_error(PanelContext& context) {
     if (time_.chosen)
         tooltip(context.theme,
                 "Root mean square of simulated \xe2\x88\x92 measured over x, y and z of this marker in the shown "
-                "trial, within the chosen range. Shift and click in a plot: no range.");
+                "trial, within the selected range. Shift and click in a plot: no range.");
 }
 
 void MarkerPanel::draw_trials(PanelContext& context, bool narrow) {
@@ -273,7 +272,7 @@ void MarkerPanel::draw_export(PanelContext& context, const std::string& name) {
     if (ImGui::MenuItem("Picture (PNG)\xe2\x80\xa6"))
         context.window.file = part_dialog("Save a picture of the plots", name, plots_);
     context.items.mark("markers/png");
-    tooltip(context.theme, "The plots as they are seen, pixel by pixel");
+    tooltip(context.theme, "The plots as shown, pixel by pixel");
     ImGui::EndPopup();
 }
 

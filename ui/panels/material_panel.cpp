@@ -17,13 +17,15 @@ namespace {
 const std::vector<SettingField>& material_fields() {
     static const std::vector<SettingField> fields{
         {{"E", "model/youngs_modulus", "kPa",
-          "Young's modulus E [Pa]: stress over strain in a small pull. With Poisson's ratio it gives the shear modulus "
+          "Young's modulus E [Pa]: stress over strain in small tension. With Poisson's ratio it gives the shear "
+          "modulus "
           "μ = E / (2 (1 + ν)) and the bulk modulus "
           "κ = E / (3 (1 − 2ν)).",
           1e3, commands::youngs_modulus_limits, 0.1},
          &commands::Settings::youngs_modulus_Pa},
         {{"ν", "model/poissons_ratio", "",
-          "Poisson's ratio ν, a plain number: how much thinner a pulled bar becomes, ν = −ε_across / ε_along. Silicone "
+          "Poisson's ratio ν, dimensionless: transverse contraction of a bar in tension, ν = −ε_across / ε_along. "
+          "Silicone "
           "is nearly incompressible, ν ≈ 0.49 to "
           "0.499. Lamé's λ = E ν / ((1 + ν) (1 − 2ν)).",
           1.0, commands::poissons_ratio_limits, 1e-4},
@@ -65,9 +67,9 @@ void MaterialPanel::draw(PanelContext& context) {
         text_row(
             context.theme, "Held inside",
             place_label(state.scene->clamp_m->lowest) + "\nto " + place_label(state.scene->clamp_m->highest) + " mm");
-        tooltip(context.theme, "What lies in this box does not move. It is drawn in the view.");
+        tooltip(context.theme, "Material inside this box does not move. It is drawn in the view.");
     } else {
-        muted_text(context.theme, "Nothing holds the body.");
+        muted_text(context.theme, "The body has no support.");
     }
     // Shown as a vector, as it need not act along an axis.
     const double g = state.scene->gravity_m_s2.norm();
@@ -104,7 +106,7 @@ void MaterialPanel::draw_effects(PanelContext& context) {
         ImGui::PushID(static_cast<int>(i));
         // The text leaves room for the button that removes the effect, which is aligned at the right edge.
         const float button = ImGui::GetFrameHeight();
-        row_label(context.theme, effect.name, "An effect that was added to the experiment's own model.");
+        row_label(context.theme, effect.name, "An effect that was added to the experiment's model.");
         const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
         wrapped_text(effect.value, right - button - ImGui::GetStyle().ItemSpacing.x);
         context.items.mark("model/effect/" + effect.id);
@@ -116,7 +118,7 @@ void MaterialPanel::draw_effects(PanelContext& context) {
             context.emit(commands::ChangeSettings{settings, "effects", false});
         }
         context.items.mark("model/remove/" + effect.id);
-        tooltip(context.theme, "Take it out of the model");
+        tooltip(context.theme, "Remove from the model");
         ImGui::PopID();
     }
 }

@@ -18,7 +18,7 @@ void draw_trial_errors(PanelContext& context, const std::string& item, const com
     const commands::WorkbenchState& state = context.state;
     if (!ImGui::BeginTable("trials", 3, ImGuiTableFlags_RowBg)) return;
     const std::vector<Heading> headings{{"Trial", ""},
-                                        {"Role", "Trials of role validate are predicted, never fitted."},
+                                        {"Role", "Trials of role validate are predicted only."},
                                         {"rms [mm]", "Error over all markers of the trial", true}};
     ImGui::TableSetupColumn("trial", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("role", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("validate").x);
@@ -53,7 +53,7 @@ void draw_import_button(PanelContext& context) {
     context.items.mark("measure/import");
     tooltip(
         context.theme,
-        "Makes a trial of a file of motion capture: C3D, TRC, Qualisys TSV, CSV, or a table of x, y, z of each marker");
+        "Makes a trial from a motion-capture file: C3D, TRC, Qualisys TSV, CSV, or a table of x, y, z of each marker");
 }
 
 }  // namespace
@@ -87,10 +87,10 @@ void MeasurePanel::draw(PanelContext& context) {
         const char* tip;
     };
     // The three tables per axis share their columns; only the tooltip differs.
-    const std::string what = shown_ == Shown::bias      ? "Mean of simulated less measured [mm]"
-                             : shown_ == Shown::largest ? "Largest magnitude of simulated less measured [mm]"
-                                                        : "Root mean square of simulated less measured [mm]";
-    for (const Tab& t : {Tab{Shown::whole, "In all", "measure/whole", "All three coordinates together"},
+    const std::string what = shown_ == Shown::bias      ? "Mean of simulated minus measured [mm]"
+                             : shown_ == Shown::largest ? "Largest magnitude of simulated minus measured [mm]"
+                                                        : "Root mean square of simulated minus measured [mm]";
+    for (const Tab& t : {Tab{Shown::whole, "Total", "measure/whole", "All three coordinates together"},
                          Tab{Shown::rms, "rms", "measure/rms", "Root mean square in x, y and z"},
                          Tab{Shown::largest, "max", "measure/largest", "Largest error in x, y and z"},
                          Tab{Shown::bias, "Bias", "measure/bias", "Mean error in x, y and z"}}) {

@@ -15,13 +15,13 @@
 namespace myo::ui::panels {
 namespace {
 
-// titles in order; the Steps of the palette have no menu
+// titles in order; the Tasks of the palette have no menu
 constexpr std::array<const char*, 5> menus{"File", "Edit", "View", "Run", "Help"};
 
 /// Submenus of File.
 void draw_recent(PanelContext& context) {
     const auto& recent = context.state.preferences.recent;
-    if (recent.empty() || !ImGui::BeginMenu("Open lately")) return;
+    if (recent.empty() || !ImGui::BeginMenu("Open recent")) return;
     for (const std::filesystem::path& path : recent)
         if (ImGui::MenuItem(path.string().c_str())) context.emit(commands::Open{path, std::nullopt});
     ImGui::EndMenu();
@@ -135,7 +135,7 @@ void draw_menu_bar(PanelContext& context, viewport::ViewportState& viewport) {
         ImGui::SameLine();
     };
     button(platform::icon::save, "bar/save",
-           state.unsaved() ? "Save the project (Ctrl+S); it has changes" : "Save the project (Ctrl+S)",
+           state.unsaved() ? "Save the project (Ctrl+S); unsaved changes" : "Save the project (Ctrl+S)",
            state.scene != nullptr, commands::Save{});
     button(platform::icon::undo, "bar/undo", "Undo the last change (Ctrl+Z)", state.can_undo, commands::Undo{});
     button(platform::icon::redo, "bar/redo", "Redo (Ctrl+Y)", state.can_redo, commands::Redo{});

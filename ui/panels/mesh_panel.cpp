@@ -50,7 +50,7 @@ void MeshPanel::draw_mesh_settings(PanelContext& context) {
         "Edge length",
         "body/edge_length",
         "mm",
-        "Edge length of the elements that is aimed at. Along a side of length L there are about L / edge elements, "
+        "Target edge length of the elements. Along a side of length L there are about L / edge elements, "
         "adapted so that the body's size is met exactly: half the edge, eight times the elements.",
         1e-3,
         range,
@@ -100,17 +100,16 @@ void MeshPanel::draw_step_cost(PanelContext& context, double dofs) {
              same ? milliseconds(predicted.from.seconds) + " measured"
                   : "\xe2\x89\x88 " + milliseconds(predicted.seconds) + "; " + source);
     context.items.mark("body/step_cost");
-    const std::string carried = " carried to another size by\nt \xe2\x88\xbc DOF^p, p = " +
+    const std::string carried = " scaled to another size by\nt \xe2\x88\xbc DOF^p, p = " +
                                 plot::value_label(predicted.exponent, 3) +
                                 (predicted.fitted ? ", fitted to this machine's runs with these elements."
                                                   : ", as measured with hexahedra of small and large bodies.");
-    tooltip(
-        context.theme,
-        (predicted.measured
-             ? "Wall time of the newest run on this machine over the steps of all its trials," + carried
-             : "No run was made on this machine yet. README's benchmark, " + milliseconds(predicted.from.seconds) +
-                   " at " + with_separators(predicted.from.dofs) + " DOF," + carried + "\nThe first run measures it.") +
-            "\nOther elements, steps, materials or a busy machine change it: expect a factor of two.");
+    tooltip(context.theme,
+            (predicted.measured
+                 ? "Wall time of the newest run on this machine over the steps of all its trials," + carried
+                 : "No run on this machine yet. README's benchmark, " + milliseconds(predicted.from.seconds) + " at " +
+                       with_separators(predicted.from.dofs) + " DOF," + carried + "\nThe first run measures it.") +
+                "\nOther elements, steps, materials or a busy machine change it: expect a factor of two.");
 }
 
 void MeshPanel::draw_report(PanelContext& context) {

@@ -22,7 +22,7 @@ void add_files(std::vector<Action>& all, const commands::WorkbenchState& state) 
         all.push_back(
             {"example/" + example.path.filename().string(), "Example", example.name, {}, opens(example.path)});
     for (const std::filesystem::path& path : state.preferences.recent)
-        all.push_back({"recent/" + path.string(), "Open lately", path.string(), {}, opens(path)});
+        all.push_back({"recent/" + path.string(), "Open recent", path.string(), {}, opens(path)});
 }
 
 /// Selects a trial of the open scene.
@@ -77,7 +77,7 @@ void add_fields(std::vector<Action>& all, const commands::WorkbenchState& state,
         all.push_back(std::move(action));
     }
     // Removes the colours.
-    all.push_back({"field/none", "Colour by", "nothing", {}, colours("")});
+    all.push_back({"field/none", "Colour by", "none", {}, colours("")});
 }
 
 }  // namespace

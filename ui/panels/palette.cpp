@@ -64,7 +64,7 @@ void Palette::draw(PanelContext& context, viewport::ViewportState& viewport,
     // The action to execute, set by a click or Enter.
     const Action* wanted = nullptr;
     ImGui::BeginChild("found");
-    if (found.empty()) muted_text(theme, "Nothing of this name.");
+    if (found.empty()) muted_text(theme, "No match.");
     for (int i = 0; i < static_cast<int>(found.size()); ++i) {
         const Action& action = *found[static_cast<std::size_t>(i)];
         const bool enabled = !action.enabled || action.enabled(context.state);

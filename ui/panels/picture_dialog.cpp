@@ -30,12 +30,12 @@ void PictureDialog::open(const commands::WorkbenchState& state, const viewport::
 
 /// The fixed sizes are common for slides and videos. Other sizes are typed.
 void PictureDialog::draw_size(PanelContext& context) {
-    const std::vector<commands::Choice> sizes{{"view", "As the view is", ""},
+    const std::vector<commands::Choice> sizes{{"view", "Like the view", ""},
                                               {"1600x900", "1600 \xc3\x97 900", ""},
                                               {"1920x1080", "1920 \xc3\x97 1080", ""},
                                               {"3840x2160", "3840 \xc3\x97 2160", ""},
                                               {"other", "Other", ""}};
-    if (choice_row(context, "Size", "picture/size", "In pixels. The view is drawn anew in this size, not stretched.",
+    if (choice_row(context, "Size", "picture/size", "In pixels. The view is rendered at this size, not stretched.",
                    sizes, size_)) {
         if (size_ == "view")
             request_.width = view_.width, request_.height = view_.height;
@@ -53,13 +53,13 @@ void PictureDialog::draw_size(PanelContext& context) {
         *side = std::clamp(*side, least_side, greatest_side);
     }
     ImGui::EndDisabled();
-    row_label(context.theme, "Beside it");
+    row_label(context.theme, "Annotations");
     ImGui::Checkbox("Legend, scale and names", &request_.overlay);
     context.items.mark("picture/overlay");
     tooltip(context.theme,
-            "Draws what lies over the view into the pictures, too: the legend of the colours, the scale bar, axes, "
+            "Draws the overlay of the view into the pictures, too: the legend of the colours, the scale bar, axes, "
             "names of markers, distances, and the time. "
-            "Letters and lines are as large against a picture as in the view.");
+            "Text and lines keep their size relative to the view.");
 }
 
 void PictureDialog::draw_time(PanelContext& context) {
@@ -70,7 +70,7 @@ void PictureDialog::draw_time(PanelContext& context) {
                    {"Time",
                     "picture/time",
                     "s",
-                    "Time of the picture: that which was shown when you asked for it",
+                    "Time of the picture: the time shown when the dialog was opened",
                     1.0,
                     {span[0], span[1]},
                     1e-2},
@@ -94,11 +94,12 @@ void PictureDialog::draw_motion(PanelContext& context) {
                edit_, request_.to_s, goes_on);
     // Changing the first time may pass the last one.
     request_.to_s = std::max(request_.to_s, request_.from_s);
-    number_row(context, {"Rate", "picture/rate", "1/s", "Pictures in a second of the film", 1.0, {1.0, 240.0}, 1.0},
+    number_row(context, {"Rate", "picture/rate", "1/s", "Pictures per second of the film", 1.0, {1.0, 240.0}, 1.0},
                edit_, request_.rate_Hz, goes_on);
-    number_row(context,
-               {"Speed", "picture/speed", "\xc3\x97", "Of the film against real time", 1.0, {0.01, 10.0}, 0.01}, edit_,
-               request_.speed, goes_on);
+    number_row(
+        context,
+        {"Speed", "picture/speed", "\xc3\x97", "Speed of the film relative to real time", 1.0, {0.01, 10.0}, 0.01},
+        edit_, request_.speed, goes_on);
     // A copy: the number of images depends on what is selected now.
     PictureRequest moving = request_;
     moving.moves = true;
@@ -139,7 +140,7 @@ void PictureDialog::draw(PanelContext& context) {
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
     // The row of the number of images explains why.
     ImGui::BeginDisabled(picture_count(request_) > most_pictures);
-    if (primary_button(context.theme, "Where\xe2\x80\xa6", {width, 0.0f})) {
+    if (primary_button(context.theme, "Save as\xe2\x80\xa6", {width, 0.0f})) {
         PictureRequest asked = request_;
         // H.264 requires even sides.
         if (kind_ == Kind::film) asked.width -= asked.width % 2, asked.height -= asked.height % 2;

@@ -67,7 +67,7 @@ bool update_placing(PanelContext& context, const viewport::DrawnScene& scene, co
         }
     }
     const std::string where = plain ? "Click where " + label + " sits on the body."
-                                    : "Click on the ring of the marker that " + label + " is.";
+                                    : "Click on the ring of the marker for " + label + ".";
     draw_hint(context, view, where + " Esc ends.", "view/placing_hint");
     return true;
 }

@@ -8,9 +8,9 @@ void draw_preview_rows(PanelContext& context, OpenEdit& edit) {
     const commands::WorkbenchState& state = context.state;
     if (!state.scene) return;
     row_label(context.theme, "Live preview",
-              "Every edit of a value is followed by a short run of the shown trial, beside the work: view and curves "
-              "show it as soon as it is there. "
-              "It is no result; Run makes one.");
+              "Every edit of a value starts a short run of the shown trial in the background: view and curves "
+              "show it when it is ready. "
+              "It is not a result; Run makes one.");
     bool on = state.preview.on;
     ImGui::PushID("live preview");
     if (ImGui::Checkbox("##on", &on)) context.emit(commands::ChangePreview{on, state.preview.length_s});
@@ -21,7 +21,7 @@ void draw_preview_rows(PanelContext& context, OpenEdit& edit) {
         "Preview length",
         "preview/length",
         "s",
-        "Seconds of the trial that are run, from t = 0 on: length / h steps. The shorter, the sooner it is there.",
+        "Seconds of the trial that are run, from t = 0 on: length / h steps. The shorter, the faster.",
         1.0,
         {0.01, 1e3},
         0.01};

@@ -35,7 +35,7 @@ private:
 void ask_unit(PanelContext& context) {
     if (!begin_dialog(context.theme, "Unit of the file", 400.0f)) return;
     wrapped_text(context.state.unit_question->filename().string() +
-                 " does not say in which unit its numbers are. Which one is it?");
+                 " does not state the unit of its numbers. Which unit is it?");
     ImGui::Spacing();
     // Empty until a button is pressed; an answer without a unit cancels the opening.
     std::optional<commands::AnswerUnit> answer;
@@ -77,11 +77,11 @@ void ask_to_stop(PanelContext& context) {
     if (!begin_dialog(context.theme, stop_title, 440.0f)) return;
     const std::string name = context.state.job ? context.state.job->name : "A job";
     wrapped_text(name + " has not ended" + (context.state.queue.empty() ? "." : ", and others wait.") +
-                 " What it has found so far is lost when the window closes.");
+                 " Its results so far are lost when the window closes.");
     ImGui::Spacing();
     std::optional<bool> stops;
     ButtonRow row(context, 2);
-    if (row.add("Stop it and quit", "stop/quit")) stops = true;
+    if (row.add("Stop and quit", "stop/quit")) stops = true;
     if (row.add("Keep running", "stop/keep", true)) stops = false;
     if (stops) context.emit(commands::AnswerStop{*stops});
     // The job may have ended while the dialog was open.
@@ -91,22 +91,22 @@ void ask_to_stop(PanelContext& context) {
 
 /// One recovery file after the other, the newest first.
 void ask_recovery(PanelContext& context) {
-    if (!begin_dialog(context.theme, "Unsaved work was found", 480.0f)) return;
+    if (!begin_dialog(context.theme, "Unsaved work found", 480.0f)) return;
     const std::size_t count = context.state.recovered.size();
     wrapped_text(
-        "Myoloop did not end well the last time. Work that was not saved can be taken up again." +
+        "Myoloop failed the last time. Unsaved work can be recovered." +
         (count > 1
              ? " There are " + std::to_string(count) +
-                   " pieces of it; this is the newest. What is not thrown away is offered at the next start again."
+                   " unsaved projects; this is the newest. Those not discarded are offered again at the next start."
              : ""));
     ImGui::Spacing();
     bool decided = false;
     ButtonRow row(context, 2);
-    if (row.add("Throw it away", "recovery/discard")) {
+    if (row.add("Discard", "recovery/discard")) {
         context.emit(commands::DiscardRecovery{});
         decided = true;
     }
-    if (row.add("Take it up", "recovery/recover", true)) {
+    if (row.add("Recover", "recovery/recover", true)) {
         context.emit(commands::Recover{context.state.recovered.back()});
         decided = true;
     }

@@ -32,8 +32,7 @@ std::string RecordingPanel::title() const { return std::string(platform::icon::c
 
 /// Three plots in the upper part, the gaps of all labels below. A click on a row of the gaps selects its label.
 void RecordingPanel::draw(PanelContext& context) {
-    if (!context.state.import)
-        return muted_text(context.theme, "A recording that is being imported is looked at here.");
+    if (!context.state.import) return muted_text(context.theme, "A recording that is being imported is shown here.");
     const commands::RecordingImport& import = *context.state.import;
     const measurement::Recording& recording = *import.file.recording;
     const platform::Theme& theme = context.theme;

@@ -30,7 +30,7 @@ void ReportPanel::draw(PanelContext& context) {
     const platform::Theme& theme = context.theme;
     if (!state.scene || !state.run)
         return muted_text(theme,
-                          "Run, calibrate or diagnose first: then pages, tables and a picture of it can be written.");
+                          "Run, calibrate or diagnose first; then a report with tables and a picture can be written.");
     // An edited folder is kept until another scene is opened.
     if (scene_ != state.scene) folder_ = proposed_folder(state);
     scene_ = state.scene;
@@ -51,7 +51,7 @@ void ReportPanel::draw(PanelContext& context) {
     }
     context.items.mark("report/browse");
     ImGui::Spacing();
-    muted_text(theme, "What will be written");
+    muted_text(theme, "Files to be written");
     const auto row = [&](bool there, const std::string& file, const std::string& what,
                          // Each row names a file that will be written, with the checks of what it contains.
                          const commands::CheckRows& checks = {}) {

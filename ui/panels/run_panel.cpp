@@ -19,7 +19,7 @@ void RunPanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     if (!state.run) {
         if (!state.scene) {
-            muted_text(context.theme, "Nothing has been run.");
+            muted_text(context.theme, "No run yet.");
         } else {
             muted_text(context.theme, "Run simulates every trial with these settings.");
         }
@@ -59,7 +59,7 @@ void draw_progress(PanelContext& context) {
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - spacing);
     ImGui::BeginDisabled(job.cancelling);
     if (ImGui::Button((std::string(job.paused ? platform::icon::play : platform::icon::pause) +
-                       (job.paused ? "  Go on" : "  Pause"))
+                       (job.paused ? "  Resume" : "  Pause"))
                           .c_str(),
                       {width, 0.0f}))
         context.emit(commands::Pause{!job.paused});
@@ -88,7 +88,7 @@ void draw_run_controls(PanelContext& context) {
                    " 1/s is above \xce\x9b_crit = " + plot::value_label(*state.critical_velocity_force_1_s, 3) +
                    " 1/s of " + scheme + " at " + plot::value_label(state.damping_frequency_Hz, 3) +
                    " Hz and h = " + plot::value_label(1e3 * state.settings.time_step_s, 3) +
-                   " ms: the motion will grow without end. Try a smaller \xce\x9b, or none with " + first + ".");
+                   " ms: the motion will grow without bound. Try a smaller \xce\x9b, or none with " + first + ".");
         context.items.mark("run/unstable");
     }
     const bool can_calibrate = state.scene && !state.scene->calibrated.empty();

@@ -22,10 +22,10 @@ void SearchPanel::draw_values(PanelContext& context, bool starts) {
     ImGui::TextUnformatted((std::to_string(runs) + (runs == 1 ? " evaluation" : " evaluations")).c_str());
     ImGui::PopFont();
     context.items.mark("search/evaluations");
-    std::vector<Heading> headings{{"Value", "What the search moves"},
+    std::vector<Heading> headings{{"Value", "Unknown that the search varies"},
                                   {"Best so far", "Of the evaluation with the least loss", true},
                                   {"Unit", ""}};
-    if (starts) headings.insert(headings.begin() + 1, {"Start", "Where the search began", true});
+    if (starts) headings.insert(headings.begin() + 1, {"Start", "Initial value of the search", true});
     if (!ImGui::BeginTable("values", static_cast<int>(headings.size()),
                            ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY))
         return;
@@ -51,8 +51,8 @@ void SearchPanel::draw(PanelContext& context) {
     const platform::Theme& theme = context.theme;
     if (!state.search || state.search->log.empty()) {
         muted_text(theme, state.searching()
-                              ? "The first evaluation is on its way."
-                              : "Calibrate and Optimise show here how the error falls, and with which values.");
+                              ? "The first evaluation is running."
+                              : "Calibrate and Optimise show their error and values over the evaluations here.");
         return;
     }
     const commands::SearchView& search = *state.search;
@@ -103,9 +103,10 @@ void SearchPanel::draw(PanelContext& context) {
     };
     // Only a calibration has a loss without unit.
     const bool calibrates = search.loss_unit.empty();
-    const std::string what = calibrates
-                                 ? "the loss |r|² / 2, r = (simulated − measured) / noise"
-                                 : "the loss [mm²], the markers' mean square distance plus a little for hasty signals";
+    const std::string what =
+        calibrates
+            ? "the loss |r|² / 2, r = (simulated − measured) / noise"
+            : "the loss [mm²], the markers' mean square distance plus a small penalty on the rate of the signals";
     const std::string unit = search.loss_unit.empty() ? "" : " [" + search.loss_unit + "]";
     curve("search/rms", "rms error [mm]",
           "Root mean square distance of simulated and measured coordinates [mm], over the evaluations of the search",
@@ -113,14 +114,14 @@ void SearchPanel::draw(PanelContext& context) {
     if (curves > 1)
         ImGui::SameLine(0.0f, 4.0f * s),
             curve("search/loss", "log\xe2\x82\x81\xe2\x82\x80 loss" + unit,
-                  "What the search makes small: " + what + ". One less on the scale is a tenth of it.", loss,
+                  "Quantity that the search minimises: " + what + ". One unit on the scale is a factor of ten.", loss,
                   theme.accent, loss_);
     if (curves > 2)
         ImGui::SameLine(0.0f, 4.0f * s),
             curve("search/gradient", "log\xe2\x82\x81\xe2\x82\x80 |gradient|" + unit,
                   "Length of the gradient of " + what +
-                      (calibrates ? ", each parameter in its scale" : ", of the part that the bounds do not stop") +
-                      ". It is 0 at the best.",
+                      (calibrates ? ", each parameter in its scale" : ", without the part that the bounds block") +
+                      ". It is 0 at the optimum.",
                   gradient, theme.force, gradient_);
     ImGui::EndChild();
 }

@@ -20,8 +20,8 @@ const std::vector<commands::Choice>& shape_choices() {
     static const std::vector<commands::Choice> choices{
         {"constant", "Constant", "The same value at all times."},
         {"step", "Step", "Passive, then the level, within a millisecond."},
-        {"ramp", "Ramp", "Passive, then evenly to the level, where it stays."},
-        {"sine", "Sine", "Swings between passive and the level."}};
+        {"ramp", "Ramp", "Passive, then linearly to the level, which is held."},
+        {"sine", "Sine", "Oscillates between passive and the level."}};
     return choices;
 }
 
@@ -127,29 +127,31 @@ void SignalPanel::draw_head(PanelContext& context) {
     // A muscle that follows another one has no signal to edit.
     if (!muscle.follows.empty()) {
         ImGui::AlignTextToFramePadding();
-        ImGui::TextColored(context.theme.muted, "follows %s: a \xe2\x88\x92 1 is %s times its own",
-                           muscle.follows.c_str(), plot::plain_label(muscle.ratio, 3).c_str());
+        ImGui::TextColored(context.theme.muted, "follows %s: its a \xe2\x88\x92 1 times %s", muscle.follows.c_str(),
+                           plot::plain_label(muscle.ratio, 3).c_str());
         return;
     }
     draw_generator(context);
     ImGui::SameLine();
     draw_file(context);
     ImGui::SameLine();
-    if (ImGui::Button("Fit")) {
+    // The line also has room for the button of the recorded signal.
+    const bool narrow = ImGui::GetWindowWidth() < 560.0f * s;
+    if (ImGui::Button(narrow ? platform::icon::expand : "Zoom to data")) {
         time_.range.reset();
         plot_ = {};
     }
     context.items.mark("signals/fit");
     tooltip(context.theme,
             "Show the whole signal.\n\nIn the curve, a double click adds a knot, a drag moves it and a right click "
-            "takes it away. The wheel zooms in time, with Shift in a; a drag beside the "
+            "removes it. The wheel zooms in time, with Shift in a; a drag off the "
             "knots moves the view, one with the right button zooms to a box.");
     if (muscle.declared.empty()) return;
     ImGui::SameLine();
     if (muscle.signal) {
         if (ImGui::Button("As recorded")) give_signal(context, std::nullopt, "signal as recorded", false);
         context.items.mark("signals/recorded");
-        tooltip(context.theme, "Take each trial's own signal again");
+        tooltip(context.theme, "Restore each trial's recorded signal");
     } else {
         ImGui::AlignTextToFramePadding();
         const std::string words = "as the trial recorded it; an edit replaces it in all trials";
@@ -171,7 +173,7 @@ void SignalPanel::draw_generator(PanelContext& context) {
         recipe_.level = muscle.extends ? 1.2 : 0.8;
     }
     std::string shape = shape_choices()[static_cast<std::size_t>(recipe_.shape)].id;
-    if (choice_row(context, "Shape", "signals/shape", "Form of the signal.", shape_choices(), shape))
+    if (choice_row(context, "Shape", "signals/shape", "Shape of the signal.", shape_choices(), shape))
         for (std::size_t i = 0; i < shape_choices().size(); ++i)
             if (shape_choices()[i].id == shape) recipe_.shape = static_cast<commands::SignalShape>(i);
     bool ignored = false;
@@ -181,7 +183,7 @@ void SignalPanel::draw_generator(PanelContext& context) {
     number({"Level a",
             "signals/level",
             "",
-            "Target stretch a, a plain number: the length that the fibres want over their length at rest, in the "
+            "Target stretch a, dimensionless: target length of the fibres over their length at rest, in the "
             "energy per rest volume w/2 (|F m| − a)². 1 is passive.",
             1.0,
             {0.05, 5.0},
@@ -209,13 +211,13 @@ void SignalPanel::draw_generator(PanelContext& context) {
         number({"Frequency",
                 "signals/frequency",
                 "Hz",
-                "Swings per second f [Hz]: a = 1 + (level − 1) (1 − cos 2π f (t − t₀)) / 2.",
+                "Oscillations per second f [Hz]: a = 1 + (level − 1) (1 − cos 2π f (t − t₀)) / 2.",
                 1.0,
                 {0.01, 100.0},
                 0.01},
                recipe_.frequency_Hz);
         number(
-            {"End", "signals/end", "s", "Time [s] at which it stops; from there on a stays.", 1.0, {-1e3, 1e3}, 0.01},
+            {"End", "signals/end", "s", "Time [s] at which it stops; a is held from there on.", 1.0, {-1e3, 1e3}, 0.01},
             recipe_.end_s);
     }
     // A sine with many thousand knots could not be edited.
@@ -224,10 +226,9 @@ void SignalPanel::draw_generator(PanelContext& context) {
                        (recipe_.end_s - recipe_.start_s) * recipe_.frequency_Hz <= 200.0);
     // The button is disabled, too; the notice says why.
     if (!fits)
-        notice(context.theme, commands::LogLevel::warning,
-               "The end must come after the start, by no more than 200 swings.");
+        notice(context.theme, commands::LogLevel::warning, "The end must lie after the start, by at most 200 periods.");
     ImGui::BeginDisabled(!fits);
-    if (primary_button(context.theme, "Use it", {-1.0f, 0.0f})) {
+    if (primary_button(context.theme, "Apply", {-1.0f, 0.0f})) {
         give_signal(context, commands::make_signal(recipe_), "generated signal", false);
         plot_ = {};
         ImGui::CloseCurrentPopup();

@@ -88,7 +88,7 @@ void draw_start_page(PanelContext& context) {
     list.AddText(theme.large, theme.large->FontSize, ImGui::GetCursorScreenPos(), platform::packed(theme.text),
                  "Myoloop");
     ImGui::Dummy({0.0f, 1.2f * theme.large->FontSize});
-    muted_text(theme, "Design, run and measure soft robots, and find out what the model lacks.");
+    muted_text(theme, "Design, run and measure soft robots, and diagnose missing effects of the model.");
     // Opening takes a while; the page stays until the scene is there.
     if (state.busy()) {
         ImGui::Dummy({0.0f, 12.0f * s});
@@ -99,13 +99,13 @@ void draw_start_page(PanelContext& context) {
     // The child window has a scroll bar, which must not cover the cards.
     const float room = width - ImGui::GetStyle().ScrollbarSize - ImGui::GetStyle().ItemSpacing.x;
     draw_examples(context, room);
-    heading(theme, "Your own");
+    heading(theme, "Your files");
     if (card(context, "start/open", platform::icon::folder, "Open a file",
              "An experiment folder, a surface or volume mesh, or a project. A file or folder can also be dropped on "
              "this window.",
              {room, 80.0f * s}))
         context.window.file = open_dialog({});
-    if (!state.preferences.recent.empty()) heading(theme, "Lately");
+    if (!state.preferences.recent.empty()) heading(theme, "Recent");
     for (std::size_t i = 0; i < state.preferences.recent.size(); ++i) {
         const std::filesystem::path& path = state.preferences.recent[i];
         ImGui::PushID(static_cast<int>(i));

@@ -18,8 +18,8 @@ namespace {
 const std::vector<SettingField>& radius_fields() {
     static const std::vector<SettingField> fields{
         {{"ρ∞", "model/spectral_radius", "",
-          "Spectral radius ρ∞ of a step at ω h → ∞, a plain number: the part of a very fast vibration's amplitude that "
-          "each step leaves. 0 takes it out at once, as "
+          "Spectral radius ρ∞ of a step at ω h → ∞, dimensionless: the share of a very fast vibration's amplitude that "
+          "remains after a step. 0 removes it at once, as "
           "BDF2 does; 1 keeps it, as the trapezoidal rule does.",
           1.0, commands::spectral_radius_limits, 0.01},
          &commands::Settings::spectral_radius}};
@@ -36,12 +36,13 @@ const SettingField& step_field() {
 }
 
 const SettingField& velocity_force_field() {
-    static const SettingField field{{"\xce\x9b", "model/velocity_force", "1/s",
-                                     "Velocity force f = \xce\x9b M v [N], \xce\x9b in 1/s. A positive \xce\x9b feeds "
-                                     "in the energy that a dissipative time "
-                                     "scheme takes out; 0 switches it off.",
-                                     1.0, commands::velocity_force_limits, 0.01},
-                                    &commands::Settings::velocity_force_1_s};
+    static const SettingField field{
+        {"\xce\x9b", "model/velocity_force", "1/s",
+         "Velocity force f = \xce\x9b M v [N], \xce\x9b in 1/s. A positive \xce\x9b supplies "
+         "the energy that a dissipative time "
+         "scheme removes; 0 switches it off.",
+         1.0, commands::velocity_force_limits, 0.01},
+        &commands::Settings::velocity_force_1_s};
     return field;
 }
 
@@ -69,7 +70,7 @@ float grip_x(const commands::Limits& range, double value) {
 /// velocity force with its limit of stability.
 void TimePanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
-    setting_choice(context, "Time scheme", "model/integrator", "How the equations of motion are stepped in time.",
+    setting_choice(context, "Time scheme", "model/integrator", "Integration of the equations of motion in time.",
                    state.integrators, &commands::Settings::integrator);
     const commands::Choice* scheme = state.integrator();
     if (scheme && scheme->has_spectral_radius) setting_rows(context, radius_fields(), edit_);
@@ -102,9 +103,10 @@ void TimePanel::draw_slider(PanelContext& context, const SettingField& field, co
 void TimePanel::draw_step_choice(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     if (!state.scene) return;  // without a trial the program has nothing to choose by
-    row_label(context.theme, "Automatic",
-              "The program chooses the step: half the interval of the recording at first, and shorter after a run "
-              "whose vibration asks for that; calibration and diagnosis choose theirs. A step that you set is kept.");
+    row_label(
+        context.theme, "Automatic",
+        "The program chooses the step: half the interval of the recording at first, and a shorter one after a run "
+        "whose vibration requires it; calibration and diagnosis choose their own. A step that you set is kept.");
     bool automatic = !state.settings.own_step;
     // Switching to automatic restores the scene's step; the next run may shorten it.
     if (ImGui::Checkbox("##automatic", &automatic)) {
@@ -142,13 +144,13 @@ void TimePanel::draw_step_state(PanelContext& context) {
     // Without a vibration there is no period to resolve.
     const bool swings = frequency_Hz > 0.0;
     const std::string period = plot::value_label(1.0 / (frequency_Hz * h), 2) + " steps";
-    row("Vibration", "model/vibration", swings ? plot::value_label(frequency_Hz, 3) + " Hz: " + period : "none is seen",
-        "The vibration that moves the markers most, and how many steps its period takes: that of the run of the shown "
-        "trial; before there is one, of the recordings.");
+    row("Vibration", "model/vibration", swings ? plot::value_label(frequency_Hz, 3) + " Hz: " + period : "none",
+        "The vibration that moves the markers most, and the number of steps in its period: from the run of the shown "
+        "trial or, before a run, from the recordings.");
     if (!swings) return;
     const commands::StepQuality quality = scheme->step_quality(2.0 * std::numbers::pi * frequency_Hz, state.settings);
     row_label(theme, "Frequency error",
-              "How much slower the step makes this vibration. A modulus that is fitted on it errs by twice as much: "
+              "Share by which the step slows this vibration. The error of a modulus fitted to it is twice as large: "
               "see \"Is the time step short enough?\" in Checks.");
     ImGui::AlignTextToFramePadding();
     // The state uses the same limits as the check of the time step.
@@ -181,7 +183,7 @@ void TimePanel::draw_stability(PanelContext& context, commands::Limits range) {
                        " Hz decays. Orange: it grows without bound. The line is \xce\x9b_crit, where a step's largest "
                        "eigenvalue has size 1.\n\nFor implicit Euler \xce\x9b_crit = h \xcf\x89\xc2\xb2 + 2 \xce\xb6 "
                        "\xcf\x89 with the material's \xce\xb6 = \xcf\x84 \xcf\x89 / 2: "
-                       "the longer the step, the more energy it takes out, and the more can be fed in.");
+                       "the longer the step, the more energy it removes, and the more can be supplied.");
     row_label(theme, "\xce\x9b_crit", "Largest stable \xce\x9b of this scheme at this step and frequency.");
     ImGui::AlignTextToFramePadding();
     const std::string text = std::isfinite(critical)

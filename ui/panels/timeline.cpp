@@ -130,7 +130,7 @@ void draw_timeline(PanelContext& context) {
         ImGui::EndCombo();
     }
     context.items.mark("timeline/speed");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Speed of playing, against real time");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Playback speed relative to real time");
     ImGui::EndDisabled();
 }
 

@@ -19,31 +19,30 @@ void VerdictPanel::draw(PanelContext& context) {
     if (!state.scene || !commands::can_be_diagnosed(*state.scene))
         return muted_text(theme,
                           "A diagnosis compares the simulation with measured markers and tries every known effect on "
-                          "what is left. It needs an experiment folder with a trial of role fit.");
-    if (state.diagnosing()) return muted_text(theme, "The diagnosis is running; its ranking grows below the view.");
+                          "the residual. It needs an experiment folder with a trial of role fit.");
+    if (state.diagnosing()) return muted_text(theme, "The diagnosis is running; its ranking is shown below the view.");
     if (!state.diagnosis)
         return muted_text(theme,
-                          "Start it below the view. It fits the declared values first, tests whether more than noise "
-                          "is left, then tries every effect of the catalogue.");
+                          "Start it below the view. It fits the declared values first, tests whether the residual "
+                          "exceeds the noise, then tries every effect of the catalogue.");
     const commands::DiagnosisView& d = *state.diagnosis;
     // "Nothing is missing" is as good as the checks of the experiment; any other verdict is a warning.
     const commands::LogLevel verdict = d.verdict == commands::DiagnosisVerdict::none
                                            ? commands::log_level(commands::worst_state(d.checks))
                                            : commands::LogLevel::warning;
     const commands::LogLevel level = d.complete ? verdict : commands::LogLevel::information;
-    notice(theme, level,
-           d.complete ? d.headline + "." : "It was cancelled before a verdict; what was known by then is shown.");
+    notice(theme, level, d.complete ? d.headline + "." : "Cancelled before a verdict; interim results are shown.");
     context.items.mark("verdict/headline");
     if (!d.complete) return;
     checks_line(context, d.checks, "verdict/checks");
     text_row(theme, "Confidence", plot::value_label(100.0 * d.confidence, 2) + " %");
     tooltip(theme,
-            "How credible the verdict is among all that was tried, the declared model and \"none of these\" included: "
-            "its share of the evidence, less where the data say that the verdict may be off.");
+            "Probability of the verdict among all candidates, the declared model and \"none of these\" included: "
+            "its share of the evidence, reduced where the data cast doubt on the verdict.");
     context.items.mark("verdict/confidence");
     text_row(theme, "Noise", plot::millimetres(d.noise_m));
     tooltip(theme,
-            "Root mean square error [mm] that a right model would leave: the measurement's own. Errors \"times the "
+            "Root mean square error [mm] that a correct model would leave: that of the measurement. Errors \"times the "
             "noise\" are in units of it.");
     context.items.mark("verdict/noise");
     if (!d.because.empty()) muted_text(theme, d.because);

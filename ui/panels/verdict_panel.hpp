@@ -11,7 +11,7 @@ namespace myo::ui::panels {
 class VerdictPanel : public Panel {
 public:
     std::string name() const override { return "verdict"; }
-    std::string title() const override { return "What the model lacks"; }
+    std::string title() const override { return "Verdict"; }
     PanelPlace place() const override { return PanelPlace::side; }
     std::optional<commands::Step> step() const override { return commands::Step::diagnose; }
     void draw(PanelContext& context) override;

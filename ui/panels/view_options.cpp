@@ -22,8 +22,8 @@ void draw_field_range(PanelContext& context, const commands::FieldKind& kind, co
     const bool was_fixed = fixed;
     ImGui::Checkbox("Fixed range", &fixed);
     context.items.mark("view/field/fixed");
-    tooltip(context.theme, "Without it, the colours span what the whole trial reaches" +
-                               std::string(kind.signed_values ? ", evenly to both sides of zero." : "."));
+    tooltip(context.theme, "Otherwise the colours span the values of the whole trial" +
+                               std::string(kind.signed_values ? ", symmetric about zero." : "."));
     // A fixed range starts with the one that is shown, so that the picture does not change.
     if (fixed && !was_fixed) {
         const std::optional<std::array<double, 2>>& shown = context.field_range;
@@ -123,21 +123,21 @@ void draw_view_options(PanelContext& context, const viewport::Camera& camera) {
     };
     static constexpr Option options[] = {
         {"Measured markers", "view/measured", &commands::ViewOptions::measured,
-         "Balls where the cameras saw the markers at the shown time"},
+         "Balls at the measured positions of the markers at the shown time"},
         {"Simulated markers", "view/simulated", &commands::ViewOptions::simulated,
-         "Rings where the run, and those compared with it, have the markers at the shown time"},
+         "Rings at the simulated positions of the markers at the shown time, compared runs included"},
         {"Trails", "view/trails", &commands::ViewOptions::trails,
-         "Where measured and simulated markers were in the last half second"},
+         "Paths of measured and simulated markers over the last half second"},
         {"Error lines", "view/errors", &commands::ViewOptions::errors,
          "From each measured marker to the simulated one: simulated \xe2\x88\x92 measured"},
         {"Names", "view/labels", &commands::ViewOptions::labels,
-         "Beside the markers, where there is room; a click on a marker tells its name, too"},
+         "Next to the markers, where there is room; a click on a marker shows its name, too"},
         {"Element edges", "view/edges", &commands::ViewOptions::edges, "Edges of the elements on the body's surface"},
         {"Muscles and fibres", "view/fibres", &commands::ViewOptions::fibres,
          "Elements in the colour of their muscle, and their fibre directions F d"},
         {"Force of the effect", "view/effect_force", &commands::ViewOptions::effect_force,
-         "Arrows of the force that the chosen row of the diagnosis puts on each part of the body; the body is "
-         "translucent then. Known after Diagnose."},
+         "Arrows of the force that the selected row of the diagnosis puts on each part of the body; the body is "
+         "translucent then. Available after Diagnose."},
         {"Clamp", "view/clamp", &commands::ViewOptions::clamp, "The box in which the body is held"},
         {"Ground grid", "view/grid", &commands::ViewOptions::grid,
          "A grid below the body, in squares of 1, 2 or 5 times a power of ten of a metre"}};
@@ -155,7 +155,7 @@ void draw_view_options(PanelContext& context, const viewport::Camera& camera) {
         view.opacity = 0.01 * static_cast<double>(opacity);
     }
     context.items.mark("view/opacity");
-    tooltip(context.theme, "How opaque the body is. Ctrl and a click: type it.");
+    tooltip(context.theme, "Opacity of the body. Ctrl+click to type a value.");
     draw_field_choice(context, view);
     draw_clip_options(context, camera, view);
     if (!(view == context.state.view)) context.emit(commands::ChangeView{view});

@@ -37,7 +37,7 @@ public:
         if (!finished_) fs::remove_all(part_, ignored);
     }
     Result<void> add(const Image& image) override {
-        if (code_) return Error{"cannot be made: " + code_.message(), part_.string()};
+        if (code_) return Error{"cannot be created: " + code_.message(), part_.string()};
         char name[40];
         std::snprintf(name, sizeof name, "frame_%04d.png", ++count_);
         return write_png(image, part_ / name);
@@ -103,7 +103,7 @@ private:
     // Ends ffmpeg and waits for it. Returns its exit status, -1 if the pipe is closed already or was never opened.
     int close() { return pipe_ ? pclose(std::exchange(pipe_, nullptr)) : -1; }
     Error failed() const {
-        return {"ffmpeg did not write the film; is there room, and does it know H.264?", file_.string()};
+        return {"ffmpeg did not write the film; check the disk space and its support of H.264", file_.string()};
     }
 
     fs::path file_, part_;
@@ -138,7 +138,7 @@ Result<std::unique_ptr<FilmWriter>> FilmWriter::begin(const fs::path& path, int 
             return Error{"there is no such folder", path.parent_path().string()};
         return std::unique_ptr<FilmWriter>(std::make_unique<Mp4>(behind_links(path), width, height, rate_Hz));
     }
-    if (fs::exists(path, code)) return Error{"is there already; choose a new folder", path.string()};
+    if (fs::exists(path, code)) return Error{"exists already; choose a new folder", path.string()};
     return std::unique_ptr<FilmWriter>(std::make_unique<NumberedFiles>(path));
 }
 

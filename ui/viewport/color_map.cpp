@@ -72,13 +72,12 @@ Eigen::Vector3f diverging_color_map(double level) {
 const std::vector<ColorMap>& color_maps() {
     static const std::vector<ColorMap> all{
         {"violet_yellow", "Violet to yellow",
-         "From dark to light as the value grows, evenly in lightness; told apart by people who do not see all colours, "
-         "too.",
+         "From dark to light as the value grows, linear in lightness; suitable for colour vision deficiency.",
          color_map},
         {"heat", "Glowing iron",
-         "Black, red, yellow, white: evenly lighter as the value grows, over a wider range of lightness.",
+         "Black, red, yellow, white: linear in lightness as the value grows, over a wider range of lightness.",
          heat_color_map},
-        {"grey", "Grey, for print", "Evenly from black to white; leaves the hues to the muscles and markers.",
+        {"grey", "Grey, for print", "Linear from black to white; leaves the hues to the muscles and markers.",
          grey_color_map}};
     return all;
 }

@@ -51,10 +51,10 @@ void draw_buttons(const platform::Theme& theme, platform::ItemRectangles& items,
         const char* tip;
     };
     static constexpr std::array<ViewButton, 4> buttons{
-        {{"3D", "view/oblique", StandardView::oblique, "Look from the side and above (0)"},
-         {"X", "view/x", StandardView::from_x, "Look along the x axis (1); again: from the other side"},
-         {"Y", "view/y", StandardView::from_y, "Look along the y axis (2); again: from the other side"},
-         {"Z", "view/z", StandardView::from_z, "Look along the z axis, from above (3); again: from below"}}};
+        {{"3D", "view/oblique", StandardView::oblique, "Oblique view (0)"},
+         {"X", "view/x", StandardView::from_x, "View along the x axis (1); again: from the other side"},
+         {"Y", "view/y", StandardView::from_y, "View along the y axis (2); again: from the other side"},
+         {"Z", "view/z", StandardView::from_z, "View along the z axis, from above (3); again: from below"}}};
     const float s = theme.scale;
     ImGui::SetCursorScreenPos({state.pixels.lowest.x + 12.0f * s, state.pixels.lowest.y + 12.0f * s});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(4.0f * s, 4.0f * s));

@@ -19,11 +19,11 @@ namespace {
 
 std::string headline(const Diagnosis& d) {
     switch (d.verdict.kind) {
-        case VerdictKind::none: return "Nothing is missing: the declared model is enough";
+        case VerdictKind::none: return "No effect is missing: the declared model is sufficient";
         case VerdictKind::effects: return "Missing from the model: " + names_of(d.verdict.effects);
         case VerdictKind::unknown: break;
     }
-    return "Something is missing that no known effect explains";
+    return "An effect is missing that no known effect explains";
 }
 
 std::string capital(std::string text) {
@@ -58,7 +58,7 @@ std::vector<report::KeyFigure> key_figures(const setup::Setup& setup, const Diag
     figures.push_back({"Confidence", report::readable_number(100.0 * d.verdict.confidence, 2), "%", "in this verdict"});
     figures.push_back(error_figure(d));
     figures.push_back(
-        {"Noise", report::readable_number(1e3 * d.noise_m, 3), "mm", "rms that a right model would leave"});
+        {"Noise", report::readable_number(1e3 * d.noise_m, 3), "mm", "rms that a correct model would leave"});
     return figures;
 }
 
@@ -86,15 +86,15 @@ report::Section verdict_section(const setup::Setup& setup, const Diagnosis& d) {
     const double before = d.before.validation_rms_m, after = d.after.validation_rms_m;
     if (has_two_fits(d) && std::isfinite(before) && std::isfinite(after))
         section.blocks.push_back(report::Paragraph{
-            "On trials that took no part in the search the error " + std::string(after < before ? "falls" : "changes") +
-            " from " + report::length_words(before) + " (" + times_noise(before, d) + ") to " +
-            report::length_words(after) + " (" + times_noise(after, d) + ")."});
+            "On trials that were not used in the search the error " +
+            std::string(after < before ? "falls" : "changes") + " from " + report::length_words(before) + " (" +
+            times_noise(before, d) + ") to " + report::length_words(after) + " (" + times_noise(after, d) + ")."});
     if (d.verdict.kind == VerdictKind::effects)
         for (const Confusion& c : confusions_of_verdict(d))
             section.blocks.push_back(report::Paragraph{
                 is_decided(d, c) ? capital(name_in_sentence(c.first)) + " and " + name_in_sentence(c.second) +
-                                       " look alike in this experiment, but the fits decide: see below."
-                                 : "This experiment can hardly tell " + name_in_sentence(c.first) + " from " +
+                                       " are similar in this experiment, but the fits decide: see below."
+                                 : "This experiment can hardly separate " + name_in_sentence(c.first) + " from " +
                                        name_in_sentence(c.second) + ": see below."});
     return section;
 }

@@ -13,10 +13,10 @@ std::string correlation_words(double r) { return std::isfinite(r) ? report::fixe
 std::string course_words(const statistics::Correlate& c) {
     if (c.name == "position")
         return c.correlation < 0.0 ? "it pulls back, like a spring"
-                                   : "it pushes on, like a spring that is softer than thought";
+                                   : "it pushes on, like a spring that is softer than declared";
     if (c.name == "velocity" || c.name == "|v| v")
         return c.correlation < 0.0 ? "it brakes, like a drag"
-                                   : "it drives the motion: there is less damping than thought";
+                                   : "it drives the motion: there is less damping than declared";
     if (c.name == "acceleration")
         return c.correlation < 0.0 ? "it acts like a mass that is not in the model"
                                    : "it acts as if there were less mass";
@@ -34,7 +34,7 @@ std::string mode_words(const ForceMode& mode) {
     const statistics::Correlate& first = mode.correlates.front();
     if (std::abs(first.correlation) < diagnosis_report_policy.least_correlation ||
         first.p > diagnosis_report_policy.most_p)
-        return words + " Its course follows nothing that was looked at.";
+        return words + " Its course follows none of the tested quantities.";
     return words + " Its course follows the " + first.name + " most (correlation " +
            correlation_words(first.correlation) + "): " + course_words(first) + ".";
 }
@@ -72,8 +72,8 @@ report::Table mode_table(const MissingForce& force) {
 }
 
 report::Table correlate_table(const MissingForce& force) {
-    report::Table table{"What the courses go with",
-                        {{"Mode"}, {"Goes with"}, {"Correlation"}, {"Independent samples", "", 3}, {"p"}},
+    report::Table table{"Correlation of the courses",
+                        {{"Mode"}, {"Follows"}, {"Correlation"}, {"Independent samples", "", 3}, {"p"}},
                         {}};
     for (std::size_t k = 0; k < force.modes.size(); ++k) {
         const std::vector<statistics::Correlate>& list = force.modes[k].correlates;
@@ -92,7 +92,7 @@ report::Section force_section(const Diagnosis& d) {
     if (!force.failure.empty())
         return {"The missing force", {report::Paragraph{"No force could be inferred: " + force.failure + "."}}};
     std::string words = "Below is the smallest smooth force that would have to act in " + force.trial +
-                        ", besides all that the best attempt has, for the model to move as it was measured. With it "
+                        ", in addition to the best attempt, for the model to move as it was measured. With it "
                         "the residual falls from " +
                         report::readable_number(force.before_over_noise, 3) + " to " +
                         report::readable_number(force.after_over_noise, 3) + " times the noise: it takes away " +

@@ -122,7 +122,7 @@ std::vector<report::Block> trial_blocks(const setup::Setup& setup, const Diagnos
                            (motion.time_s.size() > 0 && score != nullptr && std::isfinite(score->rms_m)
                                 ? ", the marker with the largest error."
                                 : "; nothing was seen to compare with.")},
-        report::Figure{residual_over_time(setup, d, trial, motion.time_s), name + ": what is left at each moment."}};
+        report::Figure{residual_over_time(setup, d, trial, motion.time_s), name + ": residual over time."}};
     report::Details others{name + ": other markers", {}};
     for (std::size_t i = 1; i < std::min(order.size(), 1 + diagnosis_report_policy.further_markers); ++i)
         others.blocks.push_back(

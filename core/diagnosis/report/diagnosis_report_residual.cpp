@@ -90,7 +90,7 @@ report::Block over_the_body(const setup::Setup& setup, const Diagnosis& d) {
         report::BarChart chart{"", setup.marker_names, {.label = "rms over the fit trials", .unit = "× noise"}, {}};
         chart.height_px = 220.0;
         for (const Compared& fit : compared(d)) chart.groups.push_back({fit.name, marker_rms(setup, d, *fit.residual)});
-        return report::Figure{report::svg(chart), "Over the body: what is left at each marker."};
+        return report::Figure{report::svg(chart), "Over the body: residual at each marker."};
     }
     report::Table table{"Over the body: rms over the fit trials in units of the noise.", {{"Marker"}}, {}};
     for (const std::string& name : setup.marker_names) table.rows.push_back({name});
@@ -135,12 +135,12 @@ std::vector<report::Block> patterns(const setup::Setup& setup, const Diagnosis& 
 
 report::Section residual_section(const setup::Setup& setup, const Diagnosis& d) {
     if (!d.declared.usable() || d.data.layout.size() == 0)
-        return {"What is left", {report::Paragraph{"There is no residual."}}};
+        return {"Residual", {report::Paragraph{"There is no residual."}}};
     const std::size_t worst = worst_trial(d.data, d.declared.fit.residual);
     const int trial = static_cast<int>(worst);
     const std::string& name = setup.trials[worst].name;
     report::Section section{
-        "What is left",
+        "Residual",
         {over_the_body(setup, d),
          report::Figure{spectrum(d, trial), "Spectrum of the residual in " + name +
                                                 ", mean over markers and axes. White noise would be at 1 everywhere."},

@@ -119,7 +119,7 @@ report::Section error_section(const setup::Setup& setup, const Diagnosis& d) {
     const std::string words =
         std::string(
             "Root mean square over all marker coordinates, simulation against measurement; what the mesh and the step "
-            "add is taken off. Trials marked “predicted” took no part in any fit or choice.") +
+            "add is taken off. Trials marked “predicted” were not used in any fit or choice.") +
         (two ? " Before: the declared model, fitted. After: " + after_words(d) + "." : "");
     return {"Errors", {report::Paragraph{words}, table, markers}};
 }
@@ -137,8 +137,8 @@ report::Section significance_section(const setup::Setup&, const Diagnosis& d) {
         table.rows.push_back(std::move(row));
     };
     add("Variance", "more than the noise?", [](const statistics::ResidualTests& t) { return t.variance.p; });
-    add("Ljung–Box", "does it remember?", [](const statistics::ResidualTests& t) { return t.ljung_box.p; });
-    add("Periodicity", "does one frequency stand out?",
+    add("Ljung–Box", "is it autocorrelated?", [](const statistics::ResidualTests& t) { return t.ljung_box.p; });
+    add("Periodicity", "is there a dominant frequency?",
         [](const statistics::ResidualTests& t) { return t.periodicity.p; });
     add("Space", "do the markers move together?", [](const statistics::ResidualTests& t) { return t.space.p; });
     const auto systematic = [](const statistics::ResidualTests& t) {
@@ -148,25 +148,24 @@ report::Section significance_section(const setup::Setup&, const Diagnosis& d) {
     };
     std::string words = "A test fires where noise alone would give its sign with a probability p below " +
                         p_words(d.declared.tests.threshold) + ", so that all four together are wrong in " +
-                        report::readable_number(100.0 * d.settings.alpha, 2) + " % of all cases. Of what is left, " +
+                        report::readable_number(100.0 * d.settings.alpha, 2) + " % of all cases. Of the residual, " +
                         systematic(d.declared.tests) + " times the noise is systematic before";
     if (two) words += ", " + systematic(d.augmented.tests) + " after";
     words += "; up to " +
              report::readable_number(numerical_allowance(d.data, d.numerics, d.settings.policy.judgement), 2) +
-             " is put down to the program itself.";
+             " is attributed to numerical error.";
     if (d.declared.drifts() || (two && d.augmented.drifts()))
-        words += std::string(" What is systematic ") + (d.declared.drifts() ? "" : "after ") +
-                 "is each marker's own: shifted in time against each other, their courses make as strong a pattern. "
-                 "Only because they remember does the test of space fire.";
+        words +=
+            std::string(" What is systematic ") + (d.declared.drifts() ? "" : "after ") +
+            "is uncorrelated between markers: courses shifted in time against each other make as strong a pattern. "
+            "The test of space fires only because of their autocorrelation.";
     return {"Is there anything to explain?", {table, report::Paragraph{words}}};
 }
 
 report::Section numerics_section(const setup::Setup& setup, const Diagnosis& d) {
     const NumericalError& n = d.numerics;
     report::Table table{
-        "",
-        {{"Suspect"}, {"How it was tried"}, {"Moves the prediction", "mm", 3}, {"In units of the noise", "", 3}},
-        {}};
+        "", {{"Source"}, {"Method"}, {"Change of the prediction", "mm", 3}, {"In units of the noise", "", 3}}, {}};
     const auto add = [&](const std::string& suspect, const std::string& how, double rms_m) {
         table.rows.push_back({suspect, how, 1e3 * rms_m, rms_m / d.noise_m});
     };
@@ -180,15 +179,15 @@ report::Section numerics_section(const setup::Setup& setup, const Diagnosis& d) 
                            : "no finer mesh was made",
         n.mesh_ratio > 0.0 ? n.mesh_rms_m : no_value);
     if (n.effective_modulus.any())
-        add("What is left of both",
+        add("Remainder of both",
             "with cells of " + report::readable_number(n.effective_modulus.factor(), 4) + " times the body's modulus",
             n.rest_rms_m);
-    add("What extrapolation may leave", "share of both that is uncertain", n.left_rms_m);
+    add("Uncertainty of the extrapolation", "share of both that is uncertain", n.left_rms_m);
     report::Section section{
-        "Suspects ruled out",
-        {report::Paragraph{"Before nature is blamed: how much of the residual the program makes itself. Both errors "
-                           "are extrapolated and taken off the predictions. Coarse cells bend as if of another "
-                           "modulus: where that is much, they get the modulus that makes up for it first."},
+        "Numerical errors",
+        {report::Paragraph{"Share of the residual that numerical errors cause. Both errors "
+                           "are extrapolated and removed from the predictions. Coarse cells bend as if of another "
+                           "modulus: where this matters, an effective modulus is used first."},
          table}};
     section.blocks.push_back(report::Paragraph{"The time scheme adds a damping ratio of " +
                                                report::readable_number(n.numerical_damping, 2) +
@@ -219,21 +218,22 @@ report::Section candidate_section(const setup::Setup& setup, const Diagnosis& d)
         if (!c.score.failure.empty())
             where.rows.back()[3] = c.score.failure;
         else if (!usable)
-            where.rows.back()[3] = "does nothing here";
+            where.rows.back()[3] = "no influence";
     }
     report::Section section{
         "Candidates",
-        {report::Paragraph{"Each effect of the catalogue was asked how much of the residual it could take away, after "
-                           "what the declared parameters can absorb; p is the probability of as much by chance, "
-                           "corrected for all that were asked. The best were fitted together with the declared "
-                           "parameters. “Held out” is the error on blocks of data that the fit did not see; "
-                           "the weights of all fits add up to one."},
+        {report::Paragraph{
+             "Score of each effect of the catalogue: the share of the residual that it could remove, after "
+             "what the declared parameters can absorb; p is the probability of as much by chance, "
+             "corrected for all that were tried. The best were fitted together with the declared "
+             "parameters. “Held out” is the error on blocks of data that the fit did not see; "
+             "the weights of all fits add up to one."},
          table}};
     if (!others.rows.empty()) {
         for (std::vector<report::Cell>& row : others.rows) row.resize(4, report::Cell(""));
         others.columns.resize(4);
         others.columns[3].title = "Remark";
-        section.blocks.push_back(report::Details{"Effects that explain little or nothing", {others}});
+        section.blocks.push_back(report::Details{"Effects that explain little or none", {others}});
     }
     for (const JudgedFit& pair : d.pairs) {
         pairs.rows.push_back(
@@ -245,7 +245,7 @@ report::Section candidate_section(const setup::Setup& setup, const Diagnosis& d)
     if (!pairs.rows.empty())
         section.blocks.insert(
             section.blocks.end(),
-            {report::Paragraph{"One effect left something, so a second one was fitted beside the best."}, pairs});
+            {report::Paragraph{"One effect left a residual, so a second one was fitted with the best."}, pairs});
     return section;
 }
 
@@ -253,13 +253,13 @@ report::Section confusion_section(const Diagnosis& d) {
     assert(!d.confusions.empty());
     report::Table table{
         "",
-        {{"Effect"}, {"Looks like"}, {"Cosine", "", 4}, {"Do these data decide?"}, {"What would tell them apart"}},
+        {{"Effect"}, {"Similar to"}, {"Cosine", "", 4}, {"Do these data decide?"}, {"What would separate them"}},
         {}};
     for (const Confusion& c : d.confusions)
         table.rows.push_back({results::effect_name(c.first), results::effect_name(c.second), c.cosine,
                               is_decided(d, c) ? "yes, by the fits" : "no", c.next_experiment});
     return {
-        "What looks alike in this experiment",
+        "Confounded effects",
         {report::Paragraph{
              "These effects leave nearly the same trace in these trials: a cosine of 1 or −1 between what they do to "
              "the residual means that no fit can decide. Near it a fit decides by little, where the noise is small."},

@@ -11,12 +11,11 @@ namespace {
 
 std::string advice(const effect::Effect& first, const effect::Effect& second) {
     const auto either = [&](effect::EffectStage stage) { return first.stage == stage || second.stage == stage; };
-    if (either(effect::EffectStage::actuation))
-        return "a trial with a slow ramp of the actuation beside one with a step";
+    if (either(effect::EffectStage::actuation)) return "a trial with a slow ramp of the actuation and one with a step";
     if (either(effect::EffectStage::measurement))
         return "a trial in which the body is at rest, with the cameras moved or recalibrated";
     if (either(effect::EffectStage::support) && either(effect::EffectStage::material))
-        return "a trial loaded near the clamp beside one loaded at the end, with a marker next to the clamp";
+        return "a trial loaded near the clamp and one loaded at the end, with a marker next to the clamp";
     if (either(effect::EffectStage::material) && either(effect::EffectStage::force))
         return "a release from a larger deflection, with a longer record at rest afterwards";
     if (either(effect::EffectStage::force))

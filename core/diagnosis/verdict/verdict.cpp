@@ -27,10 +27,10 @@ void rank(Diagnosis& d) {
 
 std::string above_noise_note(const NumericalError& numerics, double noise_m) {
     const bool by_mesh = numerics.mesh_rms_m >= numerics.step_rms_m;
-    return "what extrapolation may leave of the errors of mesh and step, " +
-           times_noise(numerics.left_rms_m / noise_m) + ", is above the noise (mesh " +
-           times_noise(numerics.mesh_rms_m / noise_m) + ", step " + times_noise(numerics.step_rms_m / noise_m) +
-           "): choose a " + (by_mesh ? "finer --resolution" : "smaller --dt") + " before trusting small effects";
+    return "the uncertainty of the errors of mesh and step, " + times_noise(numerics.left_rms_m / noise_m) +
+           ", is above the noise (mesh " + times_noise(numerics.mesh_rms_m / noise_m) + ", step " +
+           times_noise(numerics.step_rms_m / noise_m) + "): choose a " +
+           (by_mesh ? "finer --resolution" : "smaller --dt") + " before trusting small effects";
 }
 
 JudgedFit decide(Diagnosis& d) {
@@ -45,7 +45,7 @@ JudgedFit decide(Diagnosis& d) {
         explains(d.pairs.front(), d.declared, d.data, d.numerics, d.settings.policy.judgement))
         d.notes.push_back(effects_in_words(d.pairs.front().fit.effects) +
                           " together would explain it, but one of their numbers rests on a single trial: a further "
-                          "trial to fit would tell");
+                          "fit trial would decide");
     if (d.numerics.left_rms_m > d.noise_m) d.notes.push_back(above_noise_note(d.numerics, d.noise_m));
     rank(d);
     return std::move(conclusion.fit);
@@ -81,7 +81,7 @@ void discount_worse_predictions(Diagnosis& d) {
     d.verdict.confidence *= policy.contradicted;
     d.notes.push_back("trials that took no part are predicted worse with " + effects_in_words(d.verdict.effects) +
                       ", " + times_noise(after / d.noise_m) + " instead of " + times_noise(before / d.noise_m) +
-                      ": do not rely on this answer; what is missing may be something else, or differ in these trials");
+                      ": do not rely on this answer; another effect may be missing, or it may differ in these trials");
 }
 
 }  // namespace myo::diagnosis

@@ -19,10 +19,10 @@ Conclusion nothing_missing(const VerdictEvidence& e) {
     verdict.confidence = policy.undoubted * (d.declared.tests.significant()
                                                  ? std::clamp(policy.faint_allowance - share, policy.least_faint, 1.0)
                                                  : 1.0);
-    verdict.because = "what the declared model leaves is " + times_noise(d.declared.rms_m / d.noise_m) + ", of which " +
-                      times_noise(d.declared.tests.systematic.rms) + " is systematic: " +
+    verdict.because = "the residual of the declared model is " + times_noise(d.declared.rms_m / d.noise_m) +
+                      ", of which " + times_noise(d.declared.tests.systematic.rms) + " is systematic: " +
                       (share > 1.0 ? "little, and no effect takes most of it away."
-                                   : "no more than the program's own error may be.");
+                                   : "no more than the numerical error may be.");
     return {verdict, d.declared};
 }
 
@@ -31,10 +31,11 @@ Conclusion drift(const VerdictEvidence& e) {
     const Diagnosis& d = e.diagnosis;
     Verdict verdict{VerdictKind::none};
     verdict.confidence = e.policy.verdict.undoubted * e.policy.verdict.drift;
-    verdict.because = "what the declared model leaves is " + times_noise(d.declared.rms_m / d.noise_m) + ", of which " +
-                      times_noise(d.declared.tests.systematic.rms) +
-                      " is no white noise, but every marker has its own and none goes with another: no force on the "
-                      "body does that. The measurement wanders.";
+    verdict.because =
+        "the residual of the declared model is " + times_noise(d.declared.rms_m / d.noise_m) + ", of which " +
+        times_noise(d.declared.tests.systematic.rms) +
+        " is not white noise, but uncorrelated between markers: no force on the body does that. It is attributed to "
+        "measurement drift.";
     return {verdict, d.declared};
 }
 
@@ -50,12 +51,10 @@ Conclusion named(const VerdictEvidence& e, const JudgedFit& fit, double weight) 
     verdict.confidence = policy.undoubted * weight * (effect_bound || modulus_bound ? policy.at_bound : 1.0);
     verdict.because = systematic_fall(fit, e.diagnosis.declared);
     if (effect_bound)
-        add_caution(verdict,
-                    "Its size went as far as it may: it may stand in for something else of that kind and place.");
-    if (fit.drifts()) add_caution(verdict, "What is left is the measurement's: every marker goes its own way.");
+        add_caution(verdict, "Its size reached its limit: it may represent another effect of that kind and place.");
+    if (fit.drifts()) add_caution(verdict, "The rest is measurement drift: it is uncorrelated between markers.");
     if (modulus_bound)
-        add_caution(verdict,
-                    "The modulus ends at a bound with the effect as without it: its value is not to be relied on.");
+        add_caution(verdict, "The modulus ends at a bound with the effect as without it: its value is not reliable.");
     return {verdict, fit};
 }
 
@@ -144,8 +143,8 @@ Conclusion nearly_all(const VerdictEvidence& e) {
     const Diagnosis& d = e.diagnosis;
     Conclusion conclusion = named(e, *e.single, e.policy.verdict.other_form * presence(d, *e.single));
     add_caution(conclusion.verdict,
-                "That is not all: the effect may act in another form than the one it was given here" +
-                    std::string(d.pairs.empty() ? "." : ", or beside another, too small to tell which."));
+                "A residual remains: the effect may act in another form than assumed here" +
+                    std::string(d.pairs.empty() ? "." : ", or with another one that is too small to identify."));
     return conclusion;
 }
 
@@ -153,8 +152,8 @@ Conclusion most_of_it(const VerdictEvidence& e, const JudgedFit& fit, double wei
     const double left = fit.rms_m / e.diagnosis.declared.rms_m;
     Conclusion conclusion = named(e, fit, weight * (1.0 - e.policy.verdict.discount_of_left * left));
     add_caution(conclusion.verdict,
-                "What is left is unexplained: the noise was taken from still markers, and no model of a real body "
-                "comes down to that.");
+                "The rest is unexplained: the noise was measured on still markers, and no model of a real body "
+                "reaches it.");
     return conclusion;
 }
 
