@@ -57,6 +57,75 @@ private:
         PlacedBody on;                       // mesh it works on, after meshing
     };
 
+    // Handlers of the commands, each in the file of its topic.
+    // workbench_scene.cpp
+    void on(const Open& command);
+    void on(const AnswerUnit& command);
+    void on(const BuildMesh&);
+    // workbench_drop.cpp
+    void on(const Drop& command);
+    // workbench_preview.cpp
+    void on(const ChangePreview& command);
+    // workbench_search.cpp
+    void on(const Run&);
+    void on(const Calibrate&);
+    void on(const ChangeOptimize& command);
+    void on(const Optimize&);
+    // workbench_diagnosis.cpp
+    void on(const Diagnose&);
+    void on(const ChooseCandidate& command);
+    void on(const AddEffect& command);
+    // workbench_muscles.cpp
+    void on(const ChooseMuscle& command);
+    void on(const Paint& command);
+    void on(const ImportSignal& command);
+    void on(const ExportSignal& command);
+    void on(const ChangeBrush& command);
+    // workbench_jobs.cpp
+    void on(const Cancel&);
+    void on(const Pause& command);
+    void on(const Unqueue& command);
+    void on(const RestoreRecord& command);
+    void on(const CompareRecord& command);
+    void on(const ForgetRecord& command);
+    // workbench_project.cpp
+    void on(const Save&);
+    void on(const SaveAs& command);
+    void on(const AskWhereToSave& command);
+    void on(const AnswerUnsaved& command);
+    void on(const OfferRecovery& command);
+    void on(const Recover& command);
+    void on(const DiscardRecovery&);
+    void on(const Quit&);
+    void on(const AnswerStop& command);
+    void on(const WriteReport& command);
+    // workbench_import.cpp
+    void on(const ReadRecording& command);
+    void on(const ChangeImport& command);
+    void on(const ChooseLabel& command);
+    void on(const ProposeMarkers&);
+    void on(const AlignImport&);
+    void on(const AddRecording&);
+    void on(const GiveUpImport&);
+    // workbench_settings.cpp
+    void on(const ChangeSettings& command);
+    void on(const Undo&);
+    void on(const Redo&);
+    void on(const SetDampingFrequency& command);
+    // workbench_view.cpp
+    void on(const ChooseTrial& command);
+    void on(const ChooseMarker& command);
+    void on(const SetTime& command);
+    void on(const Play& command);
+    void on(const SetSpeed& command);
+    void on(const ChangeView& command);
+    void on(const SetTheme& command);
+    void on(const SetLayout& command);
+    void on(const Bookmark& command);
+    void on(const UsePreferences& command);
+    void on(const ClearLog&);
+    void on(const Tell& command);
+
     // Jobs: workbench_jobs.cpp. A request (Task) consists of one or more jobs, such as meshing and then simulating.
     /// Starts a request, or appends it to the queue while another one runs.
     void request(const std::string& name, std::function<void()> begin);
@@ -169,13 +238,14 @@ private:
     void add_recording();
     void give_up_import();
 
+    // Settings: workbench_settings.cpp.
     /// Applies an edit of the user, with an undo entry.
     void change_settings(const ChangeSettings& change);
     /// Sets the settings and everything that depends on them, without an undo entry.
     void set_settings(const Settings& settings);
     /// Computes the critical velocity force for the present settings.
     void check_stability();
-    void choose_trial(int trial);
+    void choose_trial(int trial);  // workbench_view.cpp
     /// Takes intermediate results of the running search or diagnosis.
     void take_live();
     void log(LogLevel level, const std::string& text);

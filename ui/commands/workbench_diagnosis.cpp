@@ -93,4 +93,13 @@ void Workbench::add_effect(const std::string& key) {
                             "to see its motion.");
 }
 
+void Workbench::on(const Diagnose&) { diagnose(); }
+
+void Workbench::on(const ChooseCandidate& c) {
+    state_.candidate = c.key;
+    look_at_forces();
+}
+
+void Workbench::on(const AddEffect& c) { add_effect(c.key); }
+
 }  // namespace myo::ui::commands

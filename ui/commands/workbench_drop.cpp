@@ -37,4 +37,6 @@ void Workbench::drop(const std::vector<fs::path>& files) {
                 (left == 1 ? " of the dropped files is left out." : " of the dropped files are left out."));
 }
 
+void Workbench::on(const Drop& c) { drop(c.files); }
+
 }  // namespace myo::ui::commands

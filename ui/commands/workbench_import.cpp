@@ -140,4 +140,18 @@ void Workbench::give_up_import() {
     execute(SetTime{state_.time_s});
 }
 
+void Workbench::on(const ReadRecording& c) { read_recording(c.path, c.reading); }
+
+void Workbench::on(const ChangeImport& c) { change_import(c.choices); }
+
+void Workbench::on(const ChooseLabel& c) { choose_label(c.label, c.placing); }
+
+void Workbench::on(const ProposeMarkers&) { propose_markers(); }
+
+void Workbench::on(const AlignImport&) { align_import(); }
+
+void Workbench::on(const AddRecording&) { add_recording(); }
+
+void Workbench::on(const GiveUpImport&) { give_up_import(); }
+
 }  // namespace myo::ui::commands

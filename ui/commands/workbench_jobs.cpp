@@ -151,4 +151,26 @@ void Workbench::forget(int id) {
     std::erase_if(state_.history, [&](const JobRecord& record) { return record.id == id; });
 }
 
+void Workbench::on(const Cancel&) {
+    if (job_) job_->cancel();
+}
+
+void Workbench::on(const Pause& c) {
+    if (job_) job_->pause(c.paused);
+}
+
+void Workbench::on(const Unqueue& c) {
+    std::erase_if(queue_, [&](const Task& task) { return task.id == c.id; });
+    update_queue();
+}
+
+void Workbench::on(const RestoreRecord& c) { restore(c.id); }
+
+void Workbench::on(const CompareRecord& c) {
+    for (JobRecord& record : state_.history)
+        if (record.id == c.id) record.compared = c.compared && record.run;
+}
+
+void Workbench::on(const ForgetRecord& c) { forget(c.id); }
+
 }  // namespace myo::ui::commands

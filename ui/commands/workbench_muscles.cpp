@@ -40,4 +40,16 @@ void Workbench::place_muscles() {
     for (const Muscle& muscle : state_.settings.muscles) state_.paint.push_back(placed_.of(muscle, state_.body));
 }
 
+void Workbench::on(const ChooseMuscle& c) {
+    state_.muscle = std::clamp(c.muscle, 0, std::max(0, static_cast<int>(state_.settings.muscles.size()) - 1));
+}
+
+void Workbench::on(const Paint& c) { paint(c); }
+
+void Workbench::on(const ImportSignal& c) { import_signal(c); }
+
+void Workbench::on(const ExportSignal& c) { export_signal(c); }
+
+void Workbench::on(const ChangeBrush& c) { state_.brush = c.brush; }
+
 }  // namespace myo::ui::commands

@@ -82,4 +82,6 @@ void Workbench::advance_preview() {
     begin_preview();
 }
 
+void Workbench::on(const ChangePreview& c) { change_preview(c); }
+
 }  // namespace myo::ui::commands

@@ -177,4 +177,30 @@ void Workbench::discard_recovery() {
     if (const auto next = std::exchange(after_recovery_, std::nullopt)) open(next->open, next->metres_per_unit);
 }
 
+void Workbench::on(const Save&) { save(); }
+
+void Workbench::on(const SaveAs& c) { save_as(c.file); }
+
+void Workbench::on(const AskWhereToSave& c) {
+    state_.asks_where_to_save = c.asks && state_.scene;
+    if (!c.asks) state_.pending.reset();
+}
+
+void Workbench::on(const AnswerUnsaved& c) { answer_unsaved(c.answer); }
+
+void Workbench::on(const OfferRecovery& c) { state_.recovered = c.files; }
+
+void Workbench::on(const Recover& c) { recover(c.file); }
+
+void Workbench::on(const DiscardRecovery&) { discard_recovery(); }
+
+void Workbench::on(const Quit&) { quit(); }
+
+void Workbench::on(const AnswerStop& c) {
+    if (c.stops && state_.asks_to_stop) quit();
+    state_.asks_to_stop = false;
+}
+
+void Workbench::on(const WriteReport& c) { write_report(c.folder); }
+
 }  // namespace myo::ui::commands

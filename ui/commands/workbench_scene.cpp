@@ -174,4 +174,18 @@ void Workbench::show_body(const PlacedBody& on) {
     state_.found.reset();
 }
 
+void Workbench::on(const Open& c) {
+    dropped_with_body_.reset();
+    open(c.path, c.metres_per_unit);
+}
+
+void Workbench::on(const AnswerUnit& c) {
+    const auto path = std::exchange(state_.unit_question, std::nullopt);
+    if (path && c.metres_per_unit) open(*path, c.metres_per_unit);
+}
+
+void Workbench::on(const BuildMesh&) {
+    if (state_.scene) request("Mesh", [this] { build_mesh({}); });
+}
+
 }  // namespace myo::ui::commands

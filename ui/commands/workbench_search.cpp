@@ -173,4 +173,12 @@ void Workbench::show_found(const std::string& verb, SearchResult result) {
         std::move(record));
 }
 
+void Workbench::on(const Run&) { run(); }
+
+void Workbench::on(const Calibrate&) { calibrate(); }
+
+void Workbench::on(const ChangeOptimize& c) { state_.optimize = c.request; }
+
+void Workbench::on(const Optimize&) { optimize(); }
+
 }  // namespace myo::ui::commands

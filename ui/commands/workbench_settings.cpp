@@ -1,0 +1,66 @@
+#include <algorithm>
+#include <numbers>
+
+#include "commands/workbench.hpp"
+
+// Edits of the settings and what follows from them.
+
+namespace myo::ui::commands {
+namespace {
+
+/// Corrects the predicted size by the mesh at hand: a finer mesh of the same element type is not smaller. A finely
+/// triangulated surface may produce more elements than its edge length alone suggests.
+MeshPrediction no_smaller_than_coarser(MeshPrediction prediction, const WorkbenchState& state,
+                                       const Settings& settings) {
+    if (!state.body || prediction.exact || state.body_settings.element != settings.element ||
+        state.body_settings.resolution_m < settings.resolution_m)
+        return prediction;
+    prediction.elements = std::max(prediction.elements, static_cast<double>(state.body->mesh.cell_count()));
+    prediction.dofs = std::max(prediction.dofs, state.body->dofs);
+    return prediction;
+}
+
+}  // namespace
+
+void Workbench::change_settings(const ChangeSettings& change) {
+    Settings settings = within_limits(change.settings);
+    // Setting a step marks it as the user's own, unless the same edit switches the automatic choice.
+    const bool given_back = settings.own_step != state_.settings.own_step;
+    if (settings.time_step_s != state_.settings.time_step_s && !given_back) settings.own_step = true;
+    if (settings == state_.settings) return;
+    undo_.record(state_.settings, change.what, change.goes_on);
+    set_settings(settings);
+}
+
+void Workbench::set_settings(const Settings& settings) {
+    // All changes of the settings pass here: commands, undo, restored jobs and results of searches.
+    state_.settings = settings;
+    state_.muscle = std::clamp(state_.muscle, 0, std::max(0, static_cast<int>(settings.muscles.size()) - 1));
+    place_muscles();
+    check_stability();
+    if (state_.scene)
+        state_.prediction = no_smaller_than_coarser(backend_->predict(*state_.scene, settings), state_, settings);
+    want_preview();
+}
+
+void Workbench::check_stability() {
+    // Can take long for some schemes, so it is computed per change and not per frame.
+    state_.critical_velocity_force_1_s.reset();
+    const Choice* integrator = state_.integrator();
+    if (integrator && integrator->critical_velocity_force)
+        state_.critical_velocity_force_1_s = integrator->critical_velocity_force(
+            2.0 * std::numbers::pi * state_.damping_frequency_Hz, state_.settings);
+}
+
+void Workbench::on(const ChangeSettings& c) { change_settings(c); }
+
+void Workbench::on(const Undo&) { set_settings(undo_.undo(state_.settings)); }
+
+void Workbench::on(const Redo&) { set_settings(undo_.redo(state_.settings)); }
+
+void Workbench::on(const SetDampingFrequency& c) {
+    state_.damping_frequency_Hz = std::clamp(c.frequency_Hz, 0.01, 1000.0);
+    check_stability();
+}
+
+}  // namespace myo::ui::commands
