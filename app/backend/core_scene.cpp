@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "backend/check_rows.hpp"
-#include "backend/diagnosis_view.hpp"
 #include "backend/dominant_vibration.hpp"
+#include "backend/effect_settings.hpp"
 #include "backend/law_settings.hpp"
 #include "backend/mesh_scene.hpp"
 #include "base/letter_case.hpp"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "backend/effect_settings.hpp"
 #include "backend/law_settings.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
@@ -39,38 +40,6 @@ std::string key_of(const std::vector<effect::EffectDeclaration>& effects) {
     for (const effect::EffectDeclaration& effect : effects) ids.push_back(effect.id);
     std::sort(ids.begin(), ids.end());  // the order of a pair does not matter
     return join(ids, "+");
-}
-
-/// "coefficient 903 kg/m³, position 1, 2, 3 mm".
-std::string readable_words(const effect::EffectParameters& parameters) {
-    std::string words;
-    for (const auto& [name, value] : parameters) {
-        const results::ReadableParameter shown = results::readable_quantity(name);
-        std::string text;
-        if (const auto* const number = std::get_if<double>(&value)) text = format_number(shown.factor * *number, 4);
-        if (const auto* const word = std::get_if<std::string>(&value)) text = *word;
-        if (const auto* const several = std::get_if<std::vector<std::string>>(&value)) text = join(*several);
-        if (const auto* const v = std::get_if<VectorXd>(&value))
-            for (const double number : *v) text += (text.empty() ? "" : ", ") + format_number(shown.factor * number, 4);
-        words += (words.empty() ? "" : "; ") + shown.name + " " + text + (shown.unit.empty() ? "" : " " + shown.unit);
-    }
-    return words;
-}
-
-/// An effect of the core as the window stores it; inverse of declaration().
-ui::commands::AddedEffect added(const effect::EffectDeclaration& effect) {
-    ui::commands::AddedEffect result{effect.id, {}, results::effect_name(effect.id), readable_words(effect.parameters)};
-    for (const auto& [name, value] : effect.parameters) {
-        if (const auto* const v = std::get_if<VectorXd>(&value))
-            result.parameters[name] = std::vector<double>(v->begin(), v->end());
-        else if (const auto* const number = std::get_if<double>(&value))
-            result.parameters[name] = *number;
-        else if (const auto* const word = std::get_if<std::string>(&value))
-            result.parameters[name] = *word;
-        else
-            result.parameters[name] = std::get<std::vector<std::string>>(value);
-    }
-    return result;
 }
 
 /// A flat residual vector [m] on the samples of the trials: [trial][marker] 3 x T, NaN elsewhere; trials without
@@ -267,7 +236,7 @@ private:
         row.settings.effects.clear();
         // Effects of the file stay in the file; only the additional ones become settings.
         for (std::size_t e = source_.file_effects; e < last.fit.values.effects.size(); ++e)
-            row.settings.effects.push_back(added(last.fit.values.effects[e]));
+            row.settings.effects.push_back(added_effect(last.fit.values.effects[e]));
         return row;
     }
 
@@ -413,21 +382,6 @@ void add_forces(const DiagnosisSource& source, const diagnosis::Diagnosis& d, ui
     });
     for (std::size_t i = 0; i < why.size(); ++i)
         if (!why[i].empty()) rows[i / setup.trials.size()]->no_force = why[i];
-}
-
-effect::EffectDeclaration declaration(const ui::commands::AddedEffect& effect) {
-    effect::EffectDeclaration result{effect.id, {}, true};
-    for (const auto& [name, value] : effect.parameters) {
-        if (const auto* const v = std::get_if<std::vector<double>>(&value))
-            result.parameters[name] = VectorXd(Eigen::Map<const VectorXd>(v->data(), static_cast<Index>(v->size())));
-        else if (const auto* const number = std::get_if<double>(&value))
-            result.parameters[name] = *number;
-        else if (const auto* const word = std::get_if<std::string>(&value))
-            result.parameters[name] = *word;
-        else
-            result.parameters[name] = std::get<std::vector<std::string>>(value);
-    }
-    return result;
 }
 
 }  // namespace myo::backend

@@ -26,7 +26,4 @@ ui::commands::DiagnosisView diagnosis_view(const DiagnosisSource& source, const 
 void add_forces(const DiagnosisSource& source, const diagnosis::Diagnosis& diagnosis,
                 ui::commands::DiagnosisView& view);
 
-/// An effect added in the window as an experiment declares it, with calibrate = true.
-effect::EffectDeclaration declaration(const ui::commands::AddedEffect& effect);
-
 }  // namespace myo::backend

@@ -1,15 +1,12 @@
 #include "backend/project_file.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <cinttypes>
 #include <cmath>
-#include <cstdio>
 #include <set>
 #include <system_error>
 
+#include "backend/project_masks.hpp"
 #include "base/files.hpp"
-#include "base/fingerprint.hpp"
 #include "commands/settings.hpp"
 #include "fibre/painted_mask.hpp"
 #include "material/catalogue.hpp"
@@ -43,70 +40,6 @@ std::string effect_value(const ui::commands::AddedEffect::Value& value) {
     if (const auto* const words = std::get_if<std::vector<std::string>>(&value))
         return toml::toml_list(*words, toml::toml_text);
     return toml::toml_list(std::get<std::vector<double>>(value), toml::toml_number);
-}
-
-/// Suffix of a mask file after the muscle's name: "-0123456789abcdef.csv".
-std::string mask_tail(std::uint64_t hash) {
-    char text[24];
-    std::snprintf(text, sizeof text, "-%016" PRIx64 ".csv", hash);
-    return text;
-}
-
-/// File name from the content of the mask, so that a file never changes after it was written.
-std::string mask_name(const std::string& muscle, const fibre::PaintedMask& mask) {
-    Fingerprint print;
-    print.add(mask.cell_size_m);
-    print.add_all(mask.centroids_m);
-    print.add_all(mask.weights);
-    print.add_all(mask.directions);
-    std::string name = muscle;
-    std::replace_if(
-        name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
-    return name + mask_tail(print.value());
-}
-
-/// Whether a file name has the form of mask_name(): other files in the folder must not be removed.
-bool is_mask_name(const std::string& name) {
-    const std::string form = mask_tail(0);
-    if (name.size() <= form.size()) return false;
-    const std::string tail = name.substr(name.size() - form.size());
-    const auto fits = [](char c, char formed) {
-        return formed == '0' ? std::isxdigit(static_cast<unsigned char>(c)) != 0 : c == formed;
-    };
-    return std::equal(tail.begin(), tail.end(), form.begin(), fits);
-}
-
-/// Masks that a project file references in its own folder; none if the file is missing or unreadable.
-std::set<std::string> named_masks(const fs::path& file, const fs::path& files) {
-    std::set<std::string> names;
-    std::error_code ignored;
-    const Result<toml::TomlValue> document = fs::exists(file, ignored)
-                                                 ? toml::read_toml(file)
-                                                 : Result<toml::TomlValue>(Error{"not there", ""});
-    const toml::TomlValue* const muscles = document ? document->find("muscle") : nullptr;
-    if (muscles == nullptr) return names;
-    for (const toml::TomlValue& muscle : muscles->items) {
-        const toml::TomlValue* const mask = muscle.find("mask");
-        const fs::path path = mask != nullptr ? mask->text : "";
-        if (path.parent_path() == files.filename() && is_mask_name(path.filename().string()))
-            names.insert(path.filename().string());
-    }
-    return names;
-}
-
-/// Whether another project file in the folder, such as a backup, references this mask. The text is searched, so that
-/// files that cannot be parsed count as well.
-bool is_named_beside(const fs::path& file, const std::string& mask) {
-    std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator(fs::absolute(file, ignored).parent_path(), ignored)) {
-        const bool may_be_project = entry.is_regular_file(ignored) &&
-                                    entry.path().filename().string().find(ui::commands::project_ending) !=
-                                        std::string::npos;
-        if (!may_be_project || fs::equivalent(entry.path(), file, ignored)) continue;
-        const Result<std::string> text = read_file(entry.path());
-        if (!text || text->find(mask) != std::string::npos) return true;  // an unreadable file may reference it
-    }
-    return false;
 }
 
 /// Relative path if it is at most three levels up, else the absolute one.
