@@ -264,8 +264,10 @@ TEST(TuningRule, FindsNumbersOutsidePolicies) {
 }
 
 TEST(OtherRules, FindLongFilesMachinePathsAndUnknownModules) {
-    EXPECT_EQ(length_faults({"core/fem/x.cpp", std::string(501, '\n')}).size(), 1u);
-    EXPECT_EQ(length_faults({"core/fem/x.cpp", std::string(500, '\n')}).size(), 0u);
+    EXPECT_EQ(length_faults({"core/fem/x.cpp", std::string(401, '\n')}).size(), 1u);
+    EXPECT_EQ(length_faults({"core/fem/x.cpp", std::string(400, '\n')}).size(), 0u);
+    EXPECT_EQ(length_faults({"tests/fem/x.cpp", std::string(500, '\n')}).size(), 0u);
+    EXPECT_EQ(length_faults({"tests/fem/x.cpp", std::string(501, '\n')}).size(), 1u);
     const std::string folder = std::string("/ho") + "me/someone/data.csv";
     EXPECT_EQ(machine_path_faults({"README.md", "read " + folder}).size(), 1u);
     EXPECT_EQ(machine_path_faults({"tests/x.cpp", "read(\"" + folder + "\")"}).size(), 1u);

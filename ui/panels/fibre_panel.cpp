@@ -34,44 +34,12 @@ void change(PanelContext& context, const std::string& what, bool goes_on,
     context.emit(commands::ChangeSettings{std::move(settings), what, goes_on});
 }
 
-// The lists below have ids for tests and settings, labels and explanations for the user.
+/// Ids for tests and settings, labels and explanations for the user.
 const std::vector<commands::Choice>& action_choices() {
     static const std::vector<commands::Choice> choices{
         {"contracts", "Contracts", "Its fibres shorten when active: a < 1."},
         {"extends", "Extends", "Its fibres lengthen when active, as a chamber under pressure does: a > 1."}};
     return choices;
-}
-
-const std::vector<commands::Choice>& direction_choices() {
-    static const std::vector<commands::Choice> choices{
-        {"stroke", "Along the stroke",
-         "Fibres follow the stroke, smoothed over the brush, in the plane of the surface."},
-        {"x", "Along x", "All fibres along the x axis."},
-        {"y", "Along y", "All fibres along the y axis."},
-        {"z", "Along z", "All fibres along the z axis."},
-        {"longest", "Along the longest axis", "All fibres along the body's longest axis."}};
-    return choices;
-}
-
-const std::vector<commands::Choice>& mirror_choices() {
-    static const std::vector<commands::Choice> choices{
-        {"none", "Off", "Paint where the mouse is."},
-        {"x", "Left and right in x", "Paint on one side of the body's middle is mirrored to the other."},
-        {"y", "Left and right in y", "Paint on one side of the body's middle is mirrored to the other."},
-        {"z", "Above and below in z", "Paint on one side of the body's middle is mirrored to the other."}};
-    return choices;
-}
-
-/// Draws a list for an enumeration whose values have the order of `choices`. Returns true if it changed.
-template <class Kind>
-bool choose(PanelContext& context, const char* label, const char* name, const char* tip,
-            const std::vector<commands::Choice>& choices, Kind& kind) {
-    std::string id = choices[static_cast<std::size_t>(kind)].id;
-    if (!choice_row(context, label, name, tip, choices, id)) return false;
-    const auto found = std::find_if(choices.begin(), choices.end(),
-                                    [&](const commands::Choice& choice) { return choice.id == id; });
-    kind = static_cast<Kind>(found - choices.begin());
-    return true;
 }
 
 }  // namespace
@@ -312,101 +280,6 @@ void FibrePanel::draw_paint_actions(PanelContext& context) {
         context.emit(commands::ChangeSettings{std::move(settings), "remove muscle", false});
     }
     ImGui::EndDisabled();
-}
-
-/// Each tool shows only the settings that it uses: radius, depth, soft edge and strength belong to strokes, the
-/// direction also to a fill.
-void FibrePanel::draw_brush(PanelContext& context) {
-    const commands::WorkbenchState& state = context.state;
-    const platform::Theme& theme = context.theme;
-    ImGui::Spacing();
-    // Edited as a copy; one command at the end if anything changed.
-    commands::BrushSettings brush = state.brush;
-    // One button per tool; the tooltips name the shortcuts.
-    struct Tool {
-        commands::BrushTool tool;
-        const char* icon;
-        const char* label;
-        const char* name;
-        const char* tip;
-    };
-    static constexpr std::array<Tool, 4> tools{
-        {{commands::BrushTool::none, platform::icon::hand, "View", "fibres/tool/view",
-          "The mouse turns the view (Esc ends a stroke)"},
-         {commands::BrushTool::add, platform::icon::brush, "Paint", "fibres/tool/paint",
-          "Drag over the body to paint (B). Ctrl erases."},
-         {commands::BrushTool::erase, platform::icon::eraser, "Erase", "fibres/tool/erase",
-          "Drag over the body to remove paint (E). Ctrl paints."},
-         {commands::BrushTool::fill, platform::icon::drop, "Fill", "fibres/tool/fill",
-          "Click on the body: fills the elements up to existing paint"}}};
-    const float gap = 2.0f * theme.scale, width = std::floor((ImGui::GetContentRegionAvail().x - 3.0f * gap) / 4.0f);
-    ImGui::BeginDisabled(!state.ground);
-    for (const Tool& tool : tools) {
-        if (tool.tool != commands::BrushTool::none) ImGui::SameLine(0.0f, gap);
-        const bool chosen = brush.tool == tool.tool;
-        ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme.accent : theme.raised);
-        ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme.on_accent : theme.text);
-        if (ImGui::Button((std::string(tool.icon) + " " + tool.label).c_str(), {width, 0.0f})) brush.tool = tool.tool;
-        ImGui::PopStyleColor(2);
-        context.items.mark(tool.name);
-        tooltip(theme, tool.tip);
-    }
-    ImGui::EndDisabled();
-    // Ranges of the sliders follow the size of the body.
-    const double reach = state.body ? mesh::bounding_box(state.body->mesh.nodes).size().norm() : 1.0;
-    // Brush settings are not part of undo, so it does not matter whether a drag continues.
-    bool ignored = false;
-    const auto number = [&](const NumberField& field, double& value) {
-        number_row(context, field, edit_, value, ignored);
-    };
-    if (brush.tool == commands::BrushTool::add || brush.tool == commands::BrushTool::erase) {
-        number({"Radius",
-                "fibres/radius",
-                "mm",
-                "Radius r of the brush [mm]: it paints the elements whose centre is at most r from the stroke, "
-                "measured along the surface.",
-                1e-3,
-                {1e-3 * reach, 0.5 * reach},
-                0.05},
-               brush.radius_m);
-        ImGui::BeginDisabled(brush.through);
-        number({"Depth",
-                "fibres/depth",
-                "mm",
-                "Depth of the brush below the surface [mm], along the surface's normal.",
-                1e-3,
-                {1e-3 * reach, reach},
-                0.05},
-               brush.depth_m);
-        ImGui::EndDisabled();
-        row_label(theme, "", "");
-        ImGui::Checkbox("through the body", &brush.through);
-        context.items.mark("fibres/through");
-        number({"Soft edge",
-                "fibres/falloff",
-                "%",
-                "Share q of the radius over which the weight falls to zero: at the distance d from the stroke it is "
-                "the strength times s² (3 − 2 s), s = (r − d) / (q r), at most 1.",
-                0.01,
-                {0.0, 1.0},
-                0.5},
-               brush.falloff);
-        number({"Strength",
-                "fibres/strength",
-                "%",
-                "Weight in the centre: the share of an element that becomes muscle. The fibres' energy w/2 (|F m| − "
-                "a)² is scaled by it.",
-                0.01,
-                {0.01, 1.0},
-                0.5},
-               brush.strength);
-    }
-    if (brush.tool == commands::BrushTool::add || brush.tool == commands::BrushTool::fill)
-        choose(context, "Direction", "fibres/direction", "Direction of the fibres.", direction_choices(),
-               brush.direction);
-    if (brush.tool == commands::BrushTool::add || brush.tool == commands::BrushTool::erase)
-        choose(context, "Mirror", "fibres/mirror", "Paints both halves of the body.", mirror_choices(), brush.mirror);
-    if (!(brush == state.brush)) context.emit(commands::ChangeBrush{brush});
 }
 
 }  // namespace myo::ui::panels
