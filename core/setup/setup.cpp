@@ -195,6 +195,21 @@ void add_warnings(Setup& setup) {
     add(activation_notes(setup));
 }
 
+/// Nodes in the clamp box.
+///
+/// Errors: none, as the body would fall; or all, as nothing could move.
+Result<std::vector<int>> clamped_nodes(const experiment::Experiment& experiment, const BodyMesh& mesh,
+                                       const Box& held) {
+    std::vector<int> clamped = mesh::nodes_in_box(mesh.mesh, box_on_mesh(mesh, held));
+    if (clamped.empty())
+        return experiment::declaration_error(
+            experiment, "clamp.box_m",
+            "no node of the mesh lies in the box; choose a finer resolution or a deeper box");
+    if (static_cast<Eigen::Index>(clamped.size()) == mesh.mesh.node_count())
+        return experiment::holds_whole_body(experiment);
+    return clamped;
+}
+
 }  // namespace
 
 SetupSettings published_settings() {
@@ -301,18 +316,12 @@ Result<Setup> prepare_setup(const experiment::Experiment& experiment, const Setu
     // An unsuitable mesh is a warning, not an error: the user may have chosen it on purpose.
     const std::vector<std::string> unfit = unsuitable({setup.surface, setup.mesh, experiment.effects});
     setup.warnings.insert(setup.warnings.end(), unfit.begin(), unfit.end());
-    // Without clamped nodes the body would fall; with all nodes clamped nothing could move.
-    const std::vector<int> clamped = mesh::nodes_in_box(setup.mesh.mesh, box_on_mesh(setup.mesh, held));
-    if (clamped.empty())
-        return experiment::declaration_error(
-            experiment, "clamp.box_m",
-            "no node of the mesh lies in the box; choose a finer resolution or a deeper box");
-    if (static_cast<Eigen::Index>(clamped.size()) == setup.mesh.mesh.node_count())
-        return experiment::holds_whole_body(experiment);
+    const Result<std::vector<int>> clamped = clamped_nodes(experiment, setup.mesh, held);
+    if (!clamped) return clamped.error();
     // Effects that vary within a cell need an element that resolves them.
     const bool fine = settings.fine_element || effect::any_varies_within_cells(experiment.effects);
     setup.body = model::make_body(setup.mesh.mesh, fine ? fem::fine_element(setup.mesh.element) : setup.mesh.element,
-                                  clamped);
+                                  *clamped);
 
     // Markers are bound to the surface of the mesh, which may differ slightly from the declared surface.
     std::vector<Eigen::Vector3d> rest;

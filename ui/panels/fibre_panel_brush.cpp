@@ -45,17 +45,9 @@ bool choose(PanelContext& context, const char* label, const char* name, const ch
     return true;
 }
 
-}  // namespace
-
-/// Each tool shows only the settings that it uses: radius, depth, soft edge and strength belong to strokes, the
-/// direction also to a fill.
-void FibrePanel::draw_brush(PanelContext& context) {
-    const commands::WorkbenchState& state = context.state;
+/// The four tools; they need a mesh that is prepared for painting.
+void draw_tools(PanelContext& context, commands::BrushSettings& brush) {
     const platform::Theme& theme = context.theme;
-    ImGui::Spacing();
-    // Edited as a copy; one command at the end if anything changed.
-    commands::BrushSettings brush = state.brush;
-    // One button per tool; the tooltips name the shortcuts.
     struct Tool {
         commands::BrushTool tool;
         const char* icon;
@@ -73,7 +65,7 @@ void FibrePanel::draw_brush(PanelContext& context) {
          {commands::BrushTool::fill, platform::icon::drop, "Fill", "fibres/tool/fill",
           "Click on the body: fills the elements up to existing paint"}}};
     const float gap = 2.0f * theme.scale, width = std::floor((ImGui::GetContentRegionAvail().x - 3.0f * gap) / 4.0f);
-    ImGui::BeginDisabled(!state.ground);
+    ImGui::BeginDisabled(!context.state.ground);
     for (const Tool& tool : tools) {
         if (tool.tool != commands::BrushTool::none) ImGui::SameLine(0.0f, gap);
         const bool chosen = brush.tool == tool.tool;
@@ -85,6 +77,20 @@ void FibrePanel::draw_brush(PanelContext& context) {
         tooltip(theme, tool.tip);
     }
     ImGui::EndDisabled();
+}
+
+}  // namespace
+
+/// Each tool shows only the settings that it uses: radius, depth, soft edge and strength belong to strokes, the
+/// direction also to a fill.
+void FibrePanel::draw_brush(PanelContext& context) {
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
+    ImGui::Spacing();
+    // Edited as a copy; one command at the end if anything changed.
+    commands::BrushSettings brush = state.brush;
+    // One button per tool; the tooltips name the shortcuts.
+    draw_tools(context, brush);
     // Ranges of the sliders follow the size of the body.
     const double reach = state.body ? mesh::bounding_box(state.body->mesh.nodes).size().norm() : 1.0;
     // Brush settings are not part of undo, so it does not matter whether a drag continues.
