@@ -80,28 +80,45 @@ void MeasurePanel::draw(PanelContext& context) {
     // An experiment without trials has markers, but no errors.
     if (!trial) return;
     heading(theme, "Markers of " + trial->name);
+    draw_tabs(context);
+    // Computed in each frame: one pass over the samples of the shown trial.
+    const std::vector<commands::MarkerError> errors = commands::marker_errors(*state.scene, *trial,
+                                                                              state.simulated_trial());
+    draw_table(context, errors);
+    ImGui::Spacing();
+    if (ImGui::Button("Save the table\xe2\x80\xa6"))
+        context.window.file = table_dialog("Save the markers' errors", trial->name + "_errors",
+                                           commands::marker_errors_csv(errors));
+    context.items.mark("measure/csv");
+    tooltip(theme,
+            "Saves rms, largest distance, rms, max and bias per axis [m] and the share of samples seen, of every "
+            "marker of this trial, as CSV");
+}
+
+void MeasurePanel::draw_tabs(PanelContext& context) {
     struct Tab {
         Shown shown;
         const char* label;
         const char* item;
         const char* tip;
     };
-    // The three tables per axis share their columns; only the tooltip differs.
-    const std::string what = shown_ == Shown::bias      ? "Mean of simulated minus measured [mm]"
-                             : shown_ == Shown::largest ? "Largest magnitude of simulated minus measured [mm]"
-                                                        : "Root mean square of simulated minus measured [mm]";
     for (const Tab& t : {Tab{Shown::whole, "Total", "measure/whole", "All three coordinates together"},
                          Tab{Shown::rms, "rms", "measure/rms", "Root mean square in x, y and z"},
                          Tab{Shown::largest, "max", "measure/largest", "Largest error in x, y and z"},
                          Tab{Shown::bias, "Bias", "measure/bias", "Mean error in x, y and z"}}) {
         if (t.shown != Shown::whole) ImGui::SameLine();
-        if (tab(theme, t.label, shown_ == t.shown)) shown_ = t.shown;
+        if (tab(context.theme, t.label, shown_ == t.shown)) shown_ = t.shown;
         context.items.mark(t.item);
-        tooltip(theme, t.tip);
+        tooltip(context.theme, t.tip);
     }
-    // Computed in each frame: one pass over the samples of the shown trial.
-    const std::vector<commands::MarkerError> errors = commands::marker_errors(*state.scene, *trial,
-                                                                              state.simulated_trial());
+}
+
+void MeasurePanel::draw_table(PanelContext& context, const std::vector<commands::MarkerError>& errors) {
+    const platform::Theme& theme = context.theme;
+    // The three tables per axis share their columns; only the tooltip differs.
+    const std::string what = shown_ == Shown::bias      ? "Mean of simulated minus measured [mm]"
+                             : shown_ == Shown::largest ? "Largest magnitude of simulated minus measured [mm]"
+                                                        : "Root mean square of simulated minus measured [mm]";
     // The first table has one number per error, the others one per axis.
     const std::vector<Heading> whole{{"Marker", ""},
                                      {"rms [mm]", "Over all three coordinates, from t = 0 on", true},
@@ -124,7 +141,7 @@ void MeasurePanel::draw(PanelContext& context) {
         ImGui::TableNextColumn();
         ImGui::PushID(static_cast<int>(m));
         if (ImGui::Selectable(elided(error.name, ImGui::GetContentRegionAvail().x).c_str(),
-                              static_cast<int>(m) == state.marker, ImGuiSelectableFlags_SpanAllColumns))
+                              static_cast<int>(m) == context.state.marker, ImGuiSelectableFlags_SpanAllColumns))
             context.emit(commands::ChooseMarker{static_cast<int>(m)});
         context.items.mark("measure/marker/" + error.name);
         tooltip(theme, error.name);
@@ -142,14 +159,6 @@ void MeasurePanel::draw(PanelContext& context) {
         }
     }
     ImGui::EndTable();
-    ImGui::Spacing();
-    if (ImGui::Button("Save the table\xe2\x80\xa6"))
-        context.window.file = table_dialog("Save the markers' errors", trial->name + "_errors",
-                                           commands::marker_errors_csv(errors));
-    context.items.mark("measure/csv");
-    tooltip(theme,
-            "Saves rms, largest distance, rms, max and bias per axis [m] and the share of samples seen, of every "
-            "marker of this trial, as CSV");
 }
 
 }  // namespace myo::ui::panels

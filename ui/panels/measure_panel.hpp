@@ -1,5 +1,8 @@
 #pragma once
 
+#include <vector>
+
+#include "commands/marker_errors.hpp"
 #include "panels/panel.hpp"
 
 namespace myo::ui::panels {
@@ -18,6 +21,10 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    /// Chooses which errors the table shows.
+    void draw_tabs(PanelContext& context);
+    /// One row per marker; a click shows the marker in the plots.
+    void draw_table(PanelContext& context, const std::vector<commands::MarkerError>& errors);
     enum class Shown { whole, rms, largest, bias };  // table of the markers: in all, or one quantity per axis
     Shown shown_ = Shown::whole;
 };
