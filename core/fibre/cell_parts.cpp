@@ -107,8 +107,7 @@ void add_whole_cell(const mesh::VolumeMesh& mesh, int cell, double share,
     fem::with_shape(mesh.type, [&](auto shape) {
         using Shape = decltype(shape);
         const auto X = cell_nodes<Shape>(mesh, cell);
-        for (const fem::QuadraturePoint& point :
-             fem::strain_rule(shape)) {
+        for (const fem::QuadraturePoint& point : fem::strain_rule(shape)) {
             const double volume = point.weight * (X * Shape::derivatives(point.xi)).determinant();
             add_fibre_point(mesh, cell, point.xi, share * volume, direction(X * Shape::values(point.xi)), group);
         }
