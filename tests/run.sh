@@ -10,7 +10,7 @@ jobs=2
 
 # The modules that hold the arithmetic and read meshes and traces, without long simulations and what is built on them; and the
 # workbench under random input.
-sanitized=(base solver statistics toml mesh fem material fibre model measurement report random_input)
+sanitized=(base solver toml mesh fem material fibre model measurement report random_input)
 
 export OPENBLAS_NUM_THREADS=1
 # Leaks are errors: of the libraries that the subset links (VTK's readers, CHOLMOD), none leaks; Mesa's are named in tests/ui.

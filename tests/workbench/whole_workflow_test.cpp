@@ -89,7 +89,7 @@ TEST_F(Person, GoesTheWholeWay) {
     // Remesh, coarser.
     driver.click("step/mesh");
     const ui::platform::Rectangle slider = driver.item("body/resolution");
-    driver.click_at({slider.lowest.x + 0.55f * slider.width(), slider.center().y});
+    driver.click_at({slider.lowest.x + 0.63f * slider.width(), slider.center().y});
     EXPECT_EQ(step(ui::commands::Step::mesh), ui::commands::StepState::stale);
     driver.click("body/build");
     ASSERT_NO_FATAL_FAILURE(wait(60));
