@@ -65,7 +65,7 @@ private:
     // workbench_drop.cpp
     void on(const Drop& command);
     // workbench_preview.cpp
-    void on(const ChangePreview& command);
+    void on(const ChangePreview& asked);
     // workbench_search.cpp
     void on(const Run&);
     void on(const Calibrate&);
@@ -74,19 +74,22 @@ private:
     // workbench_diagnosis.cpp
     void on(const Diagnose&);
     void on(const ChooseCandidate& command);
+    /// Adds the effects of a fitted row to the settings.
     void on(const AddEffect& command);
     // workbench_muscles.cpp
     void on(const ChooseMuscle& command);
-    void on(const Paint& command);
-    void on(const ImportSignal& command);
-    void on(const ExportSignal& command);
+    void on(const Paint& asked);
+    void on(const ImportSignal& asked);
+    void on(const ExportSignal& asked);
     void on(const ChangeBrush& command);
     // workbench_jobs.cpp
     void on(const Cancel&);
     void on(const Pause& command);
     void on(const Unqueue& command);
+    /// Shows the results and settings of an ended job again.
     void on(const RestoreRecord& command);
     void on(const CompareRecord& command);
+    /// Removes an ended job from the history.
     void on(const ForgetRecord& command);
     // workbench_project.cpp
     void on(const Save&);
@@ -94,6 +97,7 @@ private:
     void on(const AskWhereToSave& command);
     void on(const AnswerUnsaved& command);
     void on(const OfferRecovery& command);
+    /// Opens a recovery file. Its content counts as unsaved.
     void on(const Recover& command);
     void on(const DiscardRecovery&);
     void on(const Quit&);
@@ -142,16 +146,11 @@ private:
     bool may_compute();
     /// Ends the current request and adds its record to the history.
     void end_task(JobOutcome outcome, const std::string& summary, JobRecord with = {});
-    /// Shows the results and settings of an ended job again.
-    void restore(int id);
-    /// Removes an ended job from the history.
-    void forget(int id);
     /// Copies the queue into the state.
     void update_queue();
 
     // Opening: workbench_scene.cpp.
     void open(const std::filesystem::path& path, std::optional<double> metres_per_unit);
-    void drop(const std::vector<std::filesystem::path>& files);  // workbench_drop.cpp
     /// Shows an opened scene and resets everything that belonged to the previous one.
     void show_scene(Scene scene, std::optional<double> metres_per_unit);
     /// Shows an opened scene with the settings of its project.
@@ -167,26 +166,18 @@ private:
     void save();
     /// Saves to this file. Errors are logged.
     void save_as(std::filesystem::path file);
-    void answer_unsaved(UnsavedAnswer answer);
     /// Executes the action that waited for the decision about unsaved changes.
     void go_on_with_pending();
     /// Closes the window, after the questions that are necessary.
     void quit();
-    void write_report(const std::filesystem::path& folder);
     /// Puts a path at the front of the recent files.
     void remember_recent(const std::filesystem::path& path);
-    /// Opens a recovery file. Its content counts as unsaved.
-    void recover(const std::filesystem::path& file);
-    void discard_recovery();
     /// Deletes the recovery file of the shown project.
     void forget_recovered();
     /// Takes the result of the background writing, if it has ended.
     void take_autosaved();
 
     // Simulation and searches: workbench_search.cpp.
-    void run();
-    void calibrate();
-    void optimize();
     /// Work of a search, on the job's thread.
     using Search = std::function<Result<SearchResult>(const Progress&, const Backend::LiveSearch&)>;
     /// Starts a search as a job of the current request. `verb` appears in messages: "Calibrated".
@@ -197,7 +188,6 @@ private:
     void show_found(const std::string& verb, SearchResult result);
 
     // Live preview: workbench_preview.cpp.
-    void change_preview(const ChangePreview& asked);
     /// Call it after any change that the preview depends on: cancels the running preview and starts a new one as soon
     /// as possible.
     void want_preview();
@@ -212,18 +202,12 @@ private:
     void advance_preview();
 
     // Diagnosis: workbench_diagnosis.cpp.
-    void diagnose();
     /// Shows the result of a diagnosis and ends its request.
     void show_diagnosis(DiagnosisView diagnosis);
     /// Moves the time to where the forces of the selected row are visible, unless the motion plays.
     void look_at_forces();
-    /// Adds the effects of a fitted row to the settings.
-    void add_effect(const std::string& key);
 
     // Muscles: workbench_muscles.cpp.
-    void paint(const Paint& asked);
-    void import_signal(const ImportSignal& asked);
-    void export_signal(const ExportSignal& asked);
     /// Computes the paint of all muscles on the shown body.
     void place_muscles();
 
@@ -232,11 +216,7 @@ private:
     /// Starts the import of a recording that was read.
     void begin_import(RecordingFile file);
     void change_import(const ImportChoices& choices);
-    void choose_label(int label, bool placing);
     void propose_markers();
-    void align_import();
-    void add_recording();
-    void give_up_import();
 
     // Settings: workbench_settings.cpp.
     /// Applies an edit of the user, with an undo entry.

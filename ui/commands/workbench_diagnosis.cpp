@@ -8,7 +8,7 @@
 
 namespace myo::ui::commands {
 
-void Workbench::diagnose() {
+void Workbench::on(const Diagnose&) {
     if (!may_compute()) return;
     if (!can_be_diagnosed(*state_.scene)) {
         log(LogLevel::warning, "Nothing to diagnose: the experiment has no trial of role fit with measured markers.");
@@ -75,8 +75,8 @@ void Workbench::look_at_forces() {
     if (forces && !state_.playing) state_.time_s = time_with_forces(*forces, state_.time_s);
 }
 
-void Workbench::add_effect(const std::string& key) {
-    const DiagnosisRow* const row = state_.diagnosis ? state_.diagnosis->row(key) : nullptr;
+void Workbench::on(const AddEffect& command) {
+    const DiagnosisRow* const row = state_.diagnosis ? state_.diagnosis->row(command.key) : nullptr;
     if (!row || !row->fitted || row->kind != DiagnosisRow::Kind::effects) {
         log(LogLevel::warning, "Only an effect that was fitted can be added to the model.");
         return;
@@ -93,13 +93,9 @@ void Workbench::add_effect(const std::string& key) {
                             "to see its motion.");
 }
 
-void Workbench::on(const Diagnose&) { diagnose(); }
-
 void Workbench::on(const ChooseCandidate& c) {
     state_.candidate = c.key;
     look_at_forces();
 }
-
-void Workbench::on(const AddEffect& c) { add_effect(c.key); }
 
 }  // namespace myo::ui::commands

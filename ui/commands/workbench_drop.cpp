@@ -18,7 +18,8 @@ bool is_recording(const fs::path& path) {
 
 }  // namespace
 
-void Workbench::drop(const std::vector<fs::path>& files) {
+void Workbench::on(const Drop& command) {
+    const std::vector<fs::path>& files = command.files;
     const auto recording = std::find_if(files.begin(), files.end(), is_recording);
     const auto body = std::find_if_not(files.begin(), files.end(), is_recording);
     if (body != files.end()) {
@@ -36,7 +37,5 @@ void Workbench::drop(const std::vector<fs::path>& files) {
             "Only one body and one recording can be opened at a time; " + std::to_string(left) +
                 (left == 1 ? " of the dropped files is left out." : " of the dropped files are left out."));
 }
-
-void Workbench::on(const Drop& c) { drop(c.files); }
 
 }  // namespace myo::ui::commands

@@ -60,13 +60,13 @@ void Workbench::change_import(const ImportChoices& choices) {
     execute(SetTime{state_.time_s});
 }
 
-void Workbench::choose_label(int label, bool placing) {
+void Workbench::on(const ChooseLabel& command) {
     if (!state_.import) return;
     RecordingImport import = *state_.import;
-    import.label = std::clamp(label, 0, static_cast<int>(import.choices.markers.size()) - 1);
-    import.placing = placing && state_.body;
+    import.label = std::clamp(command.label, 0, static_cast<int>(import.choices.markers.size()) - 1);
+    import.placing = command.placing && state_.body;
     state_.import = std::make_shared<const RecordingImport>(std::move(import));
-    if (!placing) return;
+    if (!command.placing) return;
     // Clicks of the brush and of the import must not compete, and labels are placed on the body at rest.
     state_.brush.tool = BrushTool::none;
     state_.playing = false;
@@ -86,7 +86,7 @@ void Workbench::propose_markers() {
                                    " Check their distances before you continue.");
 }
 
-void Workbench::align_import() {
+void Workbench::on(const AlignImport&) {
     const SceneTrial* const trial = state_.scene_trial();
     const SimulatedTrial* const run = state_.simulated_trial();
     if (!state_.import || !trial || !run)
@@ -99,7 +99,7 @@ void Workbench::align_import() {
     change_import(choices);
 }
 
-void Workbench::add_recording() {
+void Workbench::on(const AddRecording&) {
     if (!state_.import || !state_.import->view.problem.empty()) return;
     const RecordingImport import = *state_.import;
     const auto scene = state_.scene;
@@ -135,7 +135,7 @@ void Workbench::add_recording() {
     });
 }
 
-void Workbench::give_up_import() {
+void Workbench::on(const GiveUpImport&) {
     state_.import.reset();
     execute(SetTime{state_.time_s});
 }
@@ -144,14 +144,6 @@ void Workbench::on(const ReadRecording& c) { read_recording(c.path, c.reading); 
 
 void Workbench::on(const ChangeImport& c) { change_import(c.choices); }
 
-void Workbench::on(const ChooseLabel& c) { choose_label(c.label, c.placing); }
-
 void Workbench::on(const ProposeMarkers&) { propose_markers(); }
-
-void Workbench::on(const AlignImport&) { align_import(); }
-
-void Workbench::on(const AddRecording&) { add_recording(); }
-
-void Workbench::on(const GiveUpImport&) { give_up_import(); }
 
 }  // namespace myo::ui::commands

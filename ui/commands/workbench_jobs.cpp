@@ -124,8 +124,8 @@ void Workbench::end_task(JobOutcome outcome, const std::string& summary, JobReco
     save_memory(state_.history);
 }
 
-void Workbench::restore(int id) {
-    const JobRecord* const found = state_.record(id);
+void Workbench::on(const RestoreRecord& command) {
+    const JobRecord* const found = state_.record(command.id);
     if (!found || !found->can_be_restored()) return;
     const JobRecord record = *found;
     // An undo entry, so that the user can return to the settings before the restore.
@@ -147,8 +147,8 @@ void Workbench::restore(int id) {
     log(LogLevel::information, record.name + " of " + record.clock + " is restored, with its settings.");
 }
 
-void Workbench::forget(int id) {
-    std::erase_if(state_.history, [&](const JobRecord& record) { return record.id == id; });
+void Workbench::on(const ForgetRecord& command) {
+    std::erase_if(state_.history, [&](const JobRecord& record) { return record.id == command.id; });
 }
 
 void Workbench::on(const Cancel&) {
@@ -164,13 +164,9 @@ void Workbench::on(const Unqueue& c) {
     update_queue();
 }
 
-void Workbench::on(const RestoreRecord& c) { restore(c.id); }
-
 void Workbench::on(const CompareRecord& c) {
     for (JobRecord& record : state_.history)
         if (record.id == c.id) record.compared = c.compared && record.run;
 }
-
-void Workbench::on(const ForgetRecord& c) { forget(c.id); }
 
 }  // namespace myo::ui::commands

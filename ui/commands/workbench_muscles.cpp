@@ -4,7 +4,7 @@
 
 namespace myo::ui::commands {
 
-void Workbench::paint(const Paint& asked) {
+void Workbench::on(const Paint& asked) {
     const auto index = static_cast<std::size_t>(asked.muscle);
     if (!state_.body || !asked.paint || asked.muscle < 0 || index >= state_.settings.muscles.size()) return;
     // the mesh has been replaced since the stroke began
@@ -17,7 +17,7 @@ void Workbench::paint(const Paint& asked) {
     change_settings({settings, asked.what, false});
 }
 
-void Workbench::import_signal(const ImportSignal& asked) {
+void Workbench::on(const ImportSignal& asked) {
     const auto index = static_cast<std::size_t>(asked.muscle);
     if (asked.muscle < 0 || index >= state_.settings.muscles.size()) return;
     const Result<fibre::Signal> signal = backend_->read_signal(asked.path, state_.settings.muscles[index].name);
@@ -28,7 +28,7 @@ void Workbench::import_signal(const ImportSignal& asked) {
     log(LogLevel::done, "Signal of " + settings.muscles[index].name + " read from " + asked.path.string() + ".");
 }
 
-void Workbench::export_signal(const ExportSignal& asked) {
+void Workbench::on(const ExportSignal& asked) {
     const Result<void> written = backend_->write_signal(asked.path, asked.muscle, asked.signal);
     if (!written) return log_failure(written.error(), "Cannot export the signal");
     log(LogLevel::done, "Signal of " + asked.muscle + " written to " + asked.path.string() + ".");
@@ -43,12 +43,6 @@ void Workbench::place_muscles() {
 void Workbench::on(const ChooseMuscle& c) {
     state_.muscle = std::clamp(c.muscle, 0, std::max(0, static_cast<int>(state_.settings.muscles.size()) - 1));
 }
-
-void Workbench::on(const Paint& c) { paint(c); }
-
-void Workbench::on(const ImportSignal& c) { import_signal(c); }
-
-void Workbench::on(const ExportSignal& c) { export_signal(c); }
 
 void Workbench::on(const ChangeBrush& c) { state_.brush = c.brush; }
 

@@ -7,7 +7,7 @@
 
 namespace myo::ui::commands {
 
-void Workbench::change_preview(const ChangePreview& asked) {
+void Workbench::on(const ChangePreview& asked) {
     const bool longer = asked.length_s != state_.preview.length_s;
     // A command that changes nothing must not cancel the running preview.
     if (asked.on == state_.preview.on && !longer) return;
@@ -81,7 +81,5 @@ void Workbench::advance_preview() {
         }
     begin_preview();
 }
-
-void Workbench::on(const ChangePreview& c) { change_preview(c); }
 
 }  // namespace myo::ui::commands

@@ -55,11 +55,11 @@ void Workbench::save_as(fs::path file) {
     go_on_with_pending();
 }
 
-void Workbench::answer_unsaved(UnsavedAnswer answer) {
+void Workbench::on(const AnswerUnsaved& command) {
     if (!state_.pending) return;
-    if (answer == UnsavedAnswer::cancel)
+    if (command.answer == UnsavedAnswer::cancel)
         state_.pending.reset();
-    else if (answer == UnsavedAnswer::save)
+    else if (command.answer == UnsavedAnswer::save)
         save();
     else {
         // The changes count as saved from here on, so that the pending action does not ask again.
@@ -98,12 +98,12 @@ void Workbench::quit() {
     state_.quit = true;
 }
 
-void Workbench::write_report(const fs::path& folder) {
+void Workbench::on(const WriteReport& command) {
     if (!state_.scene || !state_.run) return log(LogLevel::warning, "A report needs a run.");
-    const auto written = backend_->write_report(folder, *state_.scene, *state_.run, state_.found.get(),
+    const auto written = backend_->write_report(command.folder, *state_.scene, *state_.run, state_.found.get(),
                                                 state_.diagnosis.get());
     if (!written) return log_failure(written.error(), "Cannot write the report");
-    log(LogLevel::done, "Report written to " + folder.string() + ": " + std::to_string(written->size()) +
+    log(LogLevel::done, "Report written to " + command.folder.string() + ": " + std::to_string(written->size()) +
                             (written->size() == 1 ? " file." : " files."));
 }
 
@@ -141,15 +141,15 @@ void Workbench::finish_autosave() {
     take_autosaved();
 }
 
-void Workbench::recover(const fs::path& file) {
+void Workbench::on(const Recover& command) {
     // Other recovery files are offered again at the next start.
     state_.recovered.clear();
     if (const auto other = std::exchange(after_recovery_, std::nullopt))
         log(LogLevel::information,
             other->open.filename().string() + " is not opened: the recovered work is shown instead.");
     dropped_with_body_.reset();
-    recovered_ = file;
-    request("Recover", [this, file] {
+    recovered_ = command.file;
+    request("Recover", [this, file = command.file] {
         start(task_->name, [this, file](const Progress& progress) -> Job::Completion {
             auto project = std::make_shared<Result<Project>>(backend_->read_project(file));
             auto scene = std::make_shared<Result<Scene>>(Error{"not read", ""});
@@ -169,7 +169,7 @@ void Workbench::recover(const fs::path& file) {
     });
 }
 
-void Workbench::discard_recovery() {
+void Workbench::on(const DiscardRecovery&) {
     if (state_.recovered.empty()) return;
     remove_project(state_.recovered.back());
     state_.recovered.pop_back();
@@ -186,13 +186,7 @@ void Workbench::on(const AskWhereToSave& c) {
     if (!c.asks) state_.pending.reset();
 }
 
-void Workbench::on(const AnswerUnsaved& c) { answer_unsaved(c.answer); }
-
 void Workbench::on(const OfferRecovery& c) { state_.recovered = c.files; }
-
-void Workbench::on(const Recover& c) { recover(c.file); }
-
-void Workbench::on(const DiscardRecovery&) { discard_recovery(); }
 
 void Workbench::on(const Quit&) { quit(); }
 
@@ -200,7 +194,5 @@ void Workbench::on(const AnswerStop& c) {
     if (c.stops && state_.asks_to_stop) quit();
     state_.asks_to_stop = false;
 }
-
-void Workbench::on(const WriteReport& c) { write_report(c.folder); }
 
 }  // namespace myo::ui::commands

@@ -18,7 +18,7 @@ void Workbench::show_run(std::shared_ptr<const RunResult> result, const Settings
     for (const std::string& warning : state_.run->warnings) log(LogLevel::warning, warning);
 }
 
-void Workbench::run() {
+void Workbench::on(const Run&) {
     if (!may_compute()) return;
     const auto simulate = [this] {
         start(task_->name,
@@ -94,7 +94,7 @@ void Workbench::search(const std::string& verb, Search find) {
           {false, true});
 }
 
-void Workbench::calibrate() {
+void Workbench::on(const Calibrate&) {
     if (!may_compute()) return;
     if (state_.scene->calibrated.empty()) {
         log(LogLevel::warning,
@@ -111,7 +111,7 @@ void Workbench::calibrate() {
     });
 }
 
-void Workbench::optimize() {
+void Workbench::on(const Optimize&) {
     if (!may_compute()) return;
     const SceneTrial* const trial = state_.scene_trial();
     if (state_.settings.muscles.empty() || !trial || trial->measured.empty()) {
@@ -173,12 +173,6 @@ void Workbench::show_found(const std::string& verb, SearchResult result) {
         std::move(record));
 }
 
-void Workbench::on(const Run&) { run(); }
-
-void Workbench::on(const Calibrate&) { calibrate(); }
-
 void Workbench::on(const ChangeOptimize& c) { state_.optimize = c.request; }
-
-void Workbench::on(const Optimize&) { optimize(); }
 
 }  // namespace myo::ui::commands
