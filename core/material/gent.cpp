@@ -18,16 +18,17 @@ const LawParameter limit{.name = "gent_limit",
                          .scale = 10.0,
                          .over_decades = true};
 
-/// g(w) = -J/2 ln(1 - 2 w / J) of w = (I1 - 3)/2, the neo-Hookean energy at mu = 1. NaN beyond the limit: the step is
-/// rejected.
+/// g(w) = -J/2 ln(1 - 2 w / J) of w = (I1 - 3)/2, the neo-Hookean energy at mu = 1. Energy and stress are NaN beyond
+/// the limit, where the quotient alone would be a stress of the wrong sign: the step is rejected.
 struct GentEnergy {
     double J;
 
     static constexpr bool has_bulk = true;
     template <class T>
     ScalarFunctionOf<T> at(const T& w) const {
-        const T left = T(1.0) - w * T(2.0 / J), inverse = T(1.0) / left;
-        return {T(-0.5 * J) * logarithm(left), inverse, inverse * inverse * T(2.0 / J)};
+        const T left = T(1.0) - w * T(2.0 / J), log_left = logarithm(left);
+        const T inverse = T(1.0) / left + T(0.0) * log_left;
+        return {T(-0.5 * J) * log_left, inverse, inverse * inverse * T(2.0 / J)};
     }
 };
 
