@@ -74,9 +74,14 @@ Result<TraceSource> guess_trace_source(const std::filesystem::path& path) {
     return Error{"is none of the known recordings: " + known, path.string()};
 }
 
+// Each reader asks, so the rest of a long file is not split.
 std::string_view first_line(std::string_view content) {
-    for (const TextLine& line : split_lines(content))
-        if (!trimmed(line.text).empty()) return line.text;
+    for (std::size_t begin = 0; begin < content.size();) {
+        const std::size_t end = std::min(content.find('\n', begin), content.size());
+        const std::vector<TextLine> lines = split_lines(content.substr(begin, end - begin));
+        if (!lines.empty() && !trimmed(lines.front().text).empty()) return lines.front().text;
+        begin = end + 1;
+    }
     return {};
 }
 
