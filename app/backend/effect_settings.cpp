@@ -1,5 +1,8 @@
 #include "backend/effect_settings.hpp"
 
+#include <type_traits>
+#include <variant>
+
 #include "base/text.hpp"
 #include "results/readable_parameter.hpp"
 
@@ -29,31 +32,29 @@ std::string readable_words(const effect::EffectParameters& parameters) {
 
 ui::commands::AddedEffect added_effect(const effect::EffectDeclaration& effect) {
     ui::commands::AddedEffect result{effect.id, {}, results::effect_name(effect.id), readable_words(effect.parameters)};
-    for (const auto& [name, value] : effect.parameters) {
-        if (const auto* const v = std::get_if<VectorXd>(&value))
-            result.parameters[name] = std::vector<double>(v->begin(), v->end());
-        else if (const auto* const number = std::get_if<double>(&value))
-            result.parameters[name] = *number;
-        else if (const auto* const word = std::get_if<std::string>(&value))
-            result.parameters[name] = *word;
-        else
-            result.parameters[name] = std::get<std::vector<std::string>>(value);
-    }
+    for (const auto& [name, value] : effect.parameters)
+        result.parameters[name] = std::visit(
+            []<class T>(const T& v) -> ui::commands::AddedEffect::Value {
+                if constexpr (std::is_same_v<T, VectorXd>)
+                    return std::vector<double>(v.begin(), v.end());
+                else
+                    return v;
+            },
+            value);
     return result;
 }
 
 effect::EffectDeclaration declaration(const ui::commands::AddedEffect& effect) {
     effect::EffectDeclaration result{effect.id, {}, true};
-    for (const auto& [name, value] : effect.parameters) {
-        if (const auto* const v = std::get_if<std::vector<double>>(&value))
-            result.parameters[name] = VectorXd(Eigen::Map<const VectorXd>(v->data(), static_cast<Index>(v->size())));
-        else if (const auto* const number = std::get_if<double>(&value))
-            result.parameters[name] = *number;
-        else if (const auto* const word = std::get_if<std::string>(&value))
-            result.parameters[name] = *word;
-        else
-            result.parameters[name] = std::get<std::vector<std::string>>(value);
-    }
+    for (const auto& [name, value] : effect.parameters)
+        result.parameters[name] = std::visit(
+            []<class T>(const T& v) -> effect::EffectParameter {
+                if constexpr (std::is_same_v<T, std::vector<double>>)
+                    return VectorXd(Eigen::Map<const VectorXd>(v.data(), static_cast<Index>(v.size())));
+                else
+                    return v;
+            },
+            value);
     return result;
 }
 
