@@ -8,8 +8,8 @@ sanitize=$root/build-sanitize
 both=$root/build-both
 jobs=2
 
-# The modules that hold the arithmetic and read meshes and traces, without long simulations and what is built on them; and the
-# workbench under random input.
+# The modules that handle raw memory: kernels, matrices, readers of meshes and traces; and the workbench under random
+# input. Without long simulations, what is built on them, and the Monte Carlo tests of statistics.
 sanitized=(base solver toml mesh fem material fibre model measurement report random_input)
 
 export OPENBLAS_NUM_THREADS=1

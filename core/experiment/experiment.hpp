@@ -44,8 +44,8 @@ struct MaterialDeclaration {
     double poissons_ratio = 0.0;            // strictly between 0 and 0.5
     double density_kg_m3 = 0.0;             // > 0
     std::optional<double> damping_s;        // Kelvin-Voigt damping time [s]; absent = unknown
-    std::vector<std::string> calibrate = {
-        "youngs_modulus", "damping"};  // of youngs_modulus, damping, actuation_level and the law's parameters
+    /// Parameters to fit: of youngs_modulus, damping, actuation_level and the law's own.
+    std::vector<std::string> calibrate = {"youngs_modulus", "damping"};
 };
 
 /// Linear coupling of two muscles: a - 1 of the follower is `ratio` times a - 1 of the leader.

@@ -8,7 +8,6 @@
 
 #include "fibre/cell_parts.hpp"
 #include "mesh/box_tree.hpp"
-#include "mesh/cell_topology.hpp"
 #include "mesh/cell_traits.hpp"
 
 namespace myo::fibre {
