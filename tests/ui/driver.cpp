@@ -9,7 +9,37 @@
 #include <stdexcept>
 #include <thread>
 
+#include "platform/gl.hpp"
+
 namespace myo::test {
+namespace {
+
+namespace gl = ui::platform::gl;
+
+/// The OpenGL functions that draw pixels.
+struct PixelFunctions {
+    PFNGLCLEARPROC clear = gl::Clear;
+    PFNGLDRAWARRAYSPROC draw_arrays = gl::DrawArrays;
+    PFNGLDRAWARRAYSINSTANCEDPROC draw_instances = gl::DrawArraysInstanced;
+    PFNGLDRAWELEMENTSBASEVERTEXPROC draw_elements = gl::DrawElementsBaseVertex;
+    PFNGLBLITFRAMEBUFFERPROC blit = gl::BlitFramebuffer;
+};
+
+const PixelFunctions no_pixels{[](GLbitfield) {}, [](GLenum, GLint, GLsizei) {}, [](GLenum, GLint, GLsizei, GLsizei) {},
+                               [](GLenum, GLsizei, GLenum, const void*, GLint) {},
+                               [](GLint, GLint, GLint, GLint, GLint, GLint, GLint, GLint, GLbitfield, GLenum) {}};
+
+PixelFunctions loaded_functions;  // as the context's creation loaded them
+
+void use(const PixelFunctions& functions) {
+    gl::Clear = functions.clear;
+    gl::DrawArrays = functions.draw_arrays;
+    gl::DrawArraysInstanced = functions.draw_instances;
+    gl::DrawElementsBaseVertex = functions.draw_elements;
+    gl::BlitFramebuffer = functions.blit;
+}
+
+}  // namespace
 
 Driver::Driver(int width_, int height_) : Driver(nullptr, width_, height_) {}
 
@@ -24,7 +54,20 @@ Driver::Driver(std::shared_ptr<ui::commands::Backend> other, int width_, int hei
     auto opened = ui::panels::WorkbenchWindow::make(*workbench);
     if (!opened) throw std::runtime_error(opened.error().text());
     window = std::move(*opened);
+    loaded_functions = PixelFunctions{};
+    use(no_pixels);
     settle();
+}
+
+void Driver::draw_pixels() {
+    if (pixels_) return;
+    pixels_ = true;
+    use(loaded_functions);
+    // The view keeps its image while nothing changes; in another size it must draw it.
+    for (const int wide : {width + 1, width, width}) {
+        const auto drawn = window->draw_frame(wide, height, 0.0);
+        ASSERT_TRUE(drawn) << drawn.error().text();
+    }
 }
 
 void Driver::frame(double seconds) {
@@ -119,7 +162,10 @@ void Driver::type(const std::string& text) {
     settle();
 }
 
-ui::platform::Image Driver::picture() { return ui::platform::read_frame(width, height); }
+ui::platform::Image Driver::picture() {
+    draw_pixels();
+    return ui::platform::read_frame(width, height);
+}
 
 void Driver::open_beam() {
     window->open("/beam");

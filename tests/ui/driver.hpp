@@ -12,6 +12,8 @@
 namespace myo::test {
 
 /// Drives a workbench without a display through named items, as a user would with mouse and keyboard. Size in pixels.
+/// Frames lay out everything and send it to OpenGL, but pixels are drawn only for those who look at them: drawing
+/// them without a graphics card takes most of the time of a frame.
 class Driver {
 public:
     explicit Driver(int width = 1280, int height = 800);
@@ -44,6 +46,9 @@ public:
     void type(const std::string& text);
 
     const ui::commands::WorkbenchState& state() const { return workbench->state(); }
+    /// Draws the pixels of this and all later frames.
+    void draw_pixels();
+    /// The window as it is now. Its pixels are drawn if they were not.
     ui::platform::Image picture();
     /// Opens the beam and waits for its mesh.
     void open_beam();
@@ -53,6 +58,9 @@ public:
     std::optional<ui::platform::OffscreenContext> context;
     std::optional<ui::commands::Workbench> workbench;
     std::optional<ui::panels::WorkbenchWindow> window;
+
+private:
+    bool pixels_ = false;
 };
 
 /// Pixel of the window at which a point of the scene [m] is drawn. Fails the test if it is not visible.

@@ -201,6 +201,7 @@ TEST(Distance, TwoClicksMeasureAndFollowTheMotion) {
 
 TEST(Translucent, WhatIsInsideTheBodyIsSeenAsFarAsTheBodyLetsThrough) {
     Driver driver;
+    driver.draw_pixels();
     driver.open_beam();
     auto renderer = viewport::SceneRenderer::make();
     ASSERT_TRUE(renderer);

@@ -50,6 +50,7 @@ panels::PictureRequest motion(const fs::path& path, double rate_Hz) {
 TEST(Picture, IsDrawnAnewInTheSizeThatIsAskedFor) {
     const Folder folder("picture");
     Driver driver;
+    driver.draw_pixels();
     ASSERT_NO_FATAL_FAILURE(run_a_beam(driver));
     driver.key(ui::platform::key_k, {.ctrl = true});
     driver.type("save picture");
@@ -97,6 +98,7 @@ platform::Image picture_of(Driver& driver, const fs::path& path, bool overlay = 
 TEST(Picture, HasWhatLiesOverTheViewInItsOwnSize) {
     const Folder folder("overlay");
     Driver driver;
+    driver.draw_pixels();
     ASSERT_NO_FATAL_FAILURE(run_a_beam(driver));
     commands::ViewOptions options = driver.state().view;
     options.field = "height";
@@ -181,6 +183,7 @@ TEST(Picture, LinesAndMarkersKeepTheirShareOfALargerOne) {
 TEST(Picture, IsOfTheTimeThatWasShownWhenItWasAskedFor) {
     const Folder folder("asked");
     Driver driver;
+    driver.draw_pixels();
     ASSERT_NO_FATAL_FAILURE(run_a_beam(driver));
     driver.workbench->execute(commands::SetTime{0.2});
     driver.workbench->execute(commands::Play{true});
@@ -221,6 +224,7 @@ TEST(Picture, IsOfTheTimeThatWasShownWhenItWasAskedFor) {
 TEST(Picture, FilmsDoNotDependOnTheTimeThatIsShown) {
     const Folder folder("film_alone");
     Driver driver;
+    driver.draw_pixels();
     ASSERT_NO_FATAL_FAILURE(run_a_beam(driver));
     commands::ViewOptions options = driver.state().view;
     options.field = "height";
@@ -247,6 +251,7 @@ TEST(Picture, FilmsDoNotDependOnTheTimeThatIsShown) {
 TEST(Picture, NumberedOnesShowTheMotionOverItsTime) {
     const Folder folder("frames");
     Driver driver;
+    driver.draw_pixels();
     ASSERT_NO_FATAL_FAILURE(run_a_beam(driver));
     driver.workbench->execute(commands::SetTime{0.123});
     driver.settle();
@@ -271,6 +276,7 @@ TEST(Picture, NumberedOnesShowTheMotionOverItsTime) {
 TEST(Picture, GivenUpLeavesNothing) {
     const Folder folder("given_up");
     Driver driver;
+    driver.draw_pixels();
     ASSERT_NO_FATAL_FAILURE(run_a_beam(driver));
     driver.window->draw_into(motion(folder.path() / "swing", 200.0));
     for (int i = 0; i < 8; ++i) driver.frame();
@@ -285,6 +291,7 @@ TEST(Picture, AFilmIsWrittenWhereFfmpegIs) {
     if (!platform::can_write_films()) GTEST_SKIP() << "skipped: no ffmpeg";
     const Folder folder("film's");
     Driver driver;
+    driver.draw_pixels();
     ASSERT_NO_FATAL_FAILURE(run_a_beam(driver));
     driver.window->draw_into(motion(folder.path() / "swing.mp4", 20.0));
     for (int i = 0; i < 60 && !fs::exists(folder.path() / "swing.mp4"); ++i) driver.frame();
@@ -298,6 +305,7 @@ TEST(Picture, AFilmIsWrittenWhereFfmpegIs) {
 TEST(Picture, PlotsAreSavedAsTheyAreSeen) {
     const Folder folder("plots");
     Driver driver;
+    driver.draw_pixels();
     ASSERT_NO_FATAL_FAILURE(run_a_beam(driver));
     const platform::Image window = driver.picture();
     const platform::Rectangle first = driver.item("markers/plots");
