@@ -163,7 +163,7 @@ experiment::Experiment with_settings(experiment::Experiment experiment, const ui
     experiment.material.poissons_ratio = settings.poissons_ratio;
     experiment.material.density_kg_m3 = settings.density_kg_m3;
     experiment.material.damping_s = settings.damping_s;
-    for (const ui::commands::AddedEffect& effect : settings.effects) experiment.effects.push_back(declaration(effect));
+    for (const ui::commands::AddedEffect& effect : settings.effects) experiment.effects.push_back(effect.declaration);
     experiment.muscles = declared_muscles(experiment, settings);
     return experiment;
 }

@@ -1,6 +1,6 @@
 #include "backend/effect_settings.hpp"
 
-#include <type_traits>
+#include <utility>
 #include <variant>
 
 #include "base/text.hpp"
@@ -9,7 +9,6 @@
 namespace myo::backend {
 namespace {
 
-using Eigen::Index;
 using Eigen::VectorXd;
 
 /// "coefficient 903 kg/m³, position 1, 2, 3 mm".
@@ -30,32 +29,10 @@ std::string readable_words(const effect::EffectParameters& parameters) {
 
 }  // namespace
 
-ui::commands::AddedEffect added_effect(const effect::EffectDeclaration& effect) {
-    ui::commands::AddedEffect result{effect.id, {}, results::effect_name(effect.id), readable_words(effect.parameters)};
-    for (const auto& [name, value] : effect.parameters)
-        result.parameters[name] = std::visit(
-            []<class T>(const T& v) -> ui::commands::AddedEffect::Value {
-                if constexpr (std::is_same_v<T, VectorXd>)
-                    return std::vector<double>(v.begin(), v.end());
-                else
-                    return v;
-            },
-            value);
-    return result;
-}
-
-effect::EffectDeclaration declaration(const ui::commands::AddedEffect& effect) {
-    effect::EffectDeclaration result{effect.id, {}, true};
-    for (const auto& [name, value] : effect.parameters)
-        result.parameters[name] = std::visit(
-            []<class T>(const T& v) -> effect::EffectParameter {
-                if constexpr (std::is_same_v<T, std::vector<double>>)
-                    return VectorXd(Eigen::Map<const VectorXd>(v.data(), static_cast<Index>(v.size())));
-                else
-                    return v;
-            },
-            value);
-    return result;
+ui::commands::AddedEffect added_effect(effect::EffectDeclaration effect) {
+    effect.calibrate = true;
+    std::string name = results::effect_name(effect.id), words = readable_words(effect.parameters);
+    return {std::move(effect), std::move(name), std::move(words)};
 }
 
 }  // namespace myo::backend

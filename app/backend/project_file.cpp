@@ -34,12 +34,12 @@ constexpr ViewSwitch view_switches[] = {
     {"fibres", &ui::commands::ViewOptions::fibres},     {"effect_force", &ui::commands::ViewOptions::effect_force}};
 
 /// Value of an effect parameter as TOML: number, text, or an array of either.
-std::string effect_value(const ui::commands::AddedEffect::Value& value) {
+std::string effect_value(const effect::EffectParameter& value) {
     if (const auto* const one = std::get_if<double>(&value)) return toml::toml_number(*one);
     if (const auto* const word = std::get_if<std::string>(&value)) return toml::toml_text(*word);
     if (const auto* const words = std::get_if<std::vector<std::string>>(&value))
         return toml::toml_list(*words, toml::toml_text);
-    return toml::toml_list(std::get<std::vector<double>>(value), toml::toml_number);
+    return toml::toml_list(std::get<Eigen::VectorXd>(value), toml::toml_number);
 }
 
 /// Relative path if it is at most three levels up, else the absolute one.
@@ -71,9 +71,10 @@ std::string settings_text(const ui::commands::Settings& s) {
             "\nspectral_radius = " + toml::toml_number(s.spectral_radius) +
             "\nvelocity_force_1_s = " + toml::toml_number(s.velocity_force_1_s) + "\n";
     for (const ui::commands::AddedEffect& effect : s.effects) {
-        text += "\n[[effect]]\nid = " + toml::toml_text(effect.id) + "\nname = " + toml::toml_text(effect.name) +
-                "\nvalue = " + toml::toml_text(effect.value) + "\n[effect.parameters]\n";
-        for (const auto& [name, value] : effect.parameters)
+        text += "\n[[effect]]\nid = " + toml::toml_text(effect.declaration.id) +
+                "\nname = " + toml::toml_text(effect.name) + "\nvalue = " + toml::toml_text(effect.value) +
+                "\n[effect.parameters]\n";
+        for (const auto& [name, value] : effect.declaration.parameters)
             text += toml::toml_text(name) + " = " + effect_value(value) + "\n";
     }
     return text;
@@ -127,6 +128,10 @@ std::vector<double> numbers_of(const toml::TomlReader& table, const std::string&
         numbers.push_back(item.number);
     }
     return numbers;
+}
+
+Eigen::VectorXd as_vector(const std::vector<double>& numbers) {
+    return Eigen::Map<const Eigen::VectorXd>(numbers.data(), static_cast<Eigen::Index>(numbers.size()));
 }
 
 /// Inline signal: as many values as times, ascending.
@@ -194,12 +199,12 @@ std::vector<ui::commands::AddedEffect> read_project_effects(const toml::TomlRead
     std::vector<ui::commands::AddedEffect> effects;
     const toml::TomlValue* const entries = root.find("effect");
     for (const toml::TomlReader& table : document.tables("effect", {"id", "name", "value", "parameters"})) {
-        ui::commands::AddedEffect effect{table.text("id"), {}, table.text("name"), table.text("value")};
+        ui::commands::AddedEffect effect{{table.text("id"), {}, true}, table.text("name"), table.text("value")};
         const toml::TomlReader named = table.table_of_names("parameters");
         const toml::TomlValue& parameters = *entries->items[effects.size()].find("parameters");
         for (std::size_t k = 0; k < parameters.keys.size(); ++k) {
             const toml::TomlValue& value = parameters.items[k];
-            ui::commands::AddedEffect::Value& slot = effect.parameters[parameters.keys[k]];
+            effect::EffectParameter& slot = effect.declaration.parameters[parameters.keys[k]];
             const bool words = value.kind == toml::TomlValue::Kind::array && !value.items.empty() &&
                                value.items.front().kind == toml::TomlValue::Kind::text;
             if (value.kind == toml::TomlValue::Kind::number)
@@ -209,7 +214,7 @@ std::vector<ui::commands::AddedEffect> read_project_effects(const toml::TomlRead
             else if (words)
                 slot = named.texts(parameters.keys[k]);
             else
-                slot = numbers_of(named, parameters.keys[k], parameters);
+                slot = as_vector(numbers_of(named, parameters.keys[k], parameters));
         }
         effects.push_back(std::move(effect));
     }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "dynamics/simulate.hpp"
+#include "effect/effect_declaration.hpp"
 #include "measurement/marker_binding.hpp"
 #include "measurement/observation_error.hpp"
 #include "mesh/surface_mesh.hpp"
@@ -19,18 +20,6 @@ namespace myo::effect {
 // actuator, or an error of the measurement. Each entry of the catalogue states its parameters and a function that
 // applies it to the prepared trial. Effects are used in two ways: an experiment declares them, or a diagnosis tries
 // them on the residual of a fit. In the second case the probes of an entry are the start values.
-
-/// Value of a parameter: number, vector, one name (marker, trial) or several names (the markers of marker_swap).
-using EffectParameter = std::variant<double, Eigen::VectorXd, std::string, std::vector<std::string>>;
-/// Values by parameter name. Vectors and positions are in the mesh frame of the rest shape.
-using EffectParameters = std::map<std::string, EffectParameter>;
-
-/// An effect with its parameter values: declared by an experiment, or a candidate of a diagnosis.
-struct EffectDeclaration {
-    std::string id;
-    EffectParameters parameters;
-    bool calibrate = false;  // the parameters are fitted
-};
 
 /// Type of a parameter.
 enum class EffectParameterKind {

@@ -192,7 +192,7 @@ TEST(DiagnosePanel, AddsTheEffectAndUndoes) {
     ASSERT_TRUE(driver.state().run_is_current());
     driver.click("diagnose/add");
     ASSERT_EQ(driver.state().settings.effects.size(), 1u);
-    EXPECT_EQ(driver.state().settings.effects.front().id, "linear_drag");
+    EXPECT_EQ(driver.state().settings.effects.front().declaration.id, "linear_drag");
     EXPECT_EQ(driver.state().settings.youngs_modulus_Pa, 2.55e5) << "values that were fitted beside it come along";
     EXPECT_FALSE(driver.state().run_is_current()) << "the next run has it";
     EXPECT_TRUE(driver.state().mesh_is_current());
@@ -208,7 +208,7 @@ TEST(DiagnosePanel, AddsTheEffectAndUndoes) {
     driver.click("diagnose/row/quadratic_drag");
     driver.click("diagnose/add");
     ASSERT_EQ(driver.state().settings.effects.size(), 1u);
-    EXPECT_EQ(driver.state().settings.effects.front().id, "quadratic_drag");
+    EXPECT_EQ(driver.state().settings.effects.front().declaration.id, "quadratic_drag");
     driver.window->show_panel("model");
     driver.settle();
     driver.click("model/remove/quadratic_drag");

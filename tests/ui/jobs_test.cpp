@@ -216,7 +216,7 @@ TEST(Jobs, SignalsThatDifferDoNotReadAlike) {
     a.muscles = {muscle};
     muscle.signal = fibre::Signal{{0.0, 0.5}, {1.0, 0.8}};
     b.muscles = {muscle};
-    b.effects = {{"quadratic_drag", {}, "Quadratic drag", "coefficient 903 kg/m\xc2\xb3"}};
+    b.effects = {{{"quadratic_drag", {}, true}, "Quadratic drag", "coefficient 903 kg/m\xc2\xb3"}};
     const std::vector<commands::SettingDifference> rows = commands::settings_differences({&a, &b}, {}, {});
     ASSERT_EQ(rows.size(), 2u);
     EXPECT_EQ(rows[0].name, "Quadratic drag");

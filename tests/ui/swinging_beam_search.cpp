@@ -40,8 +40,7 @@ ui::commands::DiagnosisRow candidate(const ui::commands::DiagnosisView& view, co
     row.weight = 0.06;
     row.settings = settings;
     row.settings.youngs_modulus_Pa = 2.55e5;
-    row.settings.effects = {{key,
-                             {{"coefficient_Pa_s_m", value}},
+    row.settings.effects = {{{key, {{"coefficient_Pa_s_m", value}}, true},
                              name,
                              "coefficient " + std::to_string(static_cast<int>(value)) + " Pa s/m"}};
     return row;

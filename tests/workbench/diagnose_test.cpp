@@ -103,8 +103,8 @@ TEST(Diagnose, FindsTheDragOfABeamAddsItAndRunsWithIt) {
 
     driver.click("diagnose/add");  // of the chosen row
     ASSERT_EQ(driver.state().settings.effects.size(), 1u);
-    EXPECT_NEAR(std::get<double>(driver.state().settings.effects[0].parameters.at("coefficient_kg_m3")), drag_kg_m3,
-                0.3 * drag_kg_m3);
+    EXPECT_NEAR(std::get<double>(driver.state().settings.effects[0].declaration.parameters.at("coefficient_kg_m3")),
+                drag_kg_m3, 0.3 * drag_kg_m3);
     driver.click("run/run");
     ASSERT_TRUE(driver.wait_for_job(120));
     ASSERT_TRUE(driver.state().run_is_current()) << driver.state().log.back().text;

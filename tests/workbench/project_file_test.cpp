@@ -43,11 +43,12 @@ ui::commands::Project some_project(const fs::path& source) {
     s.spectral_radius = 0.8;
     s.time_step_s = 0.004 / 3.0;
     s.velocity_force_1_s = -0.125;
-    s.effects = {{"wild_effect",
-                  {{"coefficient", 1.0 / 3.0},
-                   {"direction", std::vector<double>{0.0, 1e-17, 1.0}},
-                   {"marker", std::string("tip")},
-                   {"list", std::vector<std::string>{"a", "b"}}},
+    s.effects = {{{"wild_effect",
+                   {{"coefficient", 1.0 / 3.0},
+                    {"direction", Eigen::VectorXd(Eigen::Vector3d(0.0, 1e-17, 1.0))},
+                    {"marker", std::string("tip")},
+                    {"list", std::vector<std::string>{"a", "b"}}},
+                   true},
                   "Wild effect",
                   "1 ± 2"}};
     fibre::PaintedMask mask;

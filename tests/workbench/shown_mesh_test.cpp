@@ -113,7 +113,7 @@ TEST(ShownMesh, APlainMeshFeelsTheEffectsOfItsSettings) {
         return (run->trials[0].frames.back() - run->trials[0].frames.front()).norm();
     };
     const double in_air = fall();
-    settings.effects.push_back({"quadratic_drag", {{"coefficient_kg_m3", 5e4}}, "Quadratic drag", ""});
+    settings.effects.push_back({{"quadratic_drag", {{"coefficient_kg_m3", 5e4}}, true}, "Quadratic drag", ""});
     EXPECT_LT(fall(), 0.9 * in_air);
 }
 

@@ -190,10 +190,10 @@ TEST_F(Person, GoesTheWholeWay) {
     driver.click("diagnose/row/gravity_tilt");
     driver.click("diagnose/add");
     ASSERT_EQ(state().settings.effects.size(), 1u);
-    const auto& parameters = state().settings.effects.front().parameters;
+    const auto& parameters = state().settings.effects.front().declaration.parameters;
     // About the beam's own axis; about the others, half a degree more or less is not seen.
-    EXPECT_NEAR(std::get<double>(parameters.at("tilt_deg")) * std::get<std::vector<double>>(parameters.at("axis"))[0],
-                -3.0, 0.5);
+    EXPECT_NEAR(std::get<double>(parameters.at("tilt_deg")) * std::get<Eigen::VectorXd>(parameters.at("axis"))[0], -3.0,
+                0.5);
     driver.click("step/material");
     EXPECT_TRUE(driver.has("model/effect/gravity_tilt"));
 

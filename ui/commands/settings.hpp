@@ -2,22 +2,19 @@
 
 #include <map>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "commands/muscle.hpp"
+#include "effect/effect_declaration.hpp"
 #include "mesh/volume_mesh.hpp"
 
 namespace myo::ui::commands {
 
 /// An effect that the user added to the experiment's model.
 struct AddedEffect {
-    using Value = std::variant<double, std::vector<double>, std::string, std::vector<std::string>>;
-
-    std::string id;                           // id in the core's catalogue
-    std::map<std::string, Value> parameters;  // by name, SI units
-    std::string name;                         // "Quadratic drag"
-    std::string value;                        // as shown: "coefficient 903 ± 12 kg/m³"
+    effect::EffectDeclaration declaration;  // with calibrate = true
+    std::string name;                       // "Quadratic drag"
+    std::string value;                      // as shown: "coefficient 903 ± 12 kg/m³"
 
     bool operator==(const AddedEffect&) const = default;
 };

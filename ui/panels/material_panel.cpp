@@ -109,7 +109,7 @@ void MaterialPanel::draw_effects(PanelContext& context) {
         row_label(context.theme, effect.name, "An effect that was added to the experiment's model.");
         const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
         wrapped_text(effect.value, right - button - ImGui::GetStyle().ItemSpacing.x);
-        context.items.mark("model/effect/" + effect.id);
+        context.items.mark("model/effect/" + effect.declaration.id);
         ImGui::SameLine();
         ImGui::SetCursorPosX(right - button);
         if (ImGui::Button(platform::icon::remove, {button, 0.0f})) {
@@ -117,7 +117,7 @@ void MaterialPanel::draw_effects(PanelContext& context) {
             settings.effects.erase(settings.effects.begin() + static_cast<std::ptrdiff_t>(i));
             context.emit(commands::ChangeSettings{settings, "effects", false});
         }
-        context.items.mark("model/remove/" + effect.id);
+        context.items.mark("model/remove/" + effect.declaration.id);
         tooltip(context.theme, "Remove from the model");
         ImGui::PopID();
     }
