@@ -1,4 +1,4 @@
-#!/ usr / bin / env python3
+#!/usr/bin/env python3
 """Prints the figures of the code: sizes of files and functions, comments, line lengths, tests per line of code, names
 that several classes share and tuning numbers outside policies.
 
