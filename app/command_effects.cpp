@@ -17,7 +17,7 @@ std::function<int()> declare_effects(CLI::App&) {
             for (const effect::EffectParameterEntry& p : effect.parameters)
                 parameters += (parameters.empty() ? "" : ", ") + p.name + (p.optional ? " (optional)" : "");
             print_format("%-*s  %-11s  %s\n%*s  %s\n", static_cast<int>(width), effect.id.c_str(),
-                         to_string(effect.stage).c_str(), effect.summary.c_str(), static_cast<int>(width) + 13, "",
+                         to_string(effect.kind).c_str(), effect.summary.c_str(), static_cast<int>(width) + 13, "",
                          parameters.c_str());
         }
         return static_cast<int>(status_done);

@@ -62,14 +62,14 @@ ui::commands::Settings mesh_scene_settings(const experiment::Experiment& experim
 namespace {
 
 /// Context for effects in a run without measurement.
-effect::EffectSite site_of(const experiment::Experiment& experiment, const model::BodyPointer& body) {
-    effect::EffectSite site;
-    site.body = body;
-    site.held = experiment.clamp_box_m;
-    for (const experiment::MuscleDeclaration& muscle : experiment.muscles) site.muscle_names.push_back(muscle.name);
-    site.trial = mesh_scene_trial().name;
-    site.end_s = release_s;
-    return site;
+effect::TrialContext site_of(const experiment::Experiment& experiment, const model::BodyPointer& body) {
+    effect::TrialContext context;
+    context.body = body;
+    context.held = experiment.clamp_box_m;
+    for (const experiment::MuscleDeclaration& muscle : experiment.muscles) context.muscle_names.push_back(muscle.name);
+    context.trial = mesh_scene_trial().name;
+    context.end_s = release_s;
+    return context;
 }
 
 }  // namespace

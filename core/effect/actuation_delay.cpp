@@ -10,7 +10,7 @@ namespace actuation_delay_parts {
 constexpr const char* delay_s = "delay_s";
 
 /// a(t) -> a(t - delay), smoothed so that the run depends smoothly on the delay.
-void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
+void apply(const TrialContext&, const EffectParameters& parameters, Affected& affected) {
     const double delay = number(parameters, delay_s);
     if (!(delay > 0.0)) return;
     for (fibre::Signal& signal : affected.model.activation) {
@@ -34,7 +34,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 Effect actuation_delay() {
     using namespace actuation_delay_parts;
     return {"actuation_delay",
-            EffectStage::actuation,
+            EffectKind::actuation,
             "the muscle follows its signal after a dead time",
             {fitted_number(delay_s, 0.0, 100.0, 0.02, true)},
             apply,

@@ -7,7 +7,7 @@ namespace actuation_gain_parts {
 constexpr const char* change = "relative_change";
 
 /// a - 1 -> (1 + change) (a - 1): the passive state a = 1 stays.
-void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
+void apply(const TrialContext&, const EffectParameters& parameters, Affected& affected) {
     const double factor = 1.0 + number(parameters, change);
     for (fibre::Signal& signal : affected.model.activation)
         for (double& value : signal.values) value = 1.0 + factor * (value - 1.0);
@@ -28,7 +28,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 Effect actuation_gain() {
     using namespace actuation_gain_parts;
     return {"actuation_gain",
-            EffectStage::actuation,
+            EffectKind::actuation,
             "the muscle moves by a constant factor more than its signal",
             {fitted_number(change, -1.0, 20.0, 0.2)},
             apply,

@@ -11,7 +11,7 @@ namespace actuation_hysteresis_parts {
 ///
 /// Within a sample interval the equation for z is linear, and its exponential solution is exact. z is 0 at u = 0 and
 /// has followed u from there to its value before the start: a constant input is not reached in full.
-void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
+void apply(const TrialContext&, const EffectParameters& parameters, Affected& affected) {
     const double h = number(parameters, "fraction"), width = number(parameters, "width");
     const auto moved = [width](double z, double du) {
         if (du == 0.0) return z;
@@ -57,7 +57,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 Effect actuation_hysteresis() {
     using namespace actuation_hysteresis_parts;
     return {"actuation_hysteresis",
-            EffectStage::actuation,
+            EffectKind::actuation,
             "the muscle's way back differs from its way there (Bouc-Wen)",
             {fitted_number("fraction", 0.0, 1.0, 0.2), fitted_number("width", 1e-4, 10.0, 0.05, true)},
             apply,

@@ -9,7 +9,7 @@ namespace actuation_lag_parts {
 constexpr const char* tau_s = "time_constant_s";
 
 /// tau x' = u - x, integrated exactly for u linear between samples. x is continuous across jumps of u.
-void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
+void apply(const TrialContext&, const EffectParameters& parameters, Affected& affected) {
     const double tau = number(parameters, tau_s);
     if (!(tau > 0.0)) return;
     respond_to_signals(
@@ -40,7 +40,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 Effect actuation_lag() {
     using namespace actuation_lag_parts;
     return {"actuation_lag",
-            EffectStage::actuation,
+            EffectKind::actuation,
             "the muscle follows its signal with a first-order lag",
             {fitted_number(tau_s, 0.0, 100.0, 0.02, true)},
             apply,

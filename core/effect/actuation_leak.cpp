@@ -12,7 +12,7 @@ constexpr const char* tau_s = "time_constant_s";
 ///
 /// The input held before the start has not leaked: the trial begins as declared, and the leak begins at t = 0, for
 /// constant signals as well.
-void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
+void apply(const TrialContext&, const EffectParameters& parameters, Affected& affected) {
     const double tau = number(parameters, tau_s);
     respond_to_signals(
         acts,
@@ -41,7 +41,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 Effect actuation_leak() {
     using namespace actuation_leak_parts;
     return {"actuation_leak",
-            EffectStage::actuation,
+            EffectKind::actuation,
             "a held actuation bleeds off",
             {fitted_number(tau_s, 1e-3, 1e5, 0.1, true)},
             apply,

@@ -8,9 +8,9 @@ namespace added_mass_parts {
 constexpr const char* density = "surface_density_kg_m2";
 
 /// Directional mass along the normals of the free surface: inertia without weight.
-void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
+void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
     affected.model.directional_masses.push_back(
-        model::added_mass(*site.body, model::free_faces(*site.body), number(parameters, density)));
+        model::added_mass(*context.body, model::free_faces(*context.body), number(parameters, density)));
 }
 
 std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{density, 0.2}}, density)}; }
@@ -20,7 +20,7 @@ std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{density, 
 Effect added_mass() {
     using namespace added_mass_parts;
     return {"added_mass",
-            EffectStage::force,
+            EffectKind::force,
             "a fluid goes with the surface along its normal: inertia, no weight",
             {fitted_number(density, 0.0, 1e4, 1.0, true)},
             apply,

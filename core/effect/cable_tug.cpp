@@ -10,19 +10,20 @@ namespace cable_tug_parts {
 using Eigen::Vector3d;
 
 /// Diagonal of the bounding box [m].
-double body_length(const EffectSite& site) {
-    const auto& X = site.body->mesh.nodes;
+double body_length(const TrialContext& context) {
+    const auto& X = context.body->mesh.nodes;
     return (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).norm();
 }
 
-void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
-    const SurfacePlace place = surface_place(*site.body, vector(parameters, "position_m"));
+void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
+    const SurfacePlace place = surface_place(*context.body, vector(parameters, "position_m"));
     // Default anchor: along the surface normal, farther away than any motion of the body.
-    Vector3d anchor = place.point + 2.0 * body_length(site) * place.normal;
+    Vector3d anchor = place.point + 2.0 * body_length(context) * place.normal;
     if (has(parameters, "anchor_m")) anchor = vector(parameters, "anchor_m");
     // The spring needs a direction: an anchor on the surface is moved off it.
-    if ((anchor - place.point).norm() < 1e-3 * body_length(site)) anchor += 1e-3 * body_length(site) * place.normal;
-    affected.model.force_elements.push_back(model::tied_spring(*site.body, place.cell, place.nodes, place.shares,
+    if ((anchor - place.point).norm() < 1e-3 * body_length(context))
+        anchor += 1e-3 * body_length(context) * place.normal;
+    affected.model.force_elements.push_back(model::tied_spring(*context.body, place.cell, place.nodes, place.shares,
                                                                anchor, number(parameters, "stiffness_N_m")));
 }
 
@@ -64,15 +65,15 @@ EffectParameters joined(const std::vector<EffectParameters>& columns, const Eige
 }
 
 std::vector<EffectProbe> probes(const EffectSearch& search) {
-    const EffectSite& site = search.sites.front();
+    const TrialContext& context = search.trials.front();
     std::vector<EffectProbe> list;
-    for (const Vector3d& point : spread_surface_points(site, 4)) {
+    for (const Vector3d& point : spread_surface_points(context, 4)) {
         EffectProbe probe;
         probe.amount = "stiffness_N_m";
         probe.joined = joined;
-        const SurfacePlace place = surface_place(*site.body, point);
+        const SurfacePlace place = surface_place(*context.body, point);
         for (const Vector3d& d : directions()) {
-            const Vector3d anchor = place.point + (d.dot(place.normal) < 0.0 ? -1.0 : 1.0) * body_length(site) * d;
+            const Vector3d anchor = place.point + (d.dot(place.normal) < 0.0 ? -1.0 : 1.0) * body_length(context) * d;
             probe.columns.push_back({{"stiffness_N_m", cable_tug_policy.probed_stiffness_N_m},
                                      {"position_m", Eigen::VectorXd(place.point)},
                                      {"anchor_m", Eigen::VectorXd(anchor)}});
@@ -87,7 +88,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 Effect cable_tug() {
     using namespace cable_tug_parts;
     return {"cable_tug",
-            EffectStage::force,
+            EffectKind::force,
             "a cable that pulls like a spring from a point of the surface to a fixed anchor",
             {fitted_number("stiffness_N_m", 0.0, 1e4, 1.0, true),
              {"position_m", EffectParameterKind::vector3, false, -10.0, 10.0, 0.01},

@@ -69,18 +69,18 @@ bool any_varies_within_cells(const std::vector<EffectDeclaration>& effects) {
     });
 }
 
-void apply_effects(const EffectSite& site, const std::vector<EffectDeclaration>& effects, Affected& affected) {
-    // stable_sort below keeps the order of declaration within an EffectStage.
+void apply_effects(const TrialContext& context, const std::vector<EffectDeclaration>& effects, Affected& affected) {
+    // stable_sort below keeps the order of declaration within an EffectKind.
     std::vector<std::pair<const Effect*, const EffectDeclaration*>> order;
     for (const EffectDeclaration& declaration : effects) {
         order.emplace_back(find_effect(declaration.id), &declaration);
         assert(order.back().first != nullptr);
     }
-    // Order by EffectStage: stress-free shapes refer to the cells as supported, whatever was declared first.
+    // Order by EffectKind: stress-free shapes refer to the cells as supported, whatever was declared first.
     std::stable_sort(order.begin(), order.end(),
-                     [](const auto& a, const auto& b) { return a.first->stage < b.first->stage; });
+                     [](const auto& a, const auto& b) { return a.first->kind < b.first->kind; });
     for (const auto& [effect, declaration] : order)
-        if (acts_on(site, declaration->parameters)) effect->apply(site, declaration->parameters, affected);
+        if (acts_on(context, declaration->parameters)) effect->apply(context, declaration->parameters, affected);
 }
 
 }  // namespace myo::effect

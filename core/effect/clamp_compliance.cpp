@@ -9,14 +9,15 @@ namespace clamp_compliance_parts {
 constexpr const char* bed_stiffness = "stiffness_Pa_per_m";
 
 /// Frees the clamped nodes and supports their faces by distributed springs [Pa/m].
-void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
+void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
     std::vector<int> nodes;
-    for (int i = 0; i < site.body->node_count(); ++i)
-        if (site.body->clamped[static_cast<std::size_t>(i)]) nodes.push_back(i);
-    const std::vector<int> faces = model::faces_of_nodes(*site.body, nodes);
+    for (int i = 0; i < context.body->node_count(); ++i)
+        if (context.body->clamped[static_cast<std::size_t>(i)]) nodes.push_back(i);
+    const std::vector<int> faces = model::faces_of_nodes(*context.body, nodes);
     if (faces.empty()) return;  // clamped nodes inside the body have no face for the bed
     affected.model.body = released_body(*affected.model.body, nodes);
-    affected.model.force_elements.push_back(model::elastic_bed(*site.body, faces, number(parameters, bed_stiffness)));
+    affected.model.force_elements.push_back(
+        model::elastic_bed(*context.body, faces, number(parameters, bed_stiffness)));
 }
 
 /// Rigid clamp = infinite stiffness: the probe amount is reciprocal.
@@ -29,7 +30,7 @@ std::vector<EffectProbe> probes(const EffectSearch&) {
 Effect clamp_compliance() {
     using namespace clamp_compliance_parts;
     return {"clamp_compliance",
-            EffectStage::support,
+            EffectKind::support,
             "the clamped face sits on an elastic bed",
             {fitted_number(bed_stiffness, 1e4, 1e12, 1e6, true)},
             apply,

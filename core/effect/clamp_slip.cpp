@@ -23,11 +23,11 @@ struct ClampSlipPolicy {
 constexpr ClampSlipPolicy clamp_slip_policy;
 
 /// Distance from the clamp to the first node that carries a marker or a muscle [m].
-double first_load(const EffectSite& site, const model::Model& model, const ClampAxis& clamp) {
+double first_load(const TrialContext& context, const model::Model& model, const ClampAxis& clamp) {
     const mesh::VolumeMesh& mesh = model.body->mesh;
     double first = clamp_slip_policy.farthest * clamp.length_m;
     const auto at = [&](int node) { first = std::min(first, clamp.ahead(mesh.nodes.col(node))); };
-    for (const measurement::MarkerBinding& marker : site.markers)
+    for (const measurement::MarkerBinding& marker : context.markers)
         std::for_each(marker.nodes.begin(), marker.nodes.end(), at);
     for (const fibre::FibreGroup& group : *model.fibres)
         for (const fibre::FibrePoint& point : group.points)
@@ -51,15 +51,16 @@ void straighten(const mesh::VolumeMesh& mesh, Eigen::Matrix3Xd& shift) {
 /// those next to the clamp, or all that carry no marker or muscle. Thus the free length grows continuously with the
 /// same unknowns, whether it is a fraction of a cell or several cells. The cells at the clamp keep nearly the same
 /// size, which matters because short cells restrain a nearly incompressible body more.
-Eigen::Matrix3Xd set_back(const EffectSite& site, const model::Model& model, const ClampAxis& clamp, double free_m) {
+Eigen::Matrix3Xd set_back(const TrialContext& context, const model::Model& model, const ClampAxis& clamp,
+                          double free_m) {
     const Eigen::Matrix3Xd& X = model.body->mesh.nodes;
-    const double reach = first_load(site, model, clamp),
+    const double reach = first_load(context, model, clamp),
                  taken_up_m = std::clamp(free_m / (1.0 - 2.0 * clamp_slip_policy.left_of_depth),
                                          clamp_slip_policy.least_taken_up * clamp.held_m, clamp.held_m);
     Eigen::Matrix3Xd shift = Eigen::Matrix3Xd::Zero(3, X.cols());
     for (Eigen::Index i = 0; i < X.cols(); ++i) {
         const double ahead = clamp.ahead(X.col(i));
-        const bool held = site.body->clamped[static_cast<std::size_t>(i)];
+        const bool held = context.body->clamped[static_cast<std::size_t>(i)];
         // Fraction of the slip: 1 at the front of the clamp, decreasing to 0 at its far end and over the cells in
         // front.
         const double part = held          ? std::min(1.0, (clamp.held_m + ahead) / taken_up_m)
@@ -71,13 +72,13 @@ Eigen::Matrix3Xd set_back(const EffectSite& site, const model::Model& model, con
     return shift;
 }
 
-void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
-    const ClampAxis clamp = clamp_axis(site);
+void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
+    const ClampAxis clamp = clamp_axis(context);
     const double free_m = std::min(number(parameters, length), (1.0 - clamp_slip_policy.left_of_depth) * clamp.held_m);
     if (!(free_m > 0.0)) return;
     model::Model& model = affected.model;
     const mesh::VolumeMesh declared = model.body->mesh;
-    const Eigen::Matrix3Xd shift = set_back(site, model, clamp, free_m);
+    const Eigen::Matrix3Xd shift = set_back(context, model, clamp, free_m);
     model.body = on_nodes(*model.body, declared.nodes + shift);
     // Fibres are defined per cell: adapt them to the moved nodes.
     auto fibres = std::make_shared<std::vector<fibre::FibreGroup>>();
@@ -89,14 +90,15 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
     if (start.size() > 0) start += shift;
 
     // Markers on the shifted cells have not moved on the real body: compensate in the recording.
-    for (std::size_t m = 0; m < site.markers.size(); ++m) {
-        const Eigen::Vector3d moved = shift(Eigen::all, site.markers[m].nodes) * site.markers[m].weights;
-        if (!moved.isZero(0.0)) affected.seen.shifts.push_back({m, -moved, -std::numeric_limits<double>::infinity()});
+    for (std::size_t m = 0; m < context.markers.size(); ++m) {
+        const Eigen::Vector3d moved = shift(Eigen::all, context.markers[m].nodes) * context.markers[m].weights;
+        if (!moved.isZero(0.0))
+            affected.observation_error.shifts.push_back({m, -moved, -std::numeric_limits<double>::infinity()});
     }
 }
 
 std::vector<EffectProbe> probes(const EffectSearch& search) {
-    const ClampAxis clamp = clamp_axis(search.sites.front());
+    const ClampAxis clamp = clamp_axis(search.trials.front());
     std::vector<EffectProbe> list;
     // A clamp that consists of a face only has no part that could slip.
     if (clamp.held_m > 0.0)
@@ -109,7 +111,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 Effect clamp_slip() {
     using namespace clamp_slip_parts;
     return {"clamp_slip",
-            EffectStage::support,
+            EffectKind::support,
             "the part of the clamp next to its free end does not hold",
             {fitted_number(length, 0.0, 10.0, 0.003)},
             apply,

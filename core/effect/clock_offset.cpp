@@ -6,13 +6,13 @@ namespace clock_offset_parts {
 constexpr const char* offset = "offset_s";
 
 /// Samples stamped t were taken at t + offset.
-void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
-    affected.seen.clock_offset_s += number(parameters, offset);
+void apply(const TrialContext&, const EffectParameters& parameters, Affected& affected) {
+    affected.observation_error.clock_offset_s += number(parameters, offset);
 }
 
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     std::vector<EffectProbe> list;
-    const double interval = search.sites.front().interval_s;
+    const double interval = search.trials.front().interval_s;
     // Both signs: the response is not smooth at zero, because the body is at rest before the start.
     for (const double frames : {0.3, -0.3, 2.0, -2.0}) list.push_back(probe({{offset, frames * interval}}, offset));
     return list;
@@ -23,7 +23,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 Effect clock_offset() {
     using namespace clock_offset_parts;
     return {"clock_offset",
-            EffectStage::measurement,
+            EffectKind::measurement,
             "samples were taken later or earlier than stated",
             {fitted_number(offset, -10.0, 10.0, 0.01)},
             apply,

@@ -18,21 +18,21 @@ struct DryFrictionPolicy {
 };
 constexpr DryFrictionPolicy dry_friction_policy;
 
-void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
-    const SurfacePlace place = surface_place(*site.body, vector(parameters, "position_m"));
+void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
+    const SurfacePlace place = surface_place(*context.body, vector(parameters, "position_m"));
     const std::optional<Vector3d> normal = has(parameters, "normal") ? std::optional(vector(parameters, "normal"))
                                                                      : std::nullopt;
-    affected.model.force_elements.push_back(model::point_friction(*site.body, place.cell, place.nodes, place.shares,
+    affected.model.force_elements.push_back(model::point_friction(*context.body, place.cell, place.nodes, place.shares,
                                                                   normal, number(parameters, "friction_force_N"),
                                                                   dry_friction_policy.v0_m_s));
 }
 
 /// Without a normal: the point hardly moves into what it rubs on, so that its whole velocity slides.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
-    const EffectSite& site = search.sites.front();
-    const double weight_N = 9.81 * search.models.front().density_kg_m3 * site.body->volume_m3;
+    const TrialContext& context = search.trials.front();
+    const double weight_N = 9.81 * search.models.front().density_kg_m3 * context.body->volume_m3;
     std::vector<EffectProbe> list;
-    for (const Vector3d& place : spread_surface_points(site, dry_friction_policy.places))
+    for (const Vector3d& place : spread_surface_points(context, dry_friction_policy.places))
         list.push_back(
             probe({{"friction_force_N", dry_friction_policy.probed_share * weight_N}, {"position_m", VectorXd(place)}},
                   "friction_force_N"));
@@ -44,7 +44,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 Effect dry_friction() {
     using namespace dry_friction_parts;
     return {"dry_friction",
-            EffectStage::force,
+            EffectKind::force,
             "dry friction acts at one point of the surface",
             {fitted_number("friction_force_N", 0.0, 100.0, 0.005, true),
              {"position_m", EffectParameterKind::vector3, false, -10.0, 10.0, 0.01},

@@ -3,13 +3,13 @@
 namespace myo::effect {
 
 // Names as in files and reports.
-std::string to_string(EffectStage stage) {
-    switch (stage) {
-        case EffectStage::force: return "force";
-        case EffectStage::support: return "support";
-        case EffectStage::material: return "material";
-        case EffectStage::actuation: return "actuation";
-        case EffectStage::measurement: return "measurement";
+std::string to_string(EffectKind kind) {
+    switch (kind) {
+        case EffectKind::force: return "force";
+        case EffectKind::support: return "support";
+        case EffectKind::material: return "material";
+        case EffectKind::actuation: return "actuation";
+        case EffectKind::measurement: return "measurement";
     }
     return {};
 }
@@ -38,8 +38,8 @@ std::string text(const EffectParameters& parameters, const std::string& name) {
 bool has(const EffectParameters& parameters, const std::string& name) { return parameters.count(name) > 0; }
 
 // Effects without the parameter `trial` act on all trials.
-bool acts_on(const EffectSite& site, const EffectParameters& parameters) {
-    return !has(parameters, "trial") || text(parameters, "trial") == site.trial;
+bool acts_on(const TrialContext& context, const EffectParameters& parameters) {
+    return !has(parameters, "trial") || text(parameters, "trial") == context.trial;
 }
 
 EffectProbe probe(EffectParameters at, const std::string& amount) { return {{std::move(at)}, amount, false, nullptr}; }

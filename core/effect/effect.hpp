@@ -45,7 +45,7 @@ struct EffectParameterEntry {
 };
 
 /// Data of the trial on which an effect acts.
-struct EffectSite {
+struct TrialContext {
     model::BodyPointer body;  // as declared, with the declared clamped nodes
     Box held;                 // clamped box
     std::vector<std::string> marker_names;
@@ -63,7 +63,7 @@ struct EffectSite {
 struct Affected {
     model::Model model;
     dynamics::SimulationOptions options;
-    measurement::ObservationError seen;
+    measurement::ObservationError observation_error;
 };
 
 /// Start values for the search for an effect.
@@ -83,28 +83,28 @@ struct EffectProbe {
 
 /// Data of the whole experiment for the choice of start values.
 struct EffectSearch {
-    std::vector<EffectSite> sites;             // of the trials used in the fit
+    std::vector<TrialContext> trials;          // of the trials used in the fit
     std::vector<model::Model> models;          // models of these trials, with the values of the declared fit
     double largest_energy_density_J_m3 = 0.0;  // isochoric; maximum over cells and trials
     bool damping_is_fitted = false;
 };
 
 /// What an effect changes; effects are applied in this order.
-enum class EffectStage { force, support, material, actuation, measurement };
-/// Name of an EffectStage in files and reports.
-std::string to_string(EffectStage stage);
+enum class EffectKind { force, support, material, actuation, measurement };
+/// Name of an EffectKind in files and reports.
+std::string to_string(EffectKind kind);
 
 /// Entry of the catalogue.
 struct Effect {
     std::string id;
-    EffectStage stage = EffectStage::force;
+    EffectKind kind = EffectKind::force;
     std::string summary;  // one line for the user
     std::vector<EffectParameterEntry> parameters;
     /// Changes the model, options or recording of a trial.
-    void (*apply)(const EffectSite&, const EffectParameters&, Affected&) = nullptr;
+    void (*apply)(const TrialContext&, const EffectParameters&, Affected&) = nullptr;
     std::vector<EffectProbe> (*probes)(const EffectSearch&) =
         nullptr;  // empty: not observable in this experiment; null: no probes exist
-    EffectParameters (*plainest)(const model::Model& declared, const EffectParameters&) =
+    EffectParameters (*canonical)(const model::Model& declared, const EffectParameters&) =
         nullptr;  // canonical form of equivalent parameters; may be null
     bool
         varies_within_cells = false;  // moduli that vary within cells, or energies beyond quadratic: see fine_element()
@@ -122,7 +122,7 @@ std::string text(const EffectParameters& parameters, const std::string& name);
 /// Whether the parameter is given.
 bool has(const EffectParameters& parameters, const std::string& name);
 /// Whether the effect acts on this trial: it has no parameter `trial`, or it names this one.
-bool acts_on(const EffectSite& site, const EffectParameters& parameters);
+bool acts_on(const TrialContext& context, const EffectParameters& parameters);
 
 /// Probe with a single column whose parameter `amount` is multiplied.
 EffectProbe probe(EffectParameters at, const std::string& amount);

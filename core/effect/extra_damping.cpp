@@ -6,7 +6,7 @@ namespace extra_damping_parts {
 constexpr const char* excess = "excess_damping_s";
 
 /// Adds to the Kelvin-Voigt damping time.
-void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
+void apply(const TrialContext&, const EffectParameters& parameters, Affected& affected) {
     affected.model.damping_s += number(parameters, excess);
 }
 
@@ -22,7 +22,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 Effect extra_damping() {
     using namespace extra_damping_parts;
     return {"extra_damping",
-            EffectStage::material,
+            EffectKind::material,
             "more Kelvin-Voigt damping than the declared value",
             {fitted_number(excess, 0.0, 10.0, 2e-3, true)},
             apply,

@@ -6,8 +6,8 @@ namespace frame_rate_error_parts {
 constexpr const char* error = "relative_error";
 
 /// True rate = declared rate times (1 + error).
-void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
-    affected.seen.rate_error += number(parameters, error);
+void apply(const TrialContext&, const EffectParameters& parameters, Affected& affected) {
+    affected.observation_error.rate_error += number(parameters, error);
 }
 
 /// Two sizes: the response to a large error is not linear.
@@ -20,7 +20,7 @@ std::vector<EffectProbe> probes(const EffectSearch&) {
 Effect frame_rate_error() {
     using namespace frame_rate_error_parts;
     return {"frame_rate_error",
-            EffectStage::measurement,
+            EffectKind::measurement,
             "the cameras' true rate differs from the declared one",
             {fitted_number(error, -0.5, 2.0, 0.02)},
             apply,

@@ -18,7 +18,7 @@ Vector3d tilted(const Vector3d& gravity, const EffectParameters& parameters) {
            gravity;
 }
 
-void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
+void apply(const TrialContext&, const EffectParameters& parameters, Affected& affected) {
     affected.model.gravity_m_s2 = tilted(affected.model.gravity_m_s2, parameters);
 }
 
@@ -48,7 +48,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 
 /// The smallest rotation with the same direction of gravity: about an axis perpendicular to it. A component of the axis
 /// along gravity has no effect but to enlarge the angle.
-EffectParameters plainest(const model::Model& declared, const EffectParameters& parameters) {
+EffectParameters canonical(const model::Model& declared, const EffectParameters& parameters) {
     const Vector3d g = declared.gravity_m_s2, turned = tilted(g, parameters), axis = g.cross(turned);
     if (!(axis.norm() > 0.0)) return parameters;
     return {{"tilt_deg", std::atan2(axis.norm(), g.dot(turned)) / degree},
@@ -60,13 +60,13 @@ EffectParameters plainest(const model::Model& declared, const EffectParameters& 
 Effect gravity_tilt() {
     using namespace gravity_tilt_parts;
     return {"gravity_tilt",
-            EffectStage::force,
+            EffectKind::force,
             "the mount is tilted: gravity turned by an angle about an axis",
             {fitted_number("tilt_deg", -180.0, 180.0, 2.0),
              {"axis", EffectParameterKind::direction, false, -std::numbers::pi, std::numbers::pi, 0.3}},
             apply,
             probes,
-            plainest};
+            canonical};
 }
 
 }  // namespace myo::effect

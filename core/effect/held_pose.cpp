@@ -15,9 +15,9 @@ using Eigen::VectorXd;
 constexpr const char* offset = "offset_m";
 
 /// Centre of the bounding box of the nodes in the plane of the free end.
-Vector3d end_centre(const EffectSite& site, const ClampAxis& clamp) {
+Vector3d end_centre(const TrialContext& context, const ClampAxis& clamp) {
     Vector3d low = Vector3d::Constant(std::numeric_limits<double>::max()), high = -low;
-    for (const auto& X : site.body->mesh.nodes.colwise()) {
+    for (const auto& X : context.body->mesh.nodes.colwise()) {
         // Nodes of the end plane within rounding.
         if (clamp.ahead(X) < (1.0 - 1e-6) * clamp.length_m) continue;
         low = low.cwiseMin(X);
@@ -28,9 +28,9 @@ Vector3d end_centre(const EffectSite& site, const ClampAxis& clamp) {
 
 /// Shear parameter E I / (k G A L^2) of the mean cross-section for bending along a unit vector, with Cowper's shear
 /// coefficient k of a rectangle (1966).
-double shear_of(const EffectSite& site, const model::Model& model, const ClampAxis& clamp, const Vector3d& along) {
-    const Eigen::SparseMatrix<double>& volume = site.body->unit_mass;
-    const VectorXd y = site.body->mesh.nodes.transpose() * along, of_node = volume * VectorXd::Ones(y.size());
+double shear_of(const TrialContext& context, const model::Model& model, const ClampAxis& clamp, const Vector3d& along) {
+    const Eigen::SparseMatrix<double>& volume = context.body->unit_mass;
+    const VectorXd y = context.body->mesh.nodes.transpose() * along, of_node = volume * VectorXd::Ones(y.size());
     const double whole = of_node.sum(), middle = of_node.dot(y) / whole;
     const VectorXd off = y.array() - middle;
     material::Moduli sum;
@@ -59,9 +59,9 @@ Vector3d upwards(const Vector3d& gravity, const Vector3d& axis, int axis_number)
 /// Sections rotate and stay plane and undeformed; the axis keeps its length, so that the end also approaches the clamp.
 /// The axial component of the offset is therefore not independent and is ignored. Bending is in the plane of axis and
 /// offset.
-void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
-    if (site.start != dynamics::StartKind::straight) return;
-    const ClampAxis clamp = clamp_axis(site);
+void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
+    if (context.start != dynamics::StartKind::straight) return;
+    const ClampAxis clamp = clamp_axis(context);
     const Vector3d axis = clamp.sign * Vector3d::Unit(clamp.axis);
     Vector3d end = upwards(affected.model.gravity_m_s2, axis, clamp.axis);
     if (std::holds_alternative<VectorXd>(parameters.at(offset)))
@@ -72,12 +72,12 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
     if (end.norm() == 0.0) return;
     const Vector3d across = end.normalized();
     const BentCantilever bent = bent_cantilever(end.norm() / clamp.length_m,
-                                                shear_of(site, affected.model, clamp, across));
-    const Vector3d centre = end_centre(site, clamp);
+                                                shear_of(context, affected.model, clamp, across));
+    const Vector3d centre = end_centre(context, clamp);
     Matrix3Xd x = affected.options.initial.positions.size() > 0 ? affected.options.initial.positions
                                                                 : affected.model.body->mesh.nodes;
     for (Eigen::Index i = 0; i < x.cols(); ++i) {
-        const Vector3d X = site.body->mesh.nodes.col(i);
+        const Vector3d X = context.body->mesh.nodes.col(i);
         const double s = clamp.ahead(X) / clamp.length_m;
         if (s <= 0.0) continue;  // within the clamp
         // Displacement of the section centre plus rotation about it; r is the distance from the neutral axis.
@@ -102,13 +102,13 @@ EffectParameters joined(const std::vector<EffectParameters>& columns, const Vect
 /// Per trial that starts from the straight shape: the two transverse directions.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     std::vector<EffectProbe> list;
-    for (const EffectSite& site : search.sites) {
-        if (site.start != dynamics::StartKind::straight) continue;
+    for (const TrialContext& context : search.trials) {
+        if (context.start != dynamics::StartKind::straight) continue;
         EffectProbe probe;
-        const int along = clamp_axis(site).axis;
+        const int along = clamp_axis(context).axis;
         for (int axis = 0; axis < 3; ++axis)
             if (axis != along)
-                probe.columns.push_back({{offset, VectorXd(1e-3 * Vector3d::Unit(axis))}, {"trial", site.trial}});
+                probe.columns.push_back({{offset, VectorXd(1e-3 * Vector3d::Unit(axis))}, {"trial", context.trial}});
         probe.joined = joined;
         list.push_back(std::move(probe));
     }
@@ -120,7 +120,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 Effect held_pose() {
     using namespace held_pose_parts;
     return {"held_pose",
-            EffectStage::support,
+            EffectKind::support,
             "the body was not held in its rest shape before the release",
             {{offset, EffectParameterKind::number_or_vector3, false, -1.0, 1.0, 2e-3},
              {"trial", EffectParameterKind::trial, true}},

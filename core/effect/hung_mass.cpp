@@ -19,7 +19,7 @@ bool hangs(const model::DeadForce& force, double end_s) {
 
 /// Adds to each dead force the inertia of a hanging body, along the line of the force and while it acts. Changes of
 /// mass cause no impulse: a body that is attached moves with the specimen from then on.
-void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
+void apply(const TrialContext&, const EffectParameters& parameters, Affected& affected) {
     // Without gravity in the model the weight is converted with standard gravity.
     const double g = affected.model.gravity_m_s2.norm() > 0.0 ? affected.model.gravity_m_s2.norm()
                                                               : hung_mass_constants.standard_gravity_m_s2;
@@ -37,7 +37,7 @@ void apply(const EffectSite&, const EffectParameters& parameters, Affected& affe
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     for (std::size_t i = 0; i < search.models.size(); ++i)
         for (const model::DeadForce& force : search.models[i].forces)
-            if (hangs(force, search.sites[i].end_s))
+            if (hangs(force, search.trials[i].end_s))
                 return {probe({{ratio, 0.1}}, ratio), probe({{ratio, 1.0}}, ratio)};
     return {};
 }
@@ -47,7 +47,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 Effect hung_mass() {
     using namespace hung_mass_parts;
     return {"hung_mass",
-            EffectStage::force,
+            EffectKind::force,
             "a declared dead force is the weight of a body on a thread, whose inertia acts along the thread",
             {fitted_number(ratio, 0.0, 100.0, 0.3, true)},
             apply,

@@ -18,11 +18,11 @@ mesh::VolumeMesh exploded(const mesh::VolumeMesh& mesh) {
 
 /// Gives each cell a trapezoidal stress-free shape. The shapes are not compatible with each other, so that the rest
 /// shape of the body is under residual stress.
-void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
+void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
     const double k = number(parameters, "curvature_1_m");
     const auto across = static_cast<Eigen::Index>(number(parameters, "axis"));
-    const Eigen::Index along = clamp_axis(site).axis;
-    const Eigen::RowVectorXd s = site.body->mesh.nodes.row(across);
+    const Eigen::Index along = clamp_axis(context).axis;
+    const Eigen::RowVectorXd s = context.body->mesh.nodes.row(across);
     const double middle = 0.5 * (s.minCoeff() + s.maxCoeff());
     mesh::VolumeMesh free_cells = exploded(affected.model.body->mesh);
     const Eigen::Index per_cell = free_cells.cells.rows();
@@ -50,7 +50,7 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
 
 /// The two axes perpendicular to the clamp axis.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
-    const int along = clamp_axis(search.sites.front()).axis;
+    const int along = clamp_axis(search.trials.front()).axis;
     std::vector<EffectProbe> list;
     for (int axis = 0; axis < 3; ++axis)
         if (axis != along)
@@ -63,7 +63,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 Effect intrinsic_curvature() {
     using namespace intrinsic_curvature_parts;
     return {"intrinsic_curvature",
-            EffectStage::material,
+            EffectKind::material,
             "the stress-free shape is bent",
             {fitted_number("curvature_1_m", -100.0, 100.0, 1.0), {"axis", EffectParameterKind::axis}},
             apply,

@@ -8,9 +8,9 @@ namespace linear_drag_parts {
 constexpr const char* coefficient = "coefficient_Pa_s_m";
 
 /// Traction -c v on the free surface.
-void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
+void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
     affected.model.force_elements.push_back(
-        model::surface_drag(*site.body, model::free_faces(*site.body), number(parameters, coefficient), 0.0));
+        model::surface_drag(*context.body, model::free_faces(*context.body), number(parameters, coefficient), 0.0));
 }
 
 std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{coefficient, 5.0}}, coefficient)}; }
@@ -20,7 +20,7 @@ std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{coefficie
 Effect linear_drag() {
     using namespace linear_drag_parts;
     return {"linear_drag",
-            EffectStage::force,
+            EffectKind::force,
             "drag of a resting fluid in proportion to the speed",
             {fitted_number(coefficient, 0.0, 1e5, 20.0, true)},
             apply,

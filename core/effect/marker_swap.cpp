@@ -4,11 +4,11 @@
 namespace myo::effect {
 namespace marker_swap_parts {
 
-void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
+void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
     const auto& names = std::get<std::vector<std::string>>(parameters.at("markers"));
-    const int first = marker_number(site, names[0]), second = marker_number(site, names[1]);
+    const int first = marker_number(context, names[0]), second = marker_number(context, names[1]);
     if (first < 0 || second < 0) return;  // fixed markers are not compared
-    affected.seen.swaps.push_back(
+    affected.observation_error.swaps.push_back(
         {static_cast<std::size_t>(first), static_cast<std::size_t>(second), number(parameters, "time_s")});
 }
 
@@ -17,7 +17,7 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
 Effect marker_swap() {
     using namespace marker_swap_parts;
     return {"marker_swap",
-            EffectStage::measurement,
+            EffectKind::measurement,
             "two markers exchange their names from some time on",
             {{"markers", EffectParameterKind::marker_pair},
              {"time_s", EffectParameterKind::number},

@@ -4,9 +4,9 @@
 
 namespace myo::effect {
 
-int marker_number(const EffectSite& site, const std::string& name) {
-    const auto found = std::find(site.marker_names.begin(), site.marker_names.end(), name);
-    return found == site.marker_names.end() ? -1 : static_cast<int>(found - site.marker_names.begin());
+int marker_number(const TrialContext& context, const std::string& name) {
+    const auto found = std::find(context.marker_names.begin(), context.marker_names.end(), name);
+    return found == context.marker_names.end() ? -1 : static_cast<int>(found - context.marker_names.begin());
 }
 
 }  // namespace myo::effect

@@ -5,6 +5,6 @@
 namespace myo::effect {
 
 /// Index of a marker on the body; -1 if no marker has this name.
-int marker_number(const EffectSite& site, const std::string& name);
+int marker_number(const TrialContext& context, const std::string& name);
 
 }  // namespace myo::effect

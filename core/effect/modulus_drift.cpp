@@ -8,16 +8,16 @@ namespace modulus_drift_parts {
 constexpr const char* rate = "rate_1_s";
 
 /// Moduli times 1 + rate * session time, at least 0.01.
-void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
-    const double factor = std::max(0.01, 1.0 + number(parameters, rate) * site.session_time_s);
+void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
+    const double factor = std::max(0.01, 1.0 + number(parameters, rate) * context.session_time_s);
     for (material::Moduli& m : affected.model.moduli) m = {factor * m.mu, factor * m.kappa};
 }
 
 /// Longest time between trials [s].
 double longest_time(const EffectSearch& search) {
     double longest = 0.0;
-    for (const EffectSite& site : search.sites)
-        longest = std::max(longest, std::abs(site.session_time_s - search.sites.front().session_time_s));
+    for (const TrialContext& context : search.trials)
+        longest = std::max(longest, std::abs(context.session_time_s - search.trials.front().session_time_s));
     return longest;
 }
 
@@ -33,7 +33,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 Effect modulus_drift() {
     using namespace modulus_drift_parts;
     return {"modulus_drift",
-            EffectStage::material,
+            EffectKind::material,
             "the modulus drifts over the session",
             {fitted_number(rate, -1.0, 1.0, 1e-4)},
             apply,

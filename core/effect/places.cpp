@@ -35,12 +35,12 @@ std::vector<Vector3d> spread(const Matrix3Xd& points, const Vector3d& away, std:
 }
 
 /// Mean rest position of the clamped nodes; the origin if there are none.
-Vector3d clamp_centre(const EffectSite& site) {
+Vector3d clamp_centre(const TrialContext& context) {
     Vector3d sum = Vector3d::Zero();
     int count = 0;
-    for (int i = 0; i < site.body->node_count(); ++i)
-        if (site.body->clamped[static_cast<std::size_t>(i)]) {
-            sum += site.body->mesh.nodes.col(i);
+    for (int i = 0; i < context.body->node_count(); ++i)
+        if (context.body->clamped[static_cast<std::size_t>(i)]) {
+            sum += context.body->mesh.nodes.col(i);
             ++count;
         }
     return count > 0 ? Vector3d(sum / count) : Vector3d(sum);
@@ -92,18 +92,18 @@ SurfacePlace surface_place(const model::Body& body, const Vector3d& near_m) {
     return place;
 }
 
-std::vector<Vector3d> spread_surface_points(const EffectSite& site, std::size_t count) {
-    const model::Body& body = *site.body;
+std::vector<Vector3d> spread_surface_points(const TrialContext& context, std::size_t count) {
+    const model::Body& body = *context.body;
     const std::vector<int> faces = model::free_faces(body);
     Matrix3Xd centres(3, static_cast<Index>(faces.size()));
     for (std::size_t f = 0; f < faces.size(); ++f)
         centres.col(static_cast<Index>(
             f)) = Matrix3Xd(body.mesh.nodes(Eigen::all, body.boundary.nodes.col(faces[f]))).rowwise().mean();
-    return spread(centres, clamp_centre(site), count);
+    return spread(centres, clamp_centre(context), count);
 }
 
-std::vector<Vector3d> spread_cells(const EffectSite& site, std::size_t count) {
-    return spread(cell_centres(*site.body), clamp_centre(site), count);
+std::vector<Vector3d> spread_cells(const TrialContext& context, std::size_t count) {
+    return spread(cell_centres(*context.body), clamp_centre(context), count);
 }
 
 Matrix3Xd cell_centres(const model::Body& body) {
@@ -113,18 +113,18 @@ Matrix3Xd cell_centres(const model::Body& body) {
     return centres;
 }
 
-ClampAxis clamp_axis(const EffectSite& site) {
-    const Matrix3Xd& X = site.body->mesh.nodes;
+ClampAxis clamp_axis(const TrialContext& context) {
+    const Matrix3Xd& X = context.body->mesh.nodes;
     const Vector3d lowest = X.rowwise().minCoeff(), highest = X.rowwise().maxCoeff(), size = highest - lowest;
     // The clamp lies at one end: largest offset of its centre relative to the size in that direction.
-    const Vector3d off = clamp_centre(site) - 0.5 * (lowest + highest);
+    const Vector3d off = clamp_centre(context) - 0.5 * (lowest + highest);
     ClampAxis result;
     off.cwiseAbs().cwiseQuotient(size).maxCoeff(&result.axis);
     const int a = result.axis;
     result.sign = off(a) > 0.0 ? -1.0 : 1.0;
     double low = highest(a), high = lowest(a);
     for (Index i = 0; i < X.cols(); ++i)
-        if (site.body->clamped[static_cast<std::size_t>(i)]) {
+        if (context.body->clamped[static_cast<std::size_t>(i)]) {
             low = std::min(low, X(a, i));
             high = std::max(high, X(a, i));
         }

@@ -18,10 +18,10 @@ struct SurfacePlace {
 SurfacePlace surface_place(const model::Body& body, const Eigen::Vector3d& near_m);
 
 /// `count` face centres of the free surface far from each other, the one farthest from the clamp first [m].
-std::vector<Eigen::Vector3d> spread_surface_points(const EffectSite& site, std::size_t count);
+std::vector<Eigen::Vector3d> spread_surface_points(const TrialContext& context, std::size_t count);
 
 /// `count` cell centres far from each other, the one farthest from the clamp first [m].
-std::vector<Eigen::Vector3d> spread_cells(const EffectSite& site, std::size_t count);
+std::vector<Eigen::Vector3d> spread_cells(const TrialContext& context, std::size_t count);
 
 /// Centre of each cell in the rest shape, 3 x cells [m].
 Eigen::Matrix3Xd cell_centres(const model::Body& body);
@@ -38,6 +38,6 @@ struct ClampAxis {
     double ahead(const Eigen::Vector3d& point_m) const { return sign * (point_m(axis) - begin_m); }
 };
 /// The axis along which the clamped nodes are farthest off-centre, relative to the size of the body.
-ClampAxis clamp_axis(const EffectSite& site);
+ClampAxis clamp_axis(const TrialContext& context);
 
 }  // namespace myo::effect

@@ -5,9 +5,9 @@ namespace myo::effect {
 namespace point_mass_parts {
 
 /// Attaches the mass to the surface point nearest to the position; it has inertia and weight.
-void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
-    const SurfacePlace place = surface_place(*site.body, vector(parameters, "position_m"));
-    Eigen::VectorXd share = Eigen::VectorXd::Zero(site.body->node_count());
+void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
+    const SurfacePlace place = surface_place(*context.body, vector(parameters, "position_m"));
+    Eigen::VectorXd share = Eigen::VectorXd::Zero(context.body->node_count());
     for (std::size_t a = 0; a < place.nodes.size(); ++a)
         share(place.nodes[a]) += place.shares(static_cast<Eigen::Index>(a));
     // The shares distribute the mass to the nodes of the face.
@@ -16,10 +16,10 @@ void apply(const EffectSite& site, const EffectParameters& parameters, Affected&
 
 /// Probes of 1 % of the body mass at points spread over the surface.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
-    const EffectSite& site = search.sites.front();
-    const double body_kg = search.models.front().density_kg_m3 * site.body->volume_m3;
+    const TrialContext& context = search.trials.front();
+    const double body_kg = search.models.front().density_kg_m3 * context.body->volume_m3;
     std::vector<EffectProbe> list;
-    for (const Eigen::Vector3d& place : spread_surface_points(site, 10))
+    for (const Eigen::Vector3d& place : spread_surface_points(context, 10))
         list.push_back(probe({{"mass_kg", 0.01 * body_kg}, {"position_m", Eigen::VectorXd(place)}}, "mass_kg"));
     return list;
 }
@@ -29,7 +29,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 Effect point_mass() {
     using namespace point_mass_parts;
     return {"point_mass",
-            EffectStage::force,
+            EffectKind::force,
             "an undeclared mass is attached at a point of the surface",
             {fitted_number("mass_kg", 0.0, 10.0, 0.002, true),
              {"position_m", EffectParameterKind::vector3, false, -10.0, 10.0, 0.01}},

@@ -7,9 +7,9 @@
 
 namespace myo::effect {
 
-void scale_stiffness(const EffectSite& site, const std::function<double(const Eigen::Vector3d&)>& factor,
+void scale_stiffness(const TrialContext& context, const std::function<double(const Eigen::Vector3d&)>& factor,
                      Affected& affected) {
-    const Eigen::Matrix3Xd points = model::rest_points(*site.body);
+    const Eigen::Matrix3Xd points = model::rest_points(*context.body);
     Eigen::VectorXd factors(points.cols());
     // The lower bound keeps the stiffness positive.
     for (Eigen::Index i = 0; i < factors.size(); ++i) factors(i) = std::max(0.01, factor(points.col(i)));

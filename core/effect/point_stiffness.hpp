@@ -7,7 +7,7 @@
 namespace myo::effect {
 
 /// Multiplies the moduli at every quadrature point by a function of its rest position [m]; the factor is at least 0.01.
-void scale_stiffness(const EffectSite& site, const std::function<double(const Eigen::Vector3d& point_m)>& factor,
+void scale_stiffness(const TrialContext& context, const std::function<double(const Eigen::Vector3d& point_m)>& factor,
                      Affected& affected);
 
 }  // namespace myo::effect

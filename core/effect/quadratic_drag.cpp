@@ -8,9 +8,9 @@ namespace quadratic_drag_parts {
 constexpr const char* coefficient = "coefficient_kg_m3";
 
 /// Traction proportional to the square of the speed on the free surface.
-void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
+void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
     affected.model.force_elements.push_back(
-        model::surface_drag(*site.body, model::free_faces(*site.body), 0.0, number(parameters, coefficient)));
+        model::surface_drag(*context.body, model::free_faces(*context.body), 0.0, number(parameters, coefficient)));
 }
 
 std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{coefficient, 50.0}}, coefficient)}; }
@@ -20,7 +20,7 @@ std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{coefficie
 Effect quadratic_drag() {
     using namespace quadratic_drag_parts;
     return {"quadratic_drag",
-            EffectStage::force,
+            EffectKind::force,
             "drag of a resting fluid that grows with the square of the speed",
             {fitted_number(coefficient, 0.0, 1e6, 300.0, true)},
             apply,

@@ -6,8 +6,8 @@ namespace scale_error_parts {
 constexpr const char* error = "relative_error";
 
 /// Recorded coordinates times 1 + error, about the mesh origin.
-void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
-    affected.seen.scale_error += number(parameters, error);
+void apply(const TrialContext&, const EffectParameters& parameters, Affected& affected) {
+    affected.observation_error.scale_error += number(parameters, error);
 }
 
 std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{error, 0.002}}, error)}; }
@@ -17,7 +17,7 @@ std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{error, 0.
 Effect scale_error() {
     using namespace scale_error_parts;
     return {"scale_error",
-            EffectStage::measurement,
+            EffectKind::measurement,
             "all coordinates are off by a factor about the origin",
             {fitted_number(error, -0.5, 2.0, 0.01)},
             apply,

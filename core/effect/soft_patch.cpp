@@ -8,21 +8,21 @@ namespace myo::effect {
 namespace soft_patch_parts {
 
 /// Modulus factor 1 + r exp(-d² / (2 R²)) with the distance d from the centre.
-void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
+void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
     const Eigen::Vector3d centre = vector(parameters, "centre_m");
     const double r = number(parameters, "relative_change"), R = number(parameters, "radius_m");
     scale_stiffness(
-        site,
+        context,
         [&](const Eigen::Vector3d& at) { return 1.0 + r * std::exp(-(at - centre).squaredNorm() / (2.0 * R * R)); },
         affected);
 }
 
 /// Patches of 0.3 body sizes at nine cells spread over the body.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
-    const EffectSite& site = search.sites.front();
-    const double size = std::cbrt(site.body->volume_m3);
+    const TrialContext& context = search.trials.front();
+    const double size = std::cbrt(context.body->volume_m3);
     std::vector<EffectProbe> list;
-    for (const Eigen::Vector3d& centre : spread_cells(site, 9))
+    for (const Eigen::Vector3d& centre : spread_cells(context, 9))
         list.push_back(
             probe({{"relative_change", -0.1}, {"centre_m", Eigen::VectorXd(centre)}, {"radius_m", 0.3 * size}},
                   "relative_change"));
@@ -34,7 +34,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 Effect soft_patch() {
     using namespace soft_patch_parts;
     Effect effect{"soft_patch",
-                  EffectStage::material,
+                  EffectKind::material,
                   "the modulus differs around a point",
                   {fitted_number("relative_change", -0.98, 20.0, 0.3),
                    {"centre_m", EffectParameterKind::vector3, false, -10.0, 10.0, 0.01},

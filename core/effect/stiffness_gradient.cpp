@@ -5,13 +5,13 @@ namespace myo::effect {
 namespace stiffness_gradient_parts {
 
 /// Modulus factor linear in one coordinate: 1 - r/2 at its lowest, 1 + r/2 at its highest value.
-void apply(const EffectSite& site, const EffectParameters& parameters, Affected& affected) {
+void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
     const auto axis = static_cast<Eigen::Index>(number(parameters, "axis"));
-    const Eigen::RowVectorXd coordinate = site.body->mesh.nodes.row(axis);
+    const Eigen::RowVectorXd coordinate = context.body->mesh.nodes.row(axis);
     const double lowest = coordinate.minCoeff(), size = coordinate.maxCoeff() - lowest,
                  r = number(parameters, "relative_change");
     scale_stiffness(
-        site, [&](const Eigen::Vector3d& X) { return 1.0 + r * ((X(axis) - lowest) / size - 0.5); }, affected);
+        context, [&](const Eigen::Vector3d& X) { return 1.0 + r * ((X(axis) - lowest) / size - 0.5); }, affected);
 }
 
 std::vector<EffectProbe> probes(const EffectSearch&) {
@@ -34,7 +34,7 @@ Effect stiffness_gradient() {
     using namespace stiffness_gradient_parts;
     // Beyond a relative change of 2 the modulus would be negative at one end.
     Effect effect{"stiffness_gradient",
-                  EffectStage::material,
+                  EffectKind::material,
                   "the modulus is linear in one coordinate",
                   {fitted_number("relative_change", -1.98, 1.98, 0.3), {"axis", EffectParameterKind::axis}},
                   apply,

@@ -8,7 +8,7 @@ namespace strain_stiffening_parts {
 constexpr const char* c2 = "yeoh_c2";
 
 /// Adds the second term of the Yeoh law to the material.
-void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
+void apply(const TrialContext&, const EffectParameters& parameters, Affected& affected) {
     affected.model.material = material::strain_stiffening(affected.model.material, number(parameters, c2));
 }
 
@@ -19,7 +19,7 @@ std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{c2, 0.05}
 Effect strain_stiffening_effect() {
     using namespace strain_stiffening_parts;
     Effect effect{"strain_stiffening",
-                  EffectStage::material,
+                  EffectKind::material,
                   "the material stiffens with strain (Yeoh's second term)",
                   {fitted_number(c2, -0.2, 1e3, 0.5)},
                   apply,

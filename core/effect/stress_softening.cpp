@@ -7,7 +7,7 @@ constexpr const char* damage = "damage_max";
 constexpr const char* scale = "energy_scale_J_m3";
 
 /// No damage is the virgin law without memory, and not softening by zero: it costs no state variable.
-void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
+void apply(const TrialContext&, const EffectParameters& parameters, Affected& affected) {
     if (number(parameters, damage) > 0.0)
         affected.model.softening = material::StressSoftening{number(parameters, damage), number(parameters, scale)};
 }
@@ -27,7 +27,7 @@ Effect stress_softening() {
     using namespace stress_softening_parts;
     // The upper bound of the damage keeps a positive stiffness.
     Effect effect{"stress_softening",
-                  EffectStage::material,
+                  EffectKind::material,
                   "the stress softens with the largest energy that a point has seen",
                   {fitted_number(damage, 0.0, 0.98, 0.1), fitted_number(scale, 1e-3, 1e7, 10.0, true)},
                   apply,

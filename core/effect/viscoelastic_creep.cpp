@@ -7,7 +7,7 @@ constexpr const char* ratio = "modulus_ratio";
 constexpr const char* time = "relaxation_time_s";
 
 /// Adds a Maxwell branch. Ratio 0 adds none, because the dashpot strains would only cost time.
-void apply(const EffectSite&, const EffectParameters& parameters, Affected& affected) {
+void apply(const TrialContext&, const EffectParameters& parameters, Affected& affected) {
     if (number(parameters, ratio) > 0.0)
         affected.model.creep = material::MaxwellBranch{number(parameters, ratio), number(parameters, time)};
 }
@@ -24,7 +24,7 @@ std::vector<EffectProbe> probes(const EffectSearch&) {
 Effect viscoelastic_creep() {
     using namespace viscoelastic_creep_parts;
     return {"viscoelastic_creep",
-            EffectStage::material,
+            EffectKind::material,
             "a Maxwell branch parallel to the elastic network, on the deviatoric stress",
             {fitted_number(ratio, 0.0, 50.0, 0.1, true), fitted_number(time, 1e-3, 1e4, 0.05, true)},
             apply,

@@ -25,8 +25,8 @@ Eigen::VectorXd true_times(const ObservationError& error, const Eigen::VectorXd&
     return stamped_s.array() / (1.0 + error.rate_error) + error.clock_offset_s;
 }
 
-std::vector<Matrix3Xd> seen_tracks(const ObservationError& error, std::vector<Matrix3Xd> tracks,
-                                   const Eigen::VectorXd& stamped_s) {
+std::vector<Matrix3Xd> observed_tracks(const ObservationError& error, std::vector<Matrix3Xd> tracks,
+                                       const Eigen::VectorXd& stamped_s) {
     // Shifts act on the marker itself and hence precede the exchange of labels.
     for (const MarkerShift& shift : error.shifts)
         for (Index t = 0; t < stamped_s.size(); ++t)
@@ -35,8 +35,8 @@ std::vector<Matrix3Xd> seen_tracks(const ObservationError& error, std::vector<Ma
     return tracks;
 }
 
-std::vector<Matrix3Xd> seen_tangents(const ObservationError& error, std::vector<Matrix3Xd> tangents,
-                                     const Eigen::VectorXd& stamped_s) {
+std::vector<Matrix3Xd> observed_tangents(const ObservationError& error, std::vector<Matrix3Xd> tangents,
+                                         const Eigen::VectorXd& stamped_s) {
     exchange_and_scale(error, tangents, stamped_s);
     return tangents;
 }

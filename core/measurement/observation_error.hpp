@@ -37,11 +37,11 @@ Eigen::VectorXd true_times(const ObservationError& error, const Eigen::VectorXd&
 ///
 /// @param tracks     one per marker, 3 x T [m], mesh frame
 /// @param stamped_s  T, time stamps of the samples
-std::vector<Eigen::Matrix3Xd> seen_tracks(const ObservationError& error, std::vector<Eigen::Matrix3Xd> tracks,
-                                          const Eigen::VectorXd& stamped_s);
+std::vector<Eigen::Matrix3Xd> observed_tracks(const ObservationError& error, std::vector<Eigen::Matrix3Xd> tracks,
+                                              const Eigen::VectorXd& stamped_s);
 
 /// Derivatives of the recorded tracks from those of the true tracks; shifts are constant and drop out.
-std::vector<Eigen::Matrix3Xd> seen_tangents(const ObservationError& error, std::vector<Eigen::Matrix3Xd> tangents,
-                                            const Eigen::VectorXd& stamped_s);
+std::vector<Eigen::Matrix3Xd> observed_tangents(const ObservationError& error, std::vector<Eigen::Matrix3Xd> tangents,
+                                                const Eigen::VectorXd& stamped_s);
 
 }  // namespace myo::measurement

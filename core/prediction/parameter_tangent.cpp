@@ -47,7 +47,8 @@ bool moves_the_body(const setup::Setup& setup, std::size_t trial, const Paramete
         case Kind::level: return parameter.trial == trial;
         case Kind::effect: {
             const effect::EffectDeclaration& effect = values.effects[parameter.index];
-            return !setup::is_seen_only(effect) && effect::acts_on(setup::effect_site(setup, trial), effect.parameters);
+            return !setup::changes_observation_only(effect) &&
+                   effect::acts_on(setup::trial_context(setup, trial), effect.parameters);
         }
         // Registration and start shift change the observation only.
         default: return false;

@@ -155,16 +155,16 @@ effect::Affected affected_trial(const setup::Setup& setup, std::size_t trial, co
 namespace {
 
 /// Predicted marker motion as the cameras report it, with the residuals against the recording.
-struct SeenMotion {
+struct ObservedMotion {
     std::vector<Matrix3Xd> positions_m;  // per marker at every sample [m]; mesh frame, observation errors included
     std::vector<Vector3d> start_m;       // per marker before the motion [m]
     std::vector<Matrix3Xd> residual_m;   // per marker, prediction minus measurement; NaN before first_sample
 };
 
 /// Simulation times of the samples of a trial. A later start of the motion means an earlier simulation time.
-Eigen::VectorXd motion_times(const setup::PreparedTrial& trial, const measurement::ObservationError& seen,
+Eigen::VectorXd motion_times(const setup::PreparedTrial& trial, const measurement::ObservationError& error,
                              double start_shift_s) {
-    return measurement::true_times(seen, trial.measured.time_s).array() - start_shift_s;
+    return measurement::true_times(error, trial.measured.time_s).array() - start_shift_s;
 }
 
 bool by_displacement(const setup::Setup& setup) {
@@ -183,16 +183,16 @@ struct PredictionPolicy {
 constexpr PredictionPolicy prediction_policy;
 
 // Displacements are compared in the mesh frame; positions are mapped to the camera frame by the fitted registration.
-SeenMotion seen_motion(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
-                       const measurement::ObservationError& seen, const measurement::MarkerTracks& tracks,
-                       const measurement::MarkerTracks& origin) {
+ObservedMotion observed_motion(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
+                               const measurement::ObservationError& error, const measurement::MarkerTracks& tracks,
+                               const measurement::MarkerTracks& origin) {
     const setup::PreparedTrial& trial = setup.trials[index];
     const Eigen::Matrix3d R = measurement::small_rotation(values.rotation_rad);
     const auto samples = trial.measured.sample_count();
-    SeenMotion result;
-    result.positions_m = measurement::seen_tracks(seen, tracks.positions, trial.measured.time_s);
-    for (const Matrix3Xd& start : measurement::seen_tracks(
-             seen, origin.positions, Eigen::VectorXd::Constant(1, prediction_policy.long_before_s)))
+    ObservedMotion result;
+    result.positions_m = measurement::observed_tracks(error, tracks.positions, trial.measured.time_s);
+    for (const Matrix3Xd& start : measurement::observed_tracks(
+             error, origin.positions, Eigen::VectorXd::Constant(1, prediction_policy.long_before_s)))
         result.start_m.emplace_back(start.col(0));
     for (std::size_t m = 0; m < result.positions_m.size(); ++m) {
         const Matrix3Xd& x = result.positions_m[m];
@@ -210,28 +210,28 @@ SeenMotion seen_motion(const setup::Setup& setup, std::size_t index, const Param
 }
 
 // Effects on the observation only: their derivative needs no further simulation.
-bool is_seen_alone(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
-                   const ModelParameter& p) {
-    return p.kind == Kind::effect && setup::is_seen_only(values.effects[p.index]) &&
-           effect::acts_on(setup::effect_site(setup, index), values.effects[p.index].parameters);
+bool acts_on_observation_only(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
+                              const ModelParameter& p) {
+    return p.kind == Kind::effect && setup::changes_observation_only(values.effects[p.index]) &&
+           effect::acts_on(setup::trial_context(setup, index), values.effects[p.index].parameters);
 }
 
 }  // namespace
 
 TrialPrediction observe_trial(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
                               const dynamics::Trace& trace) {
-    const measurement::ObservationError error = affected_trial(setup, index, values).seen;
+    const measurement::ObservationError error = affected_trial(setup, index, values).observation_error;
     const measurement::MarkerTracks tracks = measurement::observe(
         trace, setup.markers, motion_times(setup.trials[index], error, values.start_shift_s[index]));
     // Observation only: the motion is taken from the trace.
-    SeenMotion seen = seen_motion(setup, index, values, error, tracks,
-                                  measurement::observe(trace, setup.markers, Eigen::VectorXd::Zero(1)));
+    ObservedMotion observed = observed_motion(setup, index, values, error, tracks,
+                                              measurement::observe(trace, setup.markers, Eigen::VectorXd::Zero(1)));
     return {trace.status,
             trace.message,
             {},
-            std::move(seen.positions_m),
-            std::move(seen.start_m),
-            std::move(seen.residual_m),
+            std::move(observed.positions_m),
+            std::move(observed.start_m),
+            std::move(observed.residual_m),
             {}};
 }
 
@@ -264,24 +264,26 @@ TrialPrediction predict_trial(const setup::Setup& setup, std::size_t index, cons
     }
 
     // Sample times in the clock of the simulation, with clock errors and the fitted start shift.
-    const Eigen::VectorXd times = motion_times(trial, affected.seen, values.start_shift_s[index]);
+    const Eigen::VectorXd times = motion_times(trial, affected.observation_error, values.start_shift_s[index]);
     const measurement::SensitiveTracks tracks = measurement::observe(run, setup.markers, times);
     const measurement::SensitiveTracks origin = measurement::observe(run, setup.markers, Eigen::VectorXd::Zero(1));
     const Eigen::Matrix3d R = measurement::small_rotation(values.rotation_rad);
-    SeenMotion seen = seen_motion(setup, index, values, affected.seen, tracks.tracks, origin.tracks);
-    result.positions_m = std::move(seen.positions_m);
-    result.start_m = std::move(seen.start_m);
-    result.residual_m = std::move(seen.residual_m);
+    ObservedMotion observed = observed_motion(setup, index, values, affected.observation_error, tracks.tracks,
+                                              origin.tracks);
+    result.positions_m = std::move(observed.positions_m);
+    result.start_m = std::move(observed.start_m);
+    result.residual_m = std::move(observed.residual_m);
     result.trace = std::move(run.trace);
     for (std::size_t p = 0; p < parameters.size(); ++p) {
         std::vector<Matrix3Xd> d;
         if (row_of[p] >= 0) {
             const auto row = static_cast<std::size_t>(row_of[p]);
-            d = measurement::seen_tangents(affected.seen, tracks.tangents[row], trial.measured.time_s);
+            d = measurement::observed_tangents(affected.observation_error, tracks.tangents[row], trial.measured.time_s);
             for (std::size_t m = 0; m < d.size(); ++m) {
                 // The reference position at t = 0 depends on the parameter as well and is subtracted from each sample.
                 if (by_displacement(setup))
-                    d[m].colwise() -= (1.0 + affected.seen.scale_error) * Vector3d(origin.tangents[row][m].col(0));
+                    d[m].colwise() -= (1.0 + affected.observation_error.scale_error) *
+                                      Vector3d(origin.tangents[row][m].col(0));
                 else
                     d[m] = R * d[m];
             }
@@ -318,15 +320,15 @@ ResidualTangent residual_tangent(const setup::Setup& setup, std::size_t index, c
                                                                           there.positions_m[m].col(t))
                                                .col(static_cast<Eigen::Index>(parameter.index));
     } else if (parameter.kind == Kind::start_shift && parameter.trial == index) {
-        const measurement::ObservationError error = affected_trial(setup, index, values).seen;
+        const measurement::ObservationError error = affected_trial(setup, index, values).observation_error;
         const measurement::MarkerTracks tracks = measurement::observe(
             there.trace, setup.markers, motion_times(trial, error, values.start_shift_s[index]));
         const Eigen::Matrix3d R = measurement::small_rotation(values.rotation_rad);
-        result.tangent = measurement::seen_tangents(error, tracks.velocities, trial.measured.time_s);
+        result.tangent = measurement::observed_tangents(error, tracks.velocities, trial.measured.time_s);
         for (Matrix3Xd& marker : result.tangent)
             marker = by_displacement(setup) ? Matrix3Xd(-marker) : Matrix3Xd(-R * marker);
     } else if (const bool moves = moves_the_body(setup, index, values, parameter);
-               moves || is_seen_alone(setup, index, values, parameter)) {
+               moves || acts_on_observation_only(setup, index, values, parameter)) {
         // Central difference if both sides are inside the bounds, otherwise one-sided towards the inside. Runs start
         // from the path of the prediction, so both sides converge to the same branch.
         const double value = value_of(parameter, values);

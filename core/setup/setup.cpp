@@ -361,7 +361,7 @@ Result<Setup> prepare_setup(const experiment::Experiment& experiment, const Setu
     if (const Result<void> seen = check_seen(setup); !seen) return seen.error();
     // An effect on the actuation of a body without muscles is declared in vain.
     for (const effect::EffectDeclaration& effect : experiment.effects)
-        if (experiment.muscles.empty() && effect::find_effect(effect.id)->stage == effect::EffectStage::actuation)
+        if (experiment.muscles.empty() && effect::find_effect(effect.id)->kind == effect::EffectKind::actuation)
             setup.warnings.push_back("effect " + effect.id + ": there is no muscle, so it does nothing");
     set_noise(recordings, setup);
     add_warnings(setup);

@@ -8,40 +8,41 @@
 
 namespace myo::setup {
 
-effect::EffectSite effect_site(const Setup& setup, std::size_t index) {
+effect::TrialContext trial_context(const Setup& setup, std::size_t index) {
     const experiment::Experiment& experiment = setup.experiment;
     const PreparedTrial& trial = setup.trials[index];
-    effect::EffectSite site;
+    effect::TrialContext context;
     // Effects may read geometry and timing, but no measured positions.
-    site.body = setup.body;
-    site.held = experiment.clamp_box_m;
-    site.marker_names = setup.marker_names;
+    context.body = setup.body;
+    context.held = experiment.clamp_box_m;
+    context.marker_names = setup.marker_names;
     for (const experiment::MarkerDeclaration& marker : experiment.markers.on_body)
-        site.marker_rest_m.push_back(marker.rest_m);
-    site.markers = setup.markers.bindings;
-    for (const experiment::MuscleDeclaration& muscle : experiment.muscles) site.muscle_names.push_back(muscle.name);
-    site.trial = trial.name;
-    site.session_time_s = experiment.trials[index].session_time_s;
-    site.start = trial.options.start;
-    site.interval_s = sampling_interval_s(trial);
-    site.end_s = trial.options.end_s;
-    return site;
+        context.marker_rest_m.push_back(marker.rest_m);
+    context.markers = setup.markers.bindings;
+    for (const experiment::MuscleDeclaration& muscle : experiment.muscles) context.muscle_names.push_back(muscle.name);
+    context.trial = trial.name;
+    context.session_time_s = experiment.trials[index].session_time_s;
+    context.start = trial.options.start;
+    context.interval_s = sampling_interval_s(trial);
+    context.end_s = trial.options.end_s;
+    return context;
 }
 
 effect::Affected with_effects(const Setup& setup, std::size_t trial, model::Model model,
                               const std::vector<effect::EffectDeclaration>& effects) {
     effect::Affected affected{std::move(model), setup.trials[trial].options, {}};
     if (effects.empty()) return affected;
-    effect::apply_effects(effect_site(setup, trial), effects, affected);
+    effect::apply_effects(trial_context(setup, trial), effects, affected);
     // Effects on the clock can shift the last sample beyond the simulated end.
-    const double last = measurement::true_times(affected.seen, setup.trials[trial].measured.time_s.tail(1))(0);
+    const double last = measurement::true_times(affected.observation_error,
+                                                setup.trials[trial].measured.time_s.tail(1))(0);
     affected.options.end_s = std::max(affected.options.end_s, last + affected.options.h_s);
     return affected;
 }
 
-bool is_seen_only(const effect::EffectDeclaration& effect) {
+bool changes_observation_only(const effect::EffectDeclaration& effect) {
     const effect::Effect* const entry = effect::find_effect(effect.id);
-    return entry != nullptr && entry->stage == effect::EffectStage::measurement;
+    return entry != nullptr && entry->kind == effect::EffectKind::measurement;
 }
 
 std::vector<EffectNumber> effect_numbers(const effect::EffectDeclaration& effect) {

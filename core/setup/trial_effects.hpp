@@ -10,7 +10,7 @@ namespace myo::setup {
 /// Context of a trial that effects may read: body, clamp, markers, muscles, times.
 ///
 /// @param trial  index into Setup::trials
-effect::EffectSite effect_site(const Setup& setup, std::size_t trial);
+effect::TrialContext trial_context(const Setup& setup, std::size_t trial);
 
 /// Model, simulation options and observation of a trial with the effects applied.
 ///
@@ -20,7 +20,7 @@ effect::Affected with_effects(const Setup& setup, std::size_t trial, model::Mode
                               const std::vector<effect::EffectDeclaration>& effects);
 
 /// Whether an effect changes the observation only and not the motion.
-bool is_seen_only(const effect::EffectDeclaration& effect);
+bool changes_observation_only(const effect::EffectDeclaration& effect);
 
 /// A scalar degree of freedom of an effect that a fit may change: a parameter, a component of a vector, or an angle of
 /// a direction.

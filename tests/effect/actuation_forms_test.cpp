@@ -118,7 +118,7 @@ TEST(EffectForms, ActuatorsAreSoughtWhereTheyShow) {
     const auto sought = [](const char* id, const fibre::Signal& signal) {
         const test::HeldBeam beam = actuated(signal);
         EffectSearch search;
-        search.sites = {beam.site};
+        search.trials = {beam.context};
         search.models = {beam.affected.model};
         return !find_effect(id)->probes(search).empty();
     };
@@ -145,11 +145,11 @@ protected:
         spec.damping_s = 1e-5;
         test::HeldBeam beam = test::plain_body(spec);
         auto fibres = std::make_shared<std::vector<fibre::FibreGroup>>();
-        fibres->push_back(fibre::fibres_in_box(beam.site.body->mesh, {{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}},
+        fibres->push_back(fibre::fibres_in_box(beam.context.body->mesh, {{-1.0, -1.0, -1.0}, {1.0, 1.0, 1.0}},
                                                Vector3d::UnitX(), muscle_Pa, "all"));
         beam.affected.model.fibres = fibres;
         beam.affected.model.activation = {signal};
-        beam.affected.options.start = beam.site.start = dynamics::StartKind::equilibrium;
+        beam.affected.options.start = beam.context.start = dynamics::StartKind::equilibrium;
         beam.affected.options.h_s = 2e-3;
         beam.affected.options.end_s = 0.3;
         return beam;

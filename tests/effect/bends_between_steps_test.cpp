@@ -2,7 +2,7 @@
 
 #include "dynamics/simulate.hpp"
 #include "effect/bends_between_steps.hpp"
-#include "effect/effect_site.hpp"
+#include "effect/trial_context.hpp"
 #include "support/figures.hpp"
 
 namespace myo::effect {

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "dynamics/simulate.hpp"
-#include "effect_site.hpp"
+#include "trial_context.hpp"
 
 namespace myo::effect {
 namespace {
@@ -51,7 +51,7 @@ TEST(EffectCatalogue, NamesAreUniqueAndEntriesComplete) {
         EXPECT_FALSE(effect.parameters.empty()) << effect.id;
         EXPECT_FALSE(effect.summary.empty()) << effect.id;
         EXPECT_NE(effect.apply, nullptr) << effect.id;
-        EXPECT_EQ(effect.stage == EffectStage::measurement, seen_alone.count(effect.id) == 1) << effect.id;
+        EXPECT_EQ(effect.kind == EffectKind::measurement, seen_alone.count(effect.id) == 1) << effect.id;
         EXPECT_TRUE(seen_alone.count(effect.id) == 1 || visible_effects().count(effect.id) == 1)
             << effect.id << " is not tested below";
     }
@@ -68,22 +68,22 @@ TEST(GravityTilt, IsToldAsTheSmallestTurnThatDoesTheSame) {
     for (const Eigen::Vector3d& axis :
          {Eigen::Vector3d(0.755, 0.036, -0.655), Eigen::Vector3d(-2.0, 1.0, 0.5), Eigen::Vector3d(1.0, 0.0, 0.0306)}) {
         const EffectParameters fitted{{"tilt_deg", 5.3}, {"axis", Eigen::VectorXd(axis)}},
-            plain = tilt.plainest(declared.model, fitted);
+            plain = tilt.canonical(declared.model, fitted);
         Affected once = declared, again = declared;
-        tilt.apply(beam.site, fitted, once);
-        tilt.apply(beam.site, plain, again);
+        tilt.apply(beam.context, fitted, once);
+        tilt.apply(beam.context, plain, again);
         EXPECT_NEAR((once.model.gravity_m_s2 - again.model.gravity_m_s2).norm(), 0.0, 1e-12);
         EXPECT_GT((once.model.gravity_m_s2 - declared.model.gravity_m_s2).norm(), 0.1);
         EXPECT_NEAR(vector(plain, "axis").norm(), 1.0, 1e-12);
         EXPECT_NEAR(vector(plain, "axis").dot(declared.model.gravity_m_s2), 0.0, 1e-12);
         EXPECT_LE(std::abs(number(plain, "tilt_deg")), 5.3 + 1e-12);
     }
-    EXPECT_LT(number(tilt.plainest(declared.model,
-                                   {{"tilt_deg", 5.3}, {"axis", Eigen::VectorXd(Eigen::Vector3d(0.755, 0.0, -0.655))}}),
+    EXPECT_LT(number(tilt.canonical(declared.model, {{"tilt_deg", 5.3},
+                                                     {"axis", Eigen::VectorXd(Eigen::Vector3d(0.755, 0.0, -0.655))}}),
                      "tilt_deg"),
               4.2);
     EXPECT_NEAR(
-        number(tilt.plainest(declared.model, {{"tilt_deg", 0.0}, {"axis", Eigen::VectorXd(Eigen::Vector3d::UnitX())}}),
+        number(tilt.canonical(declared.model, {{"tilt_deg", 0.0}, {"axis", Eigen::VectorXd(Eigen::Vector3d::UnitX())}}),
                "tilt_deg"),
         0.0, 1e-12);
 }
@@ -92,7 +92,7 @@ TEST(GravityTilt, IsToldAsTheSmallestTurnThatDoesTheSame) {
 TEST(CableTug, IsSoughtAlongTheSpringWhoseTensorTheColumnsAddUpTo) {
     const test::HeldBeam beam = test::held_beam({6, 2, 2});
     EffectSearch search;
-    search.sites = {beam.site};
+    search.trials = {beam.context};
     const Eigen::Vector3d d = Eigen::Vector3d(0.6, -0.3, 0.74).normalized();
     const auto tensor = [](const Eigen::Vector3d& along) {
         const Eigen::Matrix3d t = along * along.transpose();
@@ -128,7 +128,7 @@ TEST_P(MovingEffect, ChangesTheMotionAndLeavesWhatItIsGiven) {
     EffectParameters elsewhere = GetParam().second;
     elsewhere["trial"] = std::string("another");
     Affected alone = beam.affected;
-    apply_effects(beam.site, {{GetParam().first, elsewhere}}, alone);
+    apply_effects(beam.context, {{GetParam().first, elsewhere}}, alone);
     EXPECT_EQ(dynamics::simulate(alone.model, alone.options).positions.back(), without.positions.back());
 }
 
@@ -146,9 +146,9 @@ TEST_P(MovingEffect, IsContinuousAtItsAbsence) {
     const test::HeldBeam beam = test::held_beam({6, 2, 2});
     const Effect& effect = *find_effect(GetParam().first);
     EffectSearch search;
-    search.sites = {beam.site};
-    search.sites.push_back(beam.site);
-    search.sites.back().session_time_s = 400.0;
+    search.trials = {beam.context};
+    search.trials.push_back(beam.context);
+    search.trials.back().session_time_s = 400.0;
     search.models = {beam.affected.model, beam.affected.model};
     search.largest_energy_density_J_m3 = 100.0;
     const std::vector<EffectProbe> probes = effect.probes(search);

@@ -36,14 +36,14 @@ TEST(EffectForms, ASlippingClampAndACurvatureMakeALongerArcInEitherOrder) {
         curvature{"intrinsic_curvature", {{"curvature_1_m", 1.0}, {"axis", 2.0}}, false};
     for (const auto& effects : {std::vector{slip, curvature}, std::vector{curvature, slip}}) {
         Affected affected = beam.affected;
-        apply_effects(beam.site, effects, affected);
+        apply_effects(beam.context, effects, affected);
         EXPECT_NEAR(tip_z(beam, affected.model), -(1.0 - std::cos(0.11)), 0.06 * 0.5 * 0.11 * 0.11);
     }
 }
 
 TEST(EffectForms, StiffnessFollowsItsFormulaAtEveryPoint) {
     const test::HeldBeam beam = test::held_beam();
-    const Eigen::Matrix3Xd points = model::rest_points(*beam.site.body);
+    const Eigen::Matrix3Xd points = model::rest_points(*beam.context.body);
     const Affected graded = test::with_effect(beam, "stiffness_gradient", {{"relative_change", 0.4}, {"axis", 0.0}});
     const Affected drifted = test::with_effect(beam, "modulus_drift", {{"rate_1_s", 1e-3}});
     const Eigen::Vector3d centre(0.05, 0.015, 0.015);

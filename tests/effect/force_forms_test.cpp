@@ -38,7 +38,7 @@ Vector3d mean_velocity(const model::Model& model, const Matrix3Xd& v) {
 /// Mean velocities along x of a cube thrown at 1 m/s, after every millisecond.
 std::vector<double> thrown(test::HeldBeam beam, const std::string& id, const EffectParameters& parameters) {
     Affected affected = test::with_effect(beam, id, parameters);
-    affected.options.initial.velocities = Vector3d::UnitX().replicate(1, beam.site.body->node_count());
+    affected.options.initial.velocities = Vector3d::UnitX().replicate(1, beam.context.body->node_count());
     const dynamics::Trace trace = test::fine_run(affected, 1e-3, 0.1);
     std::vector<double> v;
     for (const Matrix3Xd& velocities : trace.velocities) v.push_back(mean_velocity(affected.model, velocities).x());

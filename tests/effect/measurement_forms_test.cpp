@@ -21,8 +21,8 @@ protected:
         spec.gravity_m_s2 = 9.81;
         spec.clamped = false;
         beam = test::plain_body(spec);
-        beam.site.marker_names = {"tip", "side"};
-        beam.site.marker_rest_m = {{0.1, 0.015, 0.012}, {0.061, 0.0, 0.02}};
+        beam.context.marker_names = {"tip", "side"};
+        beam.context.marker_rest_m = {{0.1, 0.015, 0.012}, {0.061, 0.0, 0.02}};
         stamped_s = VectorXd::LinSpaced(21, 0.0, 0.2);
     }
 
@@ -30,14 +30,14 @@ protected:
         const Affected affected = test::with_effect(beam, id, parameters);
         const dynamics::Trace trace = test::fine_run(affected, 0.005, 0.3);
         const measurement::MarkerTracks tracks = measurement::observe(
-            trace, measurement::marker_set(affected.model.body->mesh, beam.site.marker_rest_m),
-            measurement::true_times(affected.seen, stamped_s));
-        return measurement::seen_tracks(affected.seen, tracks.positions, stamped_s);
+            trace, measurement::marker_set(affected.model.body->mesh, beam.context.marker_rest_m),
+            measurement::true_times(affected.observation_error, stamped_s));
+        return measurement::observed_tracks(affected.observation_error, tracks.positions, stamped_s);
     }
 
     Vector3d fallen(std::size_t marker, double t) const {
         const double since = std::max(t, 0.0);
-        return beam.site.marker_rest_m[marker] - Vector3d(0.0, 0.0, 0.5 * 9.81 * since * since);
+        return beam.context.marker_rest_m[marker] - Vector3d(0.0, 0.0, 0.5 * 9.81 * since * since);
     }
 
     template <class Expected>

@@ -7,8 +7,8 @@
 
 #include "dynamics/simulate.hpp"
 #include "dynamics/statics.hpp"
-#include "effect_site.hpp"
 #include "support/beam.hpp"
+#include "trial_context.hpp"
 
 namespace myo::test {
 
@@ -20,9 +20,9 @@ inline HeldBeam plain_body(const BeamSpec& spec) {
     HeldBeam beam;
     beam.spec = spec;
     beam.affected.model = make_beam(spec);
-    beam.site.body = beam.affected.model.body;
-    beam.site.held = {{-1.0, -1.0, -1.0}, {1e-9, 1.0, 1.0}};
-    beam.site.trial = "drop";
+    beam.context.body = beam.affected.model.body;
+    beam.context.held = {{-1.0, -1.0, -1.0}, {1e-9, 1.0, 1.0}};
+    beam.context.trial = "drop";
     return beam;
 }
 

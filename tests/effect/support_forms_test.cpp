@@ -53,10 +53,10 @@ TEST_P(SupportForms, ASlippingClampFreesAsMuchLength) {
     EXPECT_GT(expected, 1.2 * declared);
     EXPECT_NEAR(deflection(beam, slipped.model), expected, 0.03 * (expected - declared));
     // Where a marker hangs on the cells in front of the clamp, these alone reach back.
-    beam.site.markers = measurement::marker_set(beam.site.body->mesh, {{0.024, 0.015, 0.03}}).bindings;
+    beam.context.markers = measurement::marker_set(beam.context.body->mesh, {{0.024, 0.015, 0.03}}).bindings;
     EXPECT_NEAR(deflection(beam, test::with_effect(beam, "clamp_slip", {{"free_length_m", 0.01}}).model), expected,
                 0.1 * (expected - declared));
-    beam.site.markers.clear();
+    beam.context.markers.clear();
     // Within a cell the deflection grows as that of ever longer cantilevers.
     const double L = 0.1;
     for (const double free_m : {0.0025, 0.005, 0.0075}) {
@@ -72,11 +72,11 @@ TEST_P(SupportForms, ASlippingClampFreesAsMuchLength) {
 TEST(EffectForms, ASlippingClampLeavesMusclesAndMarkersAtRest) {
     test::HeldBeam beam = test::held_beam();
     const Vector3d on_first_cell(0.024, 0.015, 0.03);
-    beam.site.markers = measurement::marker_set(beam.site.body->mesh, {on_first_cell}).bindings;
+    beam.context.markers = measurement::marker_set(beam.context.body->mesh, {on_first_cell}).bindings;
     const double free_m = 0.006;
     const Affected slipped = test::with_effect(beam, "clamp_slip", {{"free_length_m", free_m}});
     const model::Body& body = *slipped.model.body;
-    EXPECT_NEAR(mesh::cell_volumes(body.mesh).sum(), mesh::cell_volumes(beam.site.body->mesh).sum(), 1e-12);
+    EXPECT_NEAR(mesh::cell_volumes(body.mesh).sum(), mesh::cell_volumes(beam.context.body->mesh).sum(), 1e-12);
     EXPECT_GT(
         mesh::cell_volumes(test::with_effect(beam, "clamp_slip", {{"free_length_m", 1.0}}).model.body->mesh).minCoeff(),
         0.0);  // something stays held
@@ -89,10 +89,12 @@ TEST(EffectForms, ASlippingClampLeavesMusclesAndMarkersAtRest) {
             EXPECT_LT((x(Eigen::all, body.mesh.cells.col(point.cell)) * point.shape - Vector3d(1.2, 0.0, 0.0)).norm(),
                       1e-9);
     }
-    const measurement::MarkerBinding& marker = beam.site.markers.front();
+    const measurement::MarkerBinding& marker = beam.context.markers.front();
     std::vector<Matrix3Xd> tracks{body.mesh.nodes(Eigen::all, marker.nodes) * marker.weights};
     EXPECT_GT((tracks[0] - on_first_cell).norm(), 0.1 * free_m);
-    EXPECT_LT((measurement::seen_tracks(slipped.seen, tracks, VectorXd::Zero(1))[0] - on_first_cell).norm(), 1e-12);
+    EXPECT_LT(
+        (measurement::observed_tracks(slipped.observation_error, tracks, VectorXd::Zero(1))[0] - on_first_cell).norm(),
+        1e-12);
 }
 
 /// A beam of the proportions that soft specimens have.
@@ -154,7 +156,7 @@ TEST_P(SupportForms, AHeldPoseIsTheStaticShapeUnderAnEndForce) {
 /// What it was before sections turned: the marker moved across alone.
 TEST_P(SupportForms, AHeldPoseTurnsItsSections) {
     const test::HeldBeam beam = held_bar(GetParam());
-    const measurement::MarkerSet markers = measurement::marker_set(beam.site.body->mesh, {{0.09, 0.01, 0.02}});
+    const measurement::MarkerSet markers = measurement::marker_set(beam.context.body->mesh, {{0.09, 0.01, 0.02}});
     const auto shift = [&](const Matrix3Xd& x) {
         const measurement::MarkerBinding& marker = markers.bindings[0];
         return Vector3d(measurement::marker_position(marker, x(Eigen::all, marker.nodes)) - Vector3d(0.09, 0.01, 0.02));
@@ -190,7 +192,7 @@ TEST_P(SupportForms, AHeldPoseMovesTheFreeEndsCentreByItsOffset) {
     EXPECT_NEAR(test::tip_displacement(beam.affected.model, beam.spec, aside).y(), 0.01, 1e-9);
     // It is let go straight or not at all.
     test::HeldBeam resting = beam;
-    resting.site.start = dynamics::StartKind::equilibrium;
+    resting.context.start = dynamics::StartKind::equilibrium;
     EXPECT_EQ(pose(resting, {0.0, 0.0, 0.01}).size(), 0);
 }
 

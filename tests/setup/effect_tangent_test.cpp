@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "effect/affected_tangent.hpp"
-#include "effect/effect_site.hpp"
+#include "effect/trial_context.hpp"
 #include "sensitivity/tangent_run.hpp"
 #include "setup/trial_effects.hpp"
 #include "support/figures.hpp"
@@ -30,8 +30,8 @@ struct DroppedBeam {
 
     effect::EffectSearch search() const {
         effect::EffectSearch search;
-        search.sites = {beam.site, beam.site};
-        search.sites.front().session_time_s = 0.0;  // a drift shows between trials
+        search.trials = {beam.context, beam.context};
+        search.trials.front().session_time_s = 0.0;  // a drift shows between trials
         search.models = {beam.affected.model, beam.affected.model};
         search.largest_energy_density_J_m3 = 100.0;
         return search;
@@ -105,8 +105,7 @@ TEST(EffectTangents, AreThoseOfTheWholeRunForEveryEffectOfTheCatalogue) {
     const DroppedBeam dropped;
     std::vector<double> errors;
     for (const effect::Effect& effect : effect::effect_catalogue()) {
-        const std::vector<effect::EffectProbe> probes = effect.probes &&
-                                                                effect.stage != effect::EffectStage::measurement
+        const std::vector<effect::EffectProbe> probes = effect.probes && effect.kind != effect::EffectKind::measurement
                                                             ? effect.probes(dropped.search())
                                                             : std::vector<effect::EffectProbe>{};
         if (probes.empty()) continue;

@@ -231,8 +231,8 @@ JointFit joint_fit(const setup::Setup& setup, const FitData& data, const predict
     if (fit.usable()) fit.jacobian = fit.report.jacobian.topRows(fit.residual.size());
     for (std::size_t e = setup.experiment.effects.size(); e < fit.values.effects.size(); ++e) {
         effect::EffectDeclaration& tried = fit.values.effects[e];
-        if (const effect::Effect* const effect = effect::find_effect(tried.id); effect && effect->plainest)
-            tried.parameters = effect->plainest(setup.trials.front().model, tried.parameters);
+        if (const effect::Effect* const effect = effect::find_effect(tried.id); effect && effect->canonical)
+            tried.parameters = effect->canonical(setup.trials.front().model, tried.parameters);
     }
     fit.effects.assign(fit.values.effects.begin() + static_cast<std::ptrdiff_t>(setup.experiment.effects.size()),
                        fit.values.effects.end());

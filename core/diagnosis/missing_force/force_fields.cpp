@@ -147,7 +147,7 @@ MatrixXd force_response(const setup::Setup& setup, const FitData& data, const pr
 
     const bool displacement = setup.experiment.markers.compare == experiment::Comparison::displacement;
     const Eigen::Matrix3d R = measurement::small_rotation(values.rotation_rad);
-    const VectorXd times = measurement::true_times(affected.seen, trial.measured.time_s).array() -
+    const VectorXd times = measurement::true_times(affected.observation_error, trial.measured.time_s).array() -
                            values.start_shift_s[index];
     const measurement::SensitiveTracks origin = measurement::observe(run, setup.markers, VectorXd::Zero(1));
     const std::size_t count = fields.patterns.size();
@@ -158,11 +158,12 @@ MatrixXd force_response(const setup::Setup& setup, const FitData& data, const pr
         const measurement::SensitiveTracks tracks = measurement::observe(run, setup.markers, times.array() - later);
         std::vector<prediction::TrialPrediction> prediction(1);
         for (std::size_t f = first; f < first + count; ++f) {
-            std::vector<Matrix3Xd> d = measurement::seen_tangents(affected.seen, tracks.tangents[f],
-                                                                  trial.measured.time_s);
+            std::vector<Matrix3Xd> d = measurement::observed_tangents(affected.observation_error, tracks.tangents[f],
+                                                                      trial.measured.time_s);
             for (std::size_t m = 0; m < d.size(); ++m) {
                 if (displacement)
-                    d[m].colwise() -= (1.0 + affected.seen.scale_error) * Vector3d(origin.tangents[f][m].col(0));
+                    d[m].colwise() -= (1.0 + affected.observation_error.scale_error) *
+                                      Vector3d(origin.tangents[f][m].col(0));
                 else
                     d[m] = R * d[m];
             }

@@ -10,15 +10,15 @@ namespace myo::diagnosis {
 namespace {
 
 std::string advice(const effect::Effect& first, const effect::Effect& second) {
-    const auto either = [&](effect::EffectStage stage) { return first.stage == stage || second.stage == stage; };
-    if (either(effect::EffectStage::actuation)) return "a trial with a slow ramp of the actuation and one with a step";
-    if (either(effect::EffectStage::measurement))
+    const auto either = [&](effect::EffectKind kind) { return first.kind == kind || second.kind == kind; };
+    if (either(effect::EffectKind::actuation)) return "a trial with a slow ramp of the actuation and one with a step";
+    if (either(effect::EffectKind::measurement))
         return "a trial in which the body is at rest, with the cameras moved or recalibrated";
-    if (either(effect::EffectStage::support) && either(effect::EffectStage::material))
+    if (either(effect::EffectKind::support) && either(effect::EffectKind::material))
         return "a trial loaded near the clamp and one loaded at the end, with a marker next to the clamp";
-    if (either(effect::EffectStage::material) && either(effect::EffectStage::force))
+    if (either(effect::EffectKind::material) && either(effect::EffectKind::force))
         return "a release from a larger deflection, with a longer record at rest afterwards";
-    if (either(effect::EffectStage::force))
+    if (either(effect::EffectKind::force))
         return "a release of the same body turned by 90 degrees about its axis, and one with another end load";
     return "releases from two other deflections, one small and one large";
 }

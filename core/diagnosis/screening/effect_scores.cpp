@@ -161,7 +161,7 @@ effect::EffectSearch effect_search(const setup::Setup& setup, const FitData& dat
                                    const prediction::ParameterValues& values) {
     effect::EffectSearch search;
     for (const std::size_t trial : data.trials) {
-        search.sites.push_back(setup::effect_site(setup, trial));
+        search.trials.push_back(setup::trial_context(setup, trial));
         search.models.push_back(prediction::trial_model(setup, trial, values));
     }
     for (const prediction::ModelParameter& parameter : prediction::free_parameters(setup))
@@ -208,9 +208,9 @@ std::vector<EffectScore> score_effects(const setup::Setup& setup, const FitData&
         const std::size_t i = static_cast<std::size_t>(task) % trials, trial = data.trials[i];
         const effect::EffectDeclaration& effect = column.values.effects.back();
         const Stopwatch watch;
-        if (!effect::acts_on(search.sites[i], effect.parameters))
+        if (!effect::acts_on(search.trials[i], effect.parameters))
             column.predictions[i] = unaffected[i];
-        else if (setup::is_seen_only(effect))
+        else if (setup::changes_observation_only(effect))
             column.predictions[i] = prediction::observe_trial(setup, trial, column.values, unaffected[i].trace);
         else
             column.predictions[i] = prediction::predict_trial(setup, trial, column.values, {}, progress.with_sink({}),

@@ -8,7 +8,7 @@ namespace myo::test {
 /// A beam along x that is held over the first sixth of its length, with two muscles, as effects see it.
 struct HeldBeam {
     BeamSpec spec;
-    effect::EffectSite site;
+    effect::TrialContext context;
     effect::Affected affected;
 };
 
@@ -30,14 +30,14 @@ inline HeldBeam held_beam(Eigen::Vector3i cells = {12, 2, 2}, fem::ElementKind k
     model.fibres = fibres;
     model.activation = {fibre::Signal{{0.0, 0.05}, {1.0, 0.8}}, fibre::Signal::constant(1.0)};
     model.forces.push_back({tip_share(model, beam.spec), Eigen::Vector3d(0.0, 0.0, -0.2)});
-    beam.site.body = model.body;
-    beam.site.held = held;
-    beam.site.marker_names = {"tip", "side"};
-    beam.site.marker_rest_m = {{0.12, 0.015, 0.015}, {0.08, 0.0, 0.015}};
-    beam.site.muscle_names = {"right", "left"};
-    beam.site.trial = "drop";
-    beam.site.session_time_s = 100.0;
-    beam.site.end_s = 0.1;
+    beam.context.body = model.body;
+    beam.context.held = held;
+    beam.context.marker_names = {"tip", "side"};
+    beam.context.marker_rest_m = {{0.12, 0.015, 0.015}, {0.08, 0.0, 0.015}};
+    beam.context.muscle_names = {"right", "left"};
+    beam.context.trial = "drop";
+    beam.context.session_time_s = 100.0;
+    beam.context.end_s = 0.1;
     beam.affected.model = std::move(model);
     beam.affected.options.h_s = 0.005;
     beam.affected.options.end_s = 0.1;
@@ -47,7 +47,7 @@ inline HeldBeam held_beam(Eigen::Vector3i cells = {12, 2, 2}, fem::ElementKind k
 inline effect::Affected with_effect(const HeldBeam& beam, const std::string& id,
                                     const effect::EffectParameters& parameters) {
     effect::Affected affected = beam.affected;
-    effect::apply_effects(beam.site, {{id, parameters}}, affected);
+    effect::apply_effects(beam.context, {{id, parameters}}, affected);
     return affected;
 }
 
