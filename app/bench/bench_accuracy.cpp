@@ -65,8 +65,8 @@ void add_gradient(const BarShape& bar, model::Model model, const Eigen::VectorXd
     model.point_factors = (1.0 + relative_change * (z / bar.height_m - 0.5)).matrix();
     SmallMotions motions(model);
     const Eigen::Matrix3Xd pull = Eigen::Vector3d(pull_N, 0.0, 0.0) * tip.transpose();
-    figures.quantities.push_back({"stiffness_gradient: bend of the pulled bar", 1e3 * (motions.under(pull) * tip).z(),
-                                  "mm", 1e3 * deflection_of_graded_bar(bar, relative_change, pull_N), field_target});
+    figures.quantities.push_back({"linear modulus: bend of the pulled bar", 1e3 * (motions.under(pull) * tip).z(), "mm",
+                                  1e3 * deflection_of_graded_bar(bar, relative_change, pull_N), field_target});
 }
 
 /// Bending by a muscle in the upper half, linearised in its contraction.
@@ -142,7 +142,7 @@ Result<void> add_laws(const BarShape& bar, const model::Model& model, const Eige
     const double strain = load.outer_strain();
     const StretchLaw stiffening{1.0 / (6.0 * strain * strain), 0.0, 1.0};
     const StretchLaw softening{0.0, 0.3, bar.youngs_modulus_Pa * strain * strain};
-    for (const auto& [name, law] : {std::pair{"strain_stiffening", stiffening}, {"stress_softening", softening}}) {
+    for (const auto& [name, law] : {std::pair{"strain stiffening", stiffening}, {"stress softening", softening}}) {
         const Result<BenchQuantity> quantity = load.change(name, law);
         if (!quantity) return quantity.error();
         figures.quantities.push_back(*quantity);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "diagnosis/report/diagnosis_json.hpp"
+#include "effect/catalogue.hpp"
 
 namespace myo::validation {
 namespace {
@@ -28,11 +29,10 @@ double number_or_nan(const report::Json& json) {
     return json.is_number() ? json.get<double>() : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Tilt angle and axis as one vector: the sign is shared, so the pair is ambiguous.
-effect::EffectParameters joined_tilt(const effect::EffectDeclaration& effect) {
-    if (effect.id != "gravity_tilt") return effect.parameters;
-    return {{"tilt_deg", VectorXd(effect::number(effect.parameters, "tilt_deg") *
-                                  effect::vector(effect.parameters, "axis").normalized())}};
+/// Parameters in a form in which equivalent effects are equal.
+effect::EffectParameters comparable(const effect::EffectDeclaration& effect) {
+    const effect::Effect* const entry = effect::find_effect(effect.id);
+    return entry && entry->comparable ? entry->comparable(effect.parameters) : effect.parameters;
 }
 
 }  // namespace
@@ -52,10 +52,10 @@ bool CaseRecord::right_or_grouped() const {
 std::vector<ParameterError> parameter_errors(const effect::EffectDeclaration& truth,
                                              const effect::EffectDeclaration& found) {
     std::vector<ParameterError> errors;
-    const effect::EffectParameters right = joined_tilt(truth), told = joined_tilt(found);
+    const effect::EffectParameters right = comparable(truth), estimated = comparable(found);
     for (const auto& [name, value] : right) {
-        const auto other = told.find(name);
-        if (other == told.end() || name == "axis") continue;
+        const auto other = estimated.find(name);
+        if (other == estimated.end() || name == "axis") continue;
         const VectorXd a = as_vector(value), b = as_vector(other->second);
         if (a.size() == 0 || a.size() != b.size()) continue;
         const double distance = (b - a).norm();

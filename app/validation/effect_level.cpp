@@ -71,7 +71,7 @@ double EffectLevel::fitted(const Level& level) const {
 
 std::optional<effect::EffectDeclaration> visible_effect(const SyntheticCase& c, const EffectLevel& levels,
                                                         double& level) {
-    const EffectDraw& draw = *find_effect_draw(c.effect->id);
+    const effect::EffectDraw& draw = effect_draw(c.effect->id);
     effect::EffectDeclaration effect = *c.effect;
     std::optional<EffectLevel::Level> found = levels.of(effect);
     // An effect without amount is visible as it is, or the case is drawn again.
@@ -102,7 +102,7 @@ std::optional<effect::EffectDeclaration> visible_effect(const SyntheticCase& c, 
             last_level = found->first_order;
             next = amount * std::pow(wanted / found->first_order, 1.0 / power);
         }
-        next = std::clamp(next, draw.lowest, most_amount(c));
+        next = std::clamp(next, draw.lowest, max_amount(c));
         if (next == amount) return {};
         effect = with_amount(effect, next);
         found = levels.of(effect);

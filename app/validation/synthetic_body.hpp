@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/random_stream.hpp"
 #include "mesh/surface_mesh.hpp"
-#include "validation/random_stream.hpp"
 
 namespace myo::validation {
 

@@ -48,14 +48,14 @@ std::vector<BodyFamily> families_of(const CaseChoice& choice) {
 /// less in its model.
 bool may_be_held_deep(BodyFamily family) { return family != BodyFamily::tail; }
 
-bool fits(BodyFamily family, const EffectNeeds& needs) {
+bool fits(BodyFamily family, const effect::EffectNeeds& needs) {
     return (!needs.muscles || may_have_muscles(family)) && (!needs.deep_clamp || may_be_held_deep(family));
 }
 
 bool can_show(const CaseChoice& choice, const std::string& id) {
     const std::vector<BodyFamily> families = families_of(choice);
     return std::any_of(families.begin(), families.end(),
-                       [&](BodyFamily family) { return fits(family, find_effect_draw(id)->needs); });
+                       [&](BodyFamily family) { return fits(family, effect_draw(id).needs); });
 }
 
 /// Each effect once per cycle through the catalogue, in a new random order each time (Fisher-Yates).
@@ -72,7 +72,7 @@ std::string effect_of(const CaseChoice& choice, int number) {
     return ids[static_cast<std::size_t>(turn % count)];
 }
 
-BodyFamily drawn_family(const CaseChoice& choice, const EffectNeeds& needs, RandomStream& random) {
+BodyFamily drawn_family(const CaseChoice& choice, const effect::EffectNeeds& needs, RandomStream& random) {
     std::vector<BodyFamily> fitting;
     for (const BodyFamily family : families_of(choice))
         if (fits(family, needs)) fitting.push_back(family);
@@ -205,7 +205,8 @@ private:
 };
 
 /// Two trials to fit and one to predict.
-std::vector<SyntheticTrial> drawn_trials(const SyntheticCase& c, const EffectNeeds& needs, RandomStream& random) {
+std::vector<SyntheticTrial> drawn_trials(const SyntheticCase& c, const effect::EffectNeeds& needs,
+                                         RandomStream& random) {
     TrialMaker make(c, random);
     std::vector<SyntheticTrial> trials;
     if (!c.muscles.empty())
@@ -246,12 +247,12 @@ bool parse_case_kind(const std::string& id, CaseKind& kind) { return kinds.find(
 
 Result<void> check_choice(const CaseChoice& choice) {
     for (const std::string& id : choice.effects) {
-        if (find_effect_draw(id) == nullptr) return Error{"no effect '" + id + "' is known", "--effects"};
+        if (effect::find_effect(id) == nullptr) return Error{"no effect '" + id + "' is known", "--effects"};
         if (!can_show(choice, id))
-            return Error{id + (find_effect_draw(id)->needs.muscles
-                                   ? " needs muscles, which only beam and tail have"
-                                   : " needs a clamp over a part of the length, which tail has not"),
-                         "--geometry"};
+            return Error{
+                id + (effect_draw(id).needs.muscles ? " needs muscles, which only beam and tail have"
+                                                    : " needs a clamp over a part of the length, which tail has not"),
+                "--geometry"};
     }
     return {};
 }
@@ -270,8 +271,7 @@ SyntheticCase drawn_case(const CaseChoice& choice, int number, int attempt) {
     c.kind = kind_of(number);
     RandomStream random{choice.seed, the_case, static_cast<std::uint64_t>(number), static_cast<std::uint64_t>(attempt)};
     const std::string id = c.kind == CaseKind::none ? "" : effect_of(choice, number);
-    EffectNeeds needs;
-    if (const EffectDraw* const draw = find_effect_draw(id)) needs = draw->needs;
+    const effect::EffectNeeds needs = id.empty() ? effect::EffectNeeds{} : effect_draw(id).needs;
     const BodyFamily family = drawn_family(choice, needs, random);
     // Some cases have muscles that their effect does not need.
     const bool muscles = needs.muscles || (may_have_muscles(family) && !needs.hung_weight && random.chance(0.3));

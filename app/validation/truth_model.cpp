@@ -32,11 +32,15 @@ setup::BodyMesh tapered_hexes(const SyntheticBody& body, double edge) {
     return mesh;
 }
 
-bool is_slipped_clamp(const SyntheticCase& c) { return c.effect && c.effect->id == "clamp_slip"; }
+/// Parameter by which the effect of the case shortens the clamp; empty: it leaves the clamp.
+std::string clamp_shortening(const SyntheticCase& c) {
+    return c.effect ? effect::find_effect(c.effect->id)->clamp_shortening : "";
+}
 
-/// True support: a slipped clamp ends earlier, and the cells conform to its end.
+/// True support: a shortened clamp ends earlier, and the cells conform to its end.
 experiment::Experiment as_held(const SyntheticCase& c, experiment::Experiment experiment) {
-    if (is_slipped_clamp(c)) experiment.clamp_box_m.highest(0) -= effect::number(c.effect->parameters, "free_length_m");
+    if (const std::string parameter = clamp_shortening(c); !parameter.empty())
+        experiment.clamp_box_m.highest(0) -= effect::number(c.effect->parameters, parameter);
     return experiment;
 }
 
@@ -108,8 +112,8 @@ prediction::ParameterValues true_values(const SyntheticCase& c, const setup::Set
     values.translation_m = c.translation_m;
     values.rotation_rad = c.rotation_rad;
     values.effects.clear();
-    // A slipped clamp is part of the mesh here, see as_held().
-    if (c.effect && !is_slipped_clamp(c)) values.effects.push_back(*c.effect);
+    // A shortened clamp is part of the mesh here, see as_held().
+    if (c.effect && clamp_shortening(c).empty()) values.effects.push_back(*c.effect);
     return values;
 }
 

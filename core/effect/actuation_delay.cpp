@@ -33,12 +33,13 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 
 Effect actuation_delay() {
     using namespace actuation_delay_parts;
-    return {"actuation_delay",
-            EffectKind::actuation,
-            "the muscle follows its signal after a dead time",
-            {fitted_number(delay_s, 0.0, 100.0, 0.02, true)},
-            apply,
-            probes};
+    return {.id = "actuation_delay",
+            .kind = EffectKind::actuation,
+            .summary = "the muscle follows its signal after a dead time",
+            .parameters = {fitted_number(delay_s, 0.0, 100.0, 0.02, true)},
+            .apply = apply,
+            .probes = probes,
+            .draw = {.needs = {.muscles = true}, .amount = delay_s, .lowest = 5e-3, .highest = 0.2}};
 }
 
 }  // namespace myo::effect

@@ -27,12 +27,13 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 // A relative change of -1 would be no actuation at all: the lower bound.
 Effect actuation_gain() {
     using namespace actuation_gain_parts;
-    return {"actuation_gain",
-            EffectKind::actuation,
-            "the muscle moves by a constant factor more than its signal",
-            {fitted_number(change, -1.0, 20.0, 0.2)},
-            apply,
-            probes};
+    return {.id = "actuation_gain",
+            .kind = EffectKind::actuation,
+            .summary = "the muscle moves by a constant factor more than its signal",
+            .parameters = {fitted_number(change, -1.0, 20.0, 0.2)},
+            .apply = apply,
+            .probes = probes,
+            .draw = {.needs = {.muscles = true}, .amount = change, .lowest = 0.02, .highest = 0.5, .has_sign = true}};
 }
 
 }  // namespace myo::effect

@@ -52,16 +52,20 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return list;
 }
 
+EffectParameters drawn(const DrawContext&, RandomStream& random) { return {{"width", random.log_uniform(0.02, 0.12)}}; }
+
 }  // namespace actuation_hysteresis_parts
 
 Effect actuation_hysteresis() {
     using namespace actuation_hysteresis_parts;
-    return {"actuation_hysteresis",
-            EffectKind::actuation,
-            "the muscle's way back differs from its way there (Bouc-Wen)",
-            {fitted_number("fraction", 0.0, 1.0, 0.2), fitted_number("width", 1e-4, 10.0, 0.05, true)},
-            apply,
-            probes};
+    return {
+        .id = "actuation_hysteresis",
+        .kind = EffectKind::actuation,
+        .summary = "the muscle's way back differs from its way there (Bouc-Wen)",
+        .parameters = {fitted_number("fraction", 0.0, 1.0, 0.2), fitted_number("width", 1e-4, 10.0, 0.05, true)},
+        .apply = apply,
+        .probes = probes,
+        .draw = {.needs = {.muscles = true}, .amount = "fraction", .lowest = 0.05, .highest = 0.9, .others = drawn}};
 }
 
 }  // namespace myo::effect

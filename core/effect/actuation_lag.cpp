@@ -39,12 +39,13 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 
 Effect actuation_lag() {
     using namespace actuation_lag_parts;
-    return {"actuation_lag",
-            EffectKind::actuation,
-            "the muscle follows its signal with a first-order lag",
-            {fitted_number(tau_s, 0.0, 100.0, 0.02, true)},
-            apply,
-            probes};
+    return {.id = "actuation_lag",
+            .kind = EffectKind::actuation,
+            .summary = "the muscle follows its signal with a first-order lag",
+            .parameters = {fitted_number(tau_s, 0.0, 100.0, 0.02, true)},
+            .apply = apply,
+            .probes = probes,
+            .draw = {.needs = {.muscles = true}, .amount = tau_s, .lowest = 5e-3, .highest = 0.3}};
 }
 
 }  // namespace myo::effect

@@ -40,12 +40,13 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 
 Effect actuation_leak() {
     using namespace actuation_leak_parts;
-    return {"actuation_leak",
-            EffectKind::actuation,
-            "a held actuation bleeds off",
-            {fitted_number(tau_s, 1e-3, 1e5, 0.1, true)},
-            apply,
-            probes};
+    return {.id = "actuation_leak",
+            .kind = EffectKind::actuation,
+            .summary = "a held actuation bleeds off",
+            .parameters = {fitted_number(tau_s, 1e-3, 1e5, 0.1, true)},
+            .apply = apply,
+            .probes = probes,
+            .draw = {.needs = {.muscles = true}, .amount = tau_s, .lowest = 0.1, .highest = 30.0, .grows = false}};
 }
 
 }  // namespace myo::effect

@@ -19,12 +19,13 @@ std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{density, 
 
 Effect added_mass() {
     using namespace added_mass_parts;
-    return {"added_mass",
-            EffectKind::force,
-            "a fluid goes with the surface along its normal: inertia, no weight",
-            {fitted_number(density, 0.0, 1e4, 1.0, true)},
-            apply,
-            probes};
+    return {.id = "added_mass",
+            .kind = EffectKind::force,
+            .summary = "a fluid goes with the surface along its normal: inertia, no weight",
+            .parameters = {fitted_number(density, 0.0, 1e4, 1.0, true)},
+            .apply = apply,
+            .probes = probes,
+            .draw = {.amount = density, .lowest = 0.3, .highest = 60.0}};
 }
 
 }  // namespace myo::effect

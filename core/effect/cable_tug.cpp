@@ -83,18 +83,26 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return list;
 }
 
+/// An anchor outside the body, in any direction.
+EffectParameters drawn(const DrawContext& context, RandomStream& random) {
+    const Vector3d at = context.surface_point(random);
+    return {{"position_m", Eigen::VectorXd(at)},
+            {"anchor_m", Eigen::VectorXd(at + random.uniform(0.7, 1.5) * context.length_m * drawn_direction(random))}};
+}
+
 }  // namespace cable_tug_parts
 
 Effect cable_tug() {
     using namespace cable_tug_parts;
-    return {"cable_tug",
-            EffectKind::force,
-            "a cable that pulls like a spring from a point of the surface to a fixed anchor",
-            {fitted_number("stiffness_N_m", 0.0, 1e4, 1.0, true),
-             {"position_m", EffectParameterKind::vector3, false, -10.0, 10.0, 0.01},
-             {"anchor_m", EffectParameterKind::vector3, true, -10.0, 10.0, 0.05}},
-            apply,
-            probes};
+    return {.id = "cable_tug",
+            .kind = EffectKind::force,
+            .summary = "a cable that pulls like a spring from a point of the surface to a fixed anchor",
+            .parameters = {fitted_number("stiffness_N_m", 0.0, 1e4, 1.0, true),
+                           {"position_m", EffectParameterKind::vector3, false, -10.0, 10.0, 0.01},
+                           {"anchor_m", EffectParameterKind::vector3, true, -10.0, 10.0, 0.05}},
+            .apply = apply,
+            .probes = probes,
+            .draw = {.amount = "stiffness_N_m", .lowest = 0.1, .highest = 100.0, .others = drawn}};
 }
 
 }  // namespace myo::effect

@@ -29,12 +29,13 @@ std::vector<EffectProbe> probes(const EffectSearch&) {
 
 Effect clamp_compliance() {
     using namespace clamp_compliance_parts;
-    return {"clamp_compliance",
-            EffectKind::support,
-            "the clamped face sits on an elastic bed",
-            {fitted_number(bed_stiffness, 1e4, 1e12, 1e6, true)},
-            apply,
-            probes};
+    return {.id = "clamp_compliance",
+            .kind = EffectKind::support,
+            .summary = "the clamped face sits on an elastic bed",
+            .parameters = {fitted_number(bed_stiffness, 1e4, 1e12, 1e6, true)},
+            .apply = apply,
+            .probes = probes,
+            .draw = {.amount = bed_stiffness, .lowest = 5e5, .highest = 1e9, .grows = false}};
 }
 
 }  // namespace myo::effect

@@ -19,6 +19,8 @@ struct ClampSlipPolicy {
     /// of the depth always remains clamped.
     double least_taken_up = 0.5;
     double left_of_depth = 0.05;
+    /// A drawn slip is at most this part of the clamp's depth, so that the body is still held.
+    double max_drawn_part = 0.8;
 };
 constexpr ClampSlipPolicy clamp_slip_policy;
 
@@ -106,16 +108,22 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return list;
 }
 
+double drawn_limit(const DrawContext& context) { return clamp_slip_policy.max_drawn_part * context.held_m; }
+
 }  // namespace clamp_slip_parts
 
 Effect clamp_slip() {
     using namespace clamp_slip_parts;
-    return {"clamp_slip",
-            EffectKind::support,
-            "the part of the clamp next to its free end does not hold",
-            {fitted_number(length, 0.0, 10.0, 0.003)},
-            apply,
-            probes};
+    return {
+        .id = "clamp_slip",
+        .kind = EffectKind::support,
+        .summary = "the part of the clamp next to its free end does not hold",
+        .parameters = {fitted_number(length, 0.0, 10.0, 0.003)},
+        .apply = apply,
+        .probes = probes,
+        .clamp_shortening = length,
+        .draw = {
+            .needs = {.deep_clamp = true}, .amount = length, .lowest = 1e-3, .highest = 0.02, .limit = drawn_limit}};
 }
 
 }  // namespace myo::effect

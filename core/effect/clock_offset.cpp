@@ -22,12 +22,13 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 
 Effect clock_offset() {
     using namespace clock_offset_parts;
-    return {"clock_offset",
-            EffectKind::measurement,
-            "samples were taken later or earlier than stated",
-            {fitted_number(offset, -10.0, 10.0, 0.01)},
-            apply,
-            probes};
+    return {.id = "clock_offset",
+            .kind = EffectKind::measurement,
+            .summary = "samples were taken later or earlier than stated",
+            .parameters = {fitted_number(offset, -10.0, 10.0, 0.01)},
+            .apply = apply,
+            .probes = probes,
+            .draw = {.amount = offset, .lowest = 5e-4, .highest = 0.05, .has_sign = true}};
 }
 
 }  // namespace myo::effect

@@ -43,14 +43,15 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 
 Effect dry_friction() {
     using namespace dry_friction_parts;
-    return {"dry_friction",
-            EffectKind::force,
-            "dry friction acts at one point of the surface",
-            {fitted_number("friction_force_N", 0.0, 100.0, 0.005, true),
-             {"position_m", EffectParameterKind::vector3, false, -10.0, 10.0, 0.01},
-             {"normal", EffectParameterKind::direction, true, -std::numbers::pi, std::numbers::pi, 0.3}},
-            apply,
-            probes};
+    return {.id = "dry_friction",
+            .kind = EffectKind::force,
+            .summary = "dry friction acts at one point of the surface",
+            .parameters = {fitted_number("friction_force_N", 0.0, 100.0, 0.005, true),
+                           {"position_m", EffectParameterKind::vector3, false, -10.0, 10.0, 0.01},
+                           {"normal", EffectParameterKind::direction, true, -std::numbers::pi, std::numbers::pi, 0.3}},
+            .apply = apply,
+            .probes = probes,
+            .draw = {.amount = "friction_force_N", .lowest = 2e-4, .highest = 0.5, .others = drawn_position}};
 }
 
 }  // namespace myo::effect

@@ -3,13 +3,12 @@
 #include <Eigen/Core>
 
 #include <limits>
-#include <map>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "dynamics/simulate.hpp"
 #include "effect/effect_declaration.hpp"
+#include "effect/effect_draw.hpp"
 #include "measurement/marker_binding.hpp"
 #include "measurement/observation_error.hpp"
 #include "mesh/surface_mesh.hpp"
@@ -94,20 +93,37 @@ enum class EffectKind { force, support, material, actuation, measurement };
 /// Name of an EffectKind in files and reports.
 std::string to_string(EffectKind kind);
 
-/// Entry of the catalogue.
+/// Events of single markers. A scan of the residuals over markers and times finds them; they have no probes.
+enum class MarkerEvent {
+    none,
+    swap,  // parameters markers, time_s, trial
+    slip,  // parameters marker, shift_m, time_s, trial
+};
+
+/// Entry of the catalogue. Whatever the program knows about a particular effect is stated here, so that no other file
+/// names it.
 struct Effect {
-    std::string id;
+    std::string id{};
     EffectKind kind = EffectKind::force;
-    std::string summary;  // one line for the user
-    std::vector<EffectParameterEntry> parameters;
+    std::string summary{};  // one line for the user
+    std::vector<EffectParameterEntry> parameters{};
     /// Changes the model, options or recording of a trial.
     void (*apply)(const TrialContext&, const EffectParameters&, Affected&) = nullptr;
-    std::vector<EffectProbe> (*probes)(const EffectSearch&) =
-        nullptr;  // empty: not observable in this experiment; null: no probes exist
-    EffectParameters (*canonical)(const model::Model& declared, const EffectParameters&) =
-        nullptr;  // canonical form of equivalent parameters; may be null
-    bool
-        varies_within_cells = false;  // moduli that vary within cells, or energies beyond quadratic: see fine_element()
+    /// Start values of a search; an empty list: not observable in this experiment; null: no probes exist.
+    std::vector<EffectProbe> (*probes)(const EffectSearch&) = nullptr;
+    /// Canonical form of equivalent parameters; null: every value has one form.
+    EffectParameters (*canonical)(const model::Model& declared, const EffectParameters&) = nullptr;
+    /// Form in which equivalent parameters are equal without knowing the model, for errors of estimates; null: as they
+    /// are.
+    EffectParameters (*comparable)(const EffectParameters&) = nullptr;
+    /// Moduli that vary within cells, or energies beyond quadratic: see fine_element().
+    bool varies_within_cells = false;
+    /// Parameter that is a length which the cells must resolve; empty: none.
+    std::string resolved_length{};
+    /// Parameter by which the clamp is shorter, so that a mesh can conform to the clamp's end instead; empty: none.
+    std::string clamp_shortening{};
+    MarkerEvent marker_event = MarkerEvent::none;
+    EffectDraw draw{};
 
     /// Declaration of a parameter; null if there is none of this name.
     const EffectParameterEntry* parameter(const std::string& name) const;

@@ -21,12 +21,13 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 
 Effect extra_damping() {
     using namespace extra_damping_parts;
-    return {"extra_damping",
-            EffectKind::material,
-            "more Kelvin-Voigt damping than the declared value",
-            {fitted_number(excess, 0.0, 10.0, 2e-3, true)},
-            apply,
-            probes};
+    return {.id = "extra_damping",
+            .kind = EffectKind::material,
+            .summary = "more Kelvin-Voigt damping than the declared value",
+            .parameters = {fitted_number(excess, 0.0, 10.0, 2e-3, true)},
+            .apply = apply,
+            .probes = probes,
+            .draw = {.needs = {.known_damping = true}, .amount = excess, .lowest = 2e-4, .highest = 0.03}};
 }
 
 }  // namespace myo::effect

@@ -19,12 +19,13 @@ std::vector<EffectProbe> probes(const EffectSearch&) {
 
 Effect frame_rate_error() {
     using namespace frame_rate_error_parts;
-    return {"frame_rate_error",
-            EffectKind::measurement,
-            "the cameras' true rate differs from the declared one",
-            {fitted_number(error, -0.5, 2.0, 0.02)},
-            apply,
-            probes};
+    return {.id = "frame_rate_error",
+            .kind = EffectKind::measurement,
+            .summary = "the cameras' true rate differs from the declared one",
+            .parameters = {fitted_number(error, -0.5, 2.0, 0.02)},
+            .apply = apply,
+            .probes = probes,
+            .draw = {.amount = error, .lowest = 5e-4, .highest = 0.08, .has_sign = true}};
 }
 
 }  // namespace myo::effect

@@ -55,18 +55,31 @@ EffectParameters canonical(const model::Model& declared, const EffectParameters&
             {"axis", Eigen::VectorXd(axis.normalized())}};
 }
 
+/// A horizontal axis, as mounts tilt.
+EffectParameters drawn(const DrawContext&, RandomStream& random) {
+    const double angle = random.uniform(0.0, 2.0 * std::numbers::pi);
+    return {{"axis", Eigen::VectorXd(Vector3d(std::cos(angle), std::sin(angle), 0.0))}};
+}
+
+/// Angle and axis as one vector: their signs are only determined together.
+EffectParameters comparable(const EffectParameters& parameters) {
+    return {{"tilt_deg", Eigen::VectorXd(number(parameters, "tilt_deg") * vector(parameters, "axis").normalized())}};
+}
+
 }  // namespace gravity_tilt_parts
 
 Effect gravity_tilt() {
     using namespace gravity_tilt_parts;
-    return {"gravity_tilt",
-            EffectKind::force,
-            "the mount is tilted: gravity turned by an angle about an axis",
-            {fitted_number("tilt_deg", -180.0, 180.0, 2.0),
-             {"axis", EffectParameterKind::direction, false, -std::numbers::pi, std::numbers::pi, 0.3}},
-            apply,
-            probes,
-            canonical};
+    return {.id = "gravity_tilt",
+            .kind = EffectKind::force,
+            .summary = "the mount is tilted: gravity turned by an angle about an axis",
+            .parameters = {fitted_number("tilt_deg", -180.0, 180.0, 2.0),
+                           {"axis", EffectParameterKind::direction, false, -std::numbers::pi, std::numbers::pi, 0.3}},
+            .apply = apply,
+            .probes = probes,
+            .canonical = canonical,
+            .comparable = comparable,
+            .draw = {.amount = "tilt_deg", .lowest = 0.5, .highest = 20.0, .others = drawn}};
 }
 
 }  // namespace myo::effect

@@ -115,17 +115,28 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return list;
 }
 
+/// An offset across the body, in the first trial that starts straight.
+EffectParameters drawn(const DrawContext& context, RandomStream& random) {
+    const double angle = random.uniform(0.0, 2.0 * std::numbers::pi);
+    for (const DrawTrial& trial : context.trials)
+        if (trial.starts_straight)
+            return {{offset, VectorXd(1e-3 * Vector3d(0.0, std::cos(angle), std::sin(angle)))}, {"trial", trial.name}};
+    return {{offset, VectorXd(Vector3d(0.0, 0.0, 1e-3))}};
+}
+
 }  // namespace held_pose_parts
 
 Effect held_pose() {
     using namespace held_pose_parts;
-    return {"held_pose",
-            EffectKind::support,
-            "the body was not held in its rest shape before the release",
-            {{offset, EffectParameterKind::number_or_vector3, false, -1.0, 1.0, 2e-3},
-             {"trial", EffectParameterKind::trial, true}},
-            apply,
-            probes};
+    return {.id = "held_pose",
+            .kind = EffectKind::support,
+            .summary = "the body was not held in its rest shape before the release",
+            .parameters = {{offset, EffectParameterKind::number_or_vector3, false, -1.0, 1.0, 2e-3},
+                           {"trial", EffectParameterKind::trial, true}},
+            .apply = apply,
+            .probes = probes,
+            .draw = {
+                .needs = {.straight_start = true}, .amount = offset, .lowest = 3e-4, .highest = 0.02, .others = drawn}};
 }
 
 }  // namespace myo::effect

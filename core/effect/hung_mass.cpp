@@ -46,12 +46,13 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 
 Effect hung_mass() {
     using namespace hung_mass_parts;
-    return {"hung_mass",
-            EffectKind::force,
-            "a declared dead force is the weight of a body on a thread, whose inertia acts along the thread",
-            {fitted_number(ratio, 0.0, 100.0, 0.3, true)},
-            apply,
-            probes};
+    return {.id = "hung_mass",
+            .kind = EffectKind::force,
+            .summary = "a declared dead force is the weight of a body on a thread, whose inertia acts along the thread",
+            .parameters = {fitted_number(ratio, 0.0, 100.0, 0.3, true)},
+            .apply = apply,
+            .probes = probes,
+            .draw = {.needs = {.hung_weight = true}, .amount = ratio, .lowest = 0.1, .highest = 3.0}};
 }
 
 }  // namespace myo::effect

@@ -58,16 +58,19 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return list;
 }
 
+EffectParameters drawn(const DrawContext&, RandomStream& random) { return {{"axis", drawn_cross_axis(random)}}; }
+
 }  // namespace intrinsic_curvature_parts
 
 Effect intrinsic_curvature() {
     using namespace intrinsic_curvature_parts;
-    return {"intrinsic_curvature",
-            EffectKind::material,
-            "the stress-free shape is bent",
-            {fitted_number("curvature_1_m", -100.0, 100.0, 1.0), {"axis", EffectParameterKind::axis}},
-            apply,
-            probes};
+    return {.id = "intrinsic_curvature",
+            .kind = EffectKind::material,
+            .summary = "the stress-free shape is bent",
+            .parameters = {fitted_number("curvature_1_m", -100.0, 100.0, 1.0), {"axis", EffectParameterKind::axis}},
+            .apply = apply,
+            .probes = probes,
+            .draw = {.amount = "curvature_1_m", .lowest = 0.05, .highest = 8.0, .has_sign = true, .others = drawn}};
 }
 
 }  // namespace myo::effect

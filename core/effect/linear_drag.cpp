@@ -19,12 +19,13 @@ std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{coefficie
 
 Effect linear_drag() {
     using namespace linear_drag_parts;
-    return {"linear_drag",
-            EffectKind::force,
-            "drag of a resting fluid in proportion to the speed",
-            {fitted_number(coefficient, 0.0, 1e5, 20.0, true)},
-            apply,
-            probes};
+    return {.id = "linear_drag",
+            .kind = EffectKind::force,
+            .summary = "drag of a resting fluid in proportion to the speed",
+            .parameters = {fitted_number(coefficient, 0.0, 1e5, 20.0, true)},
+            .apply = apply,
+            .probes = probes,
+            .draw = {.amount = coefficient, .lowest = 1.0, .highest = 500.0}};
 }
 
 }  // namespace myo::effect

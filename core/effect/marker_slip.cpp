@@ -12,19 +12,28 @@ void apply(const TrialContext& context, const EffectParameters& parameters, Affe
         {static_cast<std::size_t>(marker), vector(parameters, "shift_m"), number(parameters, "time_s")});
 }
 
+EffectParameters drawn(const DrawContext& context, RandomStream& random) {
+    const int marker = random.below(static_cast<int>(context.marker_names.size()));
+    return {{"marker", context.marker_names[static_cast<std::size_t>(marker)]},
+            {"shift_m", Eigen::VectorXd(1e-3 * drawn_direction(random))},
+            {"time_s", drawn_time_s(context, random)},
+            {"trial", drawn_fitted_trial(context, random)}};
+}
+
 }  // namespace marker_slip_parts
 
 Effect marker_slip() {
     using namespace marker_slip_parts;
-    return {"marker_slip",
-            EffectKind::measurement,
-            "a marker moves by a fixed vector at some time",
-            {{"marker", EffectParameterKind::marker},
-             {"shift_m", EffectParameterKind::vector3, false, -10.0, 10.0, 1e-3},
-             {"time_s", EffectParameterKind::number},
-             {"trial", EffectParameterKind::trial, true}},
-            apply,
-            nullptr};
+    return {.id = "marker_slip",
+            .kind = EffectKind::measurement,
+            .summary = "a marker moves by a fixed vector at some time",
+            .parameters = {{"marker", EffectParameterKind::marker},
+                           {"shift_m", EffectParameterKind::vector3, false, -10.0, 10.0, 1e-3},
+                           {"time_s", EffectParameterKind::number},
+                           {"trial", EffectParameterKind::trial, true}},
+            .apply = apply,
+            .marker_event = MarkerEvent::slip,
+            .draw = {.amount = "shift_m", .lowest = 5e-4, .highest = 0.02, .others = drawn}};
 }
 
 }  // namespace myo::effect

@@ -12,18 +12,29 @@ void apply(const TrialContext& context, const EffectParameters& parameters, Affe
         {static_cast<std::size_t>(first), static_cast<std::size_t>(second), number(parameters, "time_s")});
 }
 
+/// Two different markers.
+EffectParameters drawn(const DrawContext& context, RandomStream& random) {
+    const int count = static_cast<int>(context.marker_names.size()), first = random.below(count),
+              second = (first + 1 + random.below(count - 1)) % count;
+    return {{"markers", std::vector<std::string>{context.marker_names[static_cast<std::size_t>(first)],
+                                                 context.marker_names[static_cast<std::size_t>(second)]}},
+            {"time_s", drawn_time_s(context, random)},
+            {"trial", drawn_fitted_trial(context, random)}};
+}
+
 }  // namespace marker_swap_parts
 
 Effect marker_swap() {
     using namespace marker_swap_parts;
-    return {"marker_swap",
-            EffectKind::measurement,
-            "two markers exchange their names from some time on",
-            {{"markers", EffectParameterKind::marker_pair},
-             {"time_s", EffectParameterKind::number},
-             {"trial", EffectParameterKind::trial, true}},
-            apply,
-            nullptr};
+    return {.id = "marker_swap",
+            .kind = EffectKind::measurement,
+            .summary = "two markers exchange their names from some time on",
+            .parameters = {{"markers", EffectParameterKind::marker_pair},
+                           {"time_s", EffectParameterKind::number},
+                           {"trial", EffectParameterKind::trial, true}},
+            .apply = apply,
+            .marker_event = MarkerEvent::swap,
+            .draw = {.others = drawn}};
 }
 
 }  // namespace myo::effect

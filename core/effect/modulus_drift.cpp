@@ -32,12 +32,13 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 
 Effect modulus_drift() {
     using namespace modulus_drift_parts;
-    return {"modulus_drift",
-            EffectKind::material,
-            "the modulus drifts over the session",
-            {fitted_number(rate, -1.0, 1.0, 1e-4)},
-            apply,
-            probes};
+    return {.id = "modulus_drift",
+            .kind = EffectKind::material,
+            .summary = "the modulus drifts over the session",
+            .parameters = {fitted_number(rate, -1.0, 1.0, 1e-4)},
+            .apply = apply,
+            .probes = probes,
+            .draw = {.amount = rate, .lowest = 1e-5, .highest = 1e-3, .has_sign = true}};
 }
 
 }  // namespace myo::effect

@@ -28,13 +28,14 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 
 Effect point_mass() {
     using namespace point_mass_parts;
-    return {"point_mass",
-            EffectKind::force,
-            "an undeclared mass is attached at a point of the surface",
-            {fitted_number("mass_kg", 0.0, 10.0, 0.002, true),
-             {"position_m", EffectParameterKind::vector3, false, -10.0, 10.0, 0.01}},
-            apply,
-            probes};
+    return {.id = "point_mass",
+            .kind = EffectKind::force,
+            .summary = "an undeclared mass is attached at a point of the surface",
+            .parameters = {fitted_number("mass_kg", 0.0, 10.0, 0.002, true),
+                           {"position_m", EffectParameterKind::vector3, false, -10.0, 10.0, 0.01}},
+            .apply = apply,
+            .probes = probes,
+            .draw = {.amount = "mass_kg", .lowest = 5e-4, .highest = 0.05, .others = drawn_position}};
 }
 
 }  // namespace myo::effect

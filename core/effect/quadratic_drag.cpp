@@ -19,12 +19,13 @@ std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{coefficie
 
 Effect quadratic_drag() {
     using namespace quadratic_drag_parts;
-    return {"quadratic_drag",
-            EffectKind::force,
-            "drag of a resting fluid that grows with the square of the speed",
-            {fitted_number(coefficient, 0.0, 1e6, 300.0, true)},
-            apply,
-            probes};
+    return {.id = "quadratic_drag",
+            .kind = EffectKind::force,
+            .summary = "drag of a resting fluid that grows with the square of the speed",
+            .parameters = {fitted_number(coefficient, 0.0, 1e6, 300.0, true)},
+            .apply = apply,
+            .probes = probes,
+            .draw = {.amount = coefficient, .lowest = 30.0, .highest = 6000.0}};
 }
 
 }  // namespace myo::effect

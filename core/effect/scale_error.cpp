@@ -16,12 +16,13 @@ std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{error, 0.
 
 Effect scale_error() {
     using namespace scale_error_parts;
-    return {"scale_error",
-            EffectKind::measurement,
-            "all coordinates are off by a factor about the origin",
-            {fitted_number(error, -0.5, 2.0, 0.01)},
-            apply,
-            probes};
+    return {.id = "scale_error",
+            .kind = EffectKind::measurement,
+            .summary = "all coordinates are off by a factor about the origin",
+            .parameters = {fitted_number(error, -0.5, 2.0, 0.01)},
+            .apply = apply,
+            .probes = probes,
+            .draw = {.amount = error, .lowest = 1e-3, .highest = 0.05, .has_sign = true}};
 }
 
 }  // namespace myo::effect

@@ -29,20 +29,28 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return list;
 }
 
+/// A sphere on the axis of the body, with a radius below its thickness.
+EffectParameters drawn(const DrawContext& context, RandomStream& random) {
+    Eigen::Vector3d centre = context.middle_m;
+    centre.x() = context.held_m + random.uniform(0.1, 0.7) * (context.length_m - context.held_m);
+    return {{"centre_m", Eigen::VectorXd(centre)}, {"radius_m", random.uniform(0.35, 0.8) * context.thickness_m}};
+}
+
 }  // namespace soft_patch_parts
 
 Effect soft_patch() {
     using namespace soft_patch_parts;
-    Effect effect{"soft_patch",
-                  EffectKind::material,
-                  "the modulus differs around a point",
-                  {fitted_number("relative_change", -0.98, 20.0, 0.3),
-                   {"centre_m", EffectParameterKind::vector3, false, -10.0, 10.0, 0.01},
-                   fitted_number("radius_m", 1e-4, 10.0, 0.005, true)},
-                  apply,
-                  probes};
-    effect.varies_within_cells = true;
-    return effect;
+    return {.id = "soft_patch",
+            .kind = EffectKind::material,
+            .summary = "the modulus differs around a point",
+            .parameters = {fitted_number("relative_change", -0.98, 20.0, 0.3),
+                           {"centre_m", EffectParameterKind::vector3, false, -10.0, 10.0, 0.01},
+                           fitted_number("radius_m", 1e-4, 10.0, 0.005, true)},
+            .apply = apply,
+            .probes = probes,
+            .varies_within_cells = true,
+            .resolved_length = "radius_m",
+            .draw = {.amount = "relative_change", .lowest = 0.1, .highest = 0.9, .has_sign = true, .others = drawn}};
 }
 
 }  // namespace myo::effect

@@ -28,19 +28,23 @@ std::vector<EffectProbe> probes(const EffectSearch&) {
     return list;
 }
 
+EffectParameters drawn(const DrawContext&, RandomStream& random) {
+    return {{"axis", random.chance(0.6) ? 0.0 : drawn_cross_axis(random)}};
+}
+
 }  // namespace stiffness_gradient_parts
 
 Effect stiffness_gradient() {
     using namespace stiffness_gradient_parts;
     // Beyond a relative change of 2 the modulus would be negative at one end.
-    Effect effect{"stiffness_gradient",
-                  EffectKind::material,
-                  "the modulus is linear in one coordinate",
-                  {fitted_number("relative_change", -1.98, 1.98, 0.3), {"axis", EffectParameterKind::axis}},
-                  apply,
-                  probes};
-    effect.varies_within_cells = true;
-    return effect;
+    return {.id = "stiffness_gradient",
+            .kind = EffectKind::material,
+            .summary = "the modulus is linear in one coordinate",
+            .parameters = {fitted_number("relative_change", -1.98, 1.98, 0.3), {"axis", EffectParameterKind::axis}},
+            .apply = apply,
+            .probes = probes,
+            .varies_within_cells = true,
+            .draw = {.amount = "relative_change", .lowest = 0.05, .highest = 1.6, .has_sign = true, .others = drawn}};
 }
 
 }  // namespace myo::effect

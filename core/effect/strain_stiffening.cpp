@@ -18,14 +18,14 @@ std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{c2, 0.05}
 
 Effect strain_stiffening_effect() {
     using namespace strain_stiffening_parts;
-    Effect effect{"strain_stiffening",
-                  EffectKind::material,
-                  "the material stiffens with strain (Yeoh's second term)",
-                  {fitted_number(c2, -0.2, 1e3, 0.5)},
-                  apply,
-                  probes};
-    effect.varies_within_cells = true;
-    return effect;
+    return {.id = "strain_stiffening",
+            .kind = EffectKind::material,
+            .summary = "the material stiffens with strain (Yeoh's second term)",
+            .parameters = {fitted_number(c2, -0.2, 1e3, 0.5)},
+            .apply = apply,
+            .probes = probes,
+            .varies_within_cells = true,
+            .draw = {.amount = c2, .lowest = 0.05, .highest = 60.0}};
 }
 
 }  // namespace myo::effect

@@ -21,19 +21,26 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return list;
 }
 
+/// Energy scale of the order of the energy stored in a body bent by its own weight.
+EffectParameters drawn(const DrawContext& context, RandomStream& random) {
+    const double strain = context.density_kg_m3 * 9.81 * context.length_m * context.length_m * 3.0 /
+                          (context.thickness_m * context.youngs_modulus_Pa);
+    return {{scale, random.log_uniform(0.1, 0.6) * context.youngs_modulus_Pa * strain * strain}};
+}
+
 }  // namespace stress_softening_parts
 
 Effect stress_softening() {
     using namespace stress_softening_parts;
     // The upper bound of the damage keeps a positive stiffness.
-    Effect effect{"stress_softening",
-                  EffectKind::material,
-                  "the stress softens with the largest energy that a point has seen",
-                  {fitted_number(damage, 0.0, 0.98, 0.1), fitted_number(scale, 1e-3, 1e7, 10.0, true)},
-                  apply,
-                  probes};
-    effect.varies_within_cells = true;
-    return effect;
+    return {.id = "stress_softening",
+            .kind = EffectKind::material,
+            .summary = "the stress softens with the largest energy that a point has seen",
+            .parameters = {fitted_number(damage, 0.0, 0.98, 0.1), fitted_number(scale, 1e-3, 1e7, 10.0, true)},
+            .apply = apply,
+            .probes = probes,
+            .varies_within_cells = true,
+            .draw = {.amount = damage, .lowest = 0.03, .highest = 0.8, .others = drawn}};
 }
 
 }  // namespace myo::effect

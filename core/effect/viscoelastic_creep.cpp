@@ -19,16 +19,19 @@ std::vector<EffectProbe> probes(const EffectSearch&) {
     return list;
 }
 
+EffectParameters drawn(const DrawContext&, RandomStream& random) { return {{time, random.log_uniform(0.03, 0.5)}}; }
+
 }  // namespace viscoelastic_creep_parts
 
 Effect viscoelastic_creep() {
     using namespace viscoelastic_creep_parts;
-    return {"viscoelastic_creep",
-            EffectKind::material,
-            "a Maxwell branch parallel to the elastic network, on the deviatoric stress",
-            {fitted_number(ratio, 0.0, 50.0, 0.1, true), fitted_number(time, 1e-3, 1e4, 0.05, true)},
-            apply,
-            probes};
+    return {.id = "viscoelastic_creep",
+            .kind = EffectKind::material,
+            .summary = "a Maxwell branch parallel to the elastic network, on the deviatoric stress",
+            .parameters = {fitted_number(ratio, 0.0, 50.0, 0.1, true), fitted_number(time, 1e-3, 1e4, 0.05, true)},
+            .apply = apply,
+            .probes = probes,
+            .draw = {.amount = ratio, .lowest = 0.02, .highest = 2.0, .others = drawn}};
 }
 
 }  // namespace myo::effect

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "base/text.hpp"
+#include "effect/catalogue.hpp"
 #include "mesh/cell_topology.hpp"
 #include "mesh/quality.hpp"
 #include "setup/setting_words.hpp"
@@ -16,6 +18,9 @@ namespace {
 
 /// Appended to advice if the automatic edge length is short enough.
 constexpr const char* or_none = ", or leave it to the program";
+
+/// Ending of the names of lengths.
+constexpr std::string_view unit_ending = "_m";
 
 constexpr const char* axis_names[] = {"x", "y", "z"};
 
@@ -140,16 +145,17 @@ std::optional<std::string> cells_too_flat(const MeshFacts& facts) {
            " times: choose shorter edges (" + edge_setting + "), or move faces that nearly touch";
 }
 
-std::optional<std::string> patch_too_small(const MeshFacts& facts) {
+std::optional<std::string> effect_too_small(const MeshFacts& facts) {
     const double edge = mesh::mean_edge_length(facts.mesh.mesh);
     for (const effect::EffectDeclaration& effect : facts.effects) {
-        const auto radius = effect.parameters.find("radius_m");
-        if (effect.id != "soft_patch" || radius == effect.parameters.end()) continue;
-        const double* const value = std::get_if<double>(&radius->second);
-        const double least = suitability_policy.least_cells_per_radius * edge;
-        if (value == nullptr || *value >= least) continue;
-        return "effect soft_patch: its radius of " + in_mm(*value) + " is below the mesh's edge length of " +
-               in_mm(edge) + ", so the cells see little of it; " + edges_up_to(*value);
+        const effect::Effect* const entry = effect::find_effect(effect.id);
+        if (entry == nullptr || !effect::has(effect.parameters, entry->resolved_length)) continue;
+        const double length = effect::number(effect.parameters, entry->resolved_length);
+        if (length >= suitability_policy.least_cells_per_length * edge) continue;
+        const std::string word = entry->resolved_length.substr(0, entry->resolved_length.size() - unit_ending.size());
+        return "effect " + effect.id + ": its " + word + " of " + in_mm(length) +
+               " is below the mesh's edge length of " + in_mm(edge) + ", so the cells see little of it; " +
+               edges_up_to(length);
     }
     return std::nullopt;
 }

@@ -21,7 +21,7 @@ struct SuitabilityPolicy {
     double layer_twist_error_percent = 5.0;             // of one layer, at least four cells wide
     double most_aspect = 10.0;                          // of a cell before it counts as flat
     double least_flat_share = 0.05;                     // of the cells that must be flat for a warning
-    double least_cells_per_radius = 1.0;                // of a soft patch
+    double least_cells_per_length = 1.0;                // that an effect declares
 };
 inline constexpr SuitabilityPolicy suitability_policy;
 
@@ -41,8 +41,8 @@ std::optional<std::string> too_few_layers(const MeshFacts& body);
 std::optional<std::string> too_few_cells_to_twist(const MeshFacts& body);
 /// Aspect ratio: too many flat cells.
 std::optional<std::string> cells_too_flat(const MeshFacts& body);
-/// Resolution of an effect: the radius of a soft patch is shorter than a cell.
-std::optional<std::string> patch_too_small(const MeshFacts& body);
+/// Resolution of an effect: a length that it declares, such as the radius of a patch, is shorter than a cell.
+std::optional<std::string> effect_too_small(const MeshFacts& body);
 
 /// Number of cells across the thinnest wall of a body.
 struct WallLayers {
@@ -54,7 +54,7 @@ WallLayers wall_layers(const MeshFacts& body);
 
 /// All checks, in the order of their messages. Missing volume is reported by mesh_quality().
 inline constexpr std::array<MeshCheck, 4> mesh_checks{too_few_layers, too_few_cells_to_twist, cells_too_flat,
-                                                      patch_too_small};
+                                                      effect_too_small};
 
 /// Messages of all checks that fail.
 std::vector<std::string> unsuitable(const MeshFacts& body);

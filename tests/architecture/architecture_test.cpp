@@ -117,6 +117,16 @@ TEST(Architecture, FilesStayShort) { EXPECT_EQ(faults_of(length_faults), ""); }
 
 TEST(Architecture, TuningNumbersAreInPolicies) { EXPECT_EQ(faults_of(tuning_faults), ""); }
 
+TEST(Architecture, EffectsAreNamedInTheirOwnFilesOnly) {
+    const std::map<std::string, std::string> effects = effect_files(files());
+    // One id per entry of the list in the catalogue, whose definition is no entry.
+    const std::string catalogue = content_of(project / "core/effect/catalogue.cpp");
+    std::size_t entries = 0;
+    for (std::size_t at = 0; (at = catalogue.find(" entry(", at)) != std::string::npos; ++at) ++entries;
+    EXPECT_EQ(effects.size(), entries);
+    EXPECT_EQ(faults_of([&](const SourceFile& file) { return effect_id_faults(effects, file); }), "");
+}
+
 TEST(Architecture, NoFileNamesAFolderOfOneMachine) { EXPECT_EQ(faults_of(machine_path_faults), ""); }
 
 // The rules can fail: each is broken by a made-up file.
@@ -261,6 +271,23 @@ TEST(TuningRule, FindsNumbersOutsidePolicies) {
     EXPECT_EQ(faults("constexpr double none = std::numeric_limits<double>::quiet_NaN();"), 0u);
     EXPECT_EQ(faults("// constexpr double most = 3.0;"), 0u);
     EXPECT_EQ(tuning_faults({"tests/fem/x.cpp", "constexpr double most = 3.0;"}).size(), 0u);
+}
+
+TEST(EffectRule, FindsIdsInLiteralsOfOtherFiles) {
+    const std::map<std::string, std::string> effects = effect_files(
+        {{"core/effect/patch.cpp", "Effect patch() { return {.id = \"soft_patch\", .apply = apply}; }"},
+         {"core/model/x.cpp", "return {.id = \"other\"};"}});
+    EXPECT_EQ(effects, (std::map<std::string, std::string>{{"soft_patch", "core/effect/patch.cpp"}}));
+    const auto faults = [&](const std::string& path, const std::string& code) {
+        return effect_id_faults(effects, {path, code}).size();
+    };
+    EXPECT_EQ(faults("core/setup/x.cpp", "if (id == \"soft_patch\") f();"), 1u);
+    EXPECT_EQ(faults("ui/panels/x.cpp", "f(\"a\", \"effect soft_patch: bad\");\nf(\"b+soft_patch\");"), 2u);
+    EXPECT_EQ(faults("app/x.cpp", "const char* text = R\"(soft_patch)\";"), 1u);
+    EXPECT_EQ(faults("app/x.cpp", "soft_patch();  // as \"soft_patch\""), 0u);
+    EXPECT_EQ(faults("app/x.cpp", "#include \"material/soft_patch.hpp\"\nf(\"soft_patches\");"), 0u);
+    EXPECT_EQ(faults("core/effect/patch.cpp", "f(\"soft_patch\");"), 0u);
+    EXPECT_EQ(faults("tests/effect/x.cpp", "f(\"soft_patch\");"), 0u);
 }
 
 TEST(OtherRules, FindLongFilesMachinePathsAndUnknownModules) {

@@ -21,6 +21,8 @@ bool ends_with(const std::string& text, std::string_view end) {
 
 bool is_cpp(const std::string& path) { return ends_with(path, ".cpp") || ends_with(path, ".hpp"); }
 
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
 Fault fault(const SourceFile& file, int line, const std::string& why) {
     return file.path + ":" + std::to_string(line) + ": " + why;
 }
@@ -67,6 +69,41 @@ std::vector<Fault> dependency_faults(const ModuleGraph& graph, const SourceFile&
     const Module *const here = module_of(graph, file.path), *const there = module_of(graph, included);
     if (!here || !there || here->reaches.contains(there->name)) return {};
     return {fault(file, line, here->name + " includes " + there->name + ", which it does not link")};
+}
+
+/// Text of C++ without comments and, unless they are kept, without the content of literals; lines stay.
+std::string blanked(std::string_view text, bool keep_literals) {
+    std::string out(text);
+    const auto blank = [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < std::min(to, out.size()); ++i)
+            if (out[i] != '\n') out[i] = ' ';
+    };
+    for (std::size_t i = 0; i < text.size();) {
+        if (text.substr(i, 2) == "//") {
+            const std::size_t end = std::min(text.find('\n', i), text.size());
+            blank(i, end);
+            i = end;
+        } else if (text.substr(i, 2) == "/*") {
+            const std::size_t end = std::min(text.find("*/", i + 2), text.size() - 2) + 2;
+            blank(i, end);
+            i = end;
+        } else if (text.substr(i, 2) == "R\"") {
+            const std::size_t open = std::min(text.find('(', i), text.size());
+            const std::string close = ")" + std::string(text.substr(i + 2, open - i - 2)) + "\"";
+            const std::size_t end = std::min(text.find(close, open), text.size() - close.size()) + close.size();
+            if (!keep_literals) blank(i, end);
+            i = end;
+        } else if (text[i] == '"' ||
+                   (text[i] == '\'' && (i == 0 || !std::isalnum(static_cast<unsigned char>(text[i - 1]))))) {
+            std::size_t end = i + 1;  // a quote after a letter or digit separates digits: 1'000
+            while (end < text.size() && text[end] != text[i] && text[end] != '\n') end += text[end] == '\\' ? 2 : 1;
+            if (!keep_literals) blank(i + 1, end);
+            i = end + 1;
+        } else {
+            ++i;
+        }
+    }
+    return out;
 }
 
 }  // namespace
@@ -124,6 +161,39 @@ std::vector<Fault> length_faults(const SourceFile& file) {
     const auto lines = std::count(file.text.begin(), file.text.end(), '\n');
     if (!is_cpp(file.path) || lines <= most) return {};
     return {fault(file, most + 1, "has " + std::to_string(lines) + " lines; look for the second idea")};
+}
+
+std::map<std::string, std::string> effect_files(const std::vector<SourceFile>& files) {
+    static const std::regex entry(R"rx(\.id = "(\w+)")rx");
+    std::map<std::string, std::string> found;
+    for (const SourceFile& file : files) {
+        if (file.path.rfind("core/effect/", 0) != 0 || !is_cpp(file.path)) continue;
+        for (std::sregex_iterator at(file.text.begin(), file.text.end(), entry), end; at != end; ++at)
+            found[(*at)[1]] = file.path;
+    }
+    return found;
+}
+
+std::vector<Fault> effect_id_faults(const std::map<std::string, std::string>& effects, const SourceFile& file) {
+    const std::string layer = first_folder(file.path);
+    if (!is_cpp(file.path) || (layer != "core" && layer != "app" && layer != "ui")) return {};
+    std::vector<Fault> faults;
+    std::istringstream code(code_only(file.text)), all(blanked(file.text, true));
+    std::string line, with_literals;
+    for (int count = 1; std::getline(code, line) && std::getline(all, with_literals); ++count) {
+        if (line.rfind("#include", 0) == 0) continue;
+        for (std::size_t from = 0; from < with_literals.size(); ++from) {
+            // Words of literals are blank in the code.
+            if (line[from] != ' ' || !is_word(with_literals[from])) continue;
+            std::size_t end = from;
+            while (end < with_literals.size() && is_word(with_literals[end])) ++end;
+            const auto effect = effects.find(with_literals.substr(from, end - from));
+            if (effect != effects.end() && effect->second != file.path)
+                faults.push_back(fault(file, count, "names the effect " + effect->first));
+            from = end;
+        }
+    }
+    return faults;
 }
 
 std::vector<Fault> tuning_faults(const SourceFile& file) {
@@ -185,38 +255,6 @@ std::vector<Fault> module_faults(const ModuleGraph& graph, const std::vector<std
     return faults;
 }
 
-std::string code_only(std::string_view text) {
-    std::string out(text);
-    const auto blank = [&](std::size_t from, std::size_t to) {
-        for (std::size_t i = from; i < std::min(to, out.size()); ++i)
-            if (out[i] != '\n') out[i] = ' ';
-    };
-    for (std::size_t i = 0; i < text.size();) {
-        if (text.substr(i, 2) == "//") {
-            const std::size_t end = std::min(text.find('\n', i), text.size());
-            blank(i, end);
-            i = end;
-        } else if (text.substr(i, 2) == "/*") {
-            const std::size_t end = std::min(text.find("*/", i + 2), text.size() - 2) + 2;
-            blank(i, end);
-            i = end;
-        } else if (text.substr(i, 2) == "R\"") {
-            const std::size_t open = std::min(text.find('(', i), text.size());
-            const std::string close = ")" + std::string(text.substr(i + 2, open - i - 2)) + "\"";
-            const std::size_t end = std::min(text.find(close, open), text.size() - close.size()) + close.size();
-            blank(i, end);
-            i = end;
-        } else if (text[i] == '"' ||
-                   (text[i] == '\'' && (i == 0 || !std::isalnum(static_cast<unsigned char>(text[i - 1]))))) {
-            std::size_t end = i + 1;  // a quote after a letter or digit separates digits: 1'000
-            while (end < text.size() && text[end] != text[i] && text[end] != '\n') end += text[end] == '\\' ? 2 : 1;
-            blank(i + 1, end);
-            i = end + 1;
-        } else {
-            ++i;
-        }
-    }
-    return out;
-}
+std::string code_only(std::string_view text) { return blanked(text, false); }
 
 }  // namespace myo::test

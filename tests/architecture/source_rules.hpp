@@ -49,6 +49,15 @@ std::vector<Fault> length_faults(const SourceFile& file);
 /// and quadrature weights of a few files, which are listed with their reason.
 std::vector<Fault> tuning_faults(const SourceFile& file);
 
+/// Ids of the catalogue of effects (`.id = "soft_patch"`), each with its own file of core/effect.
+std::map<std::string, std::string> effect_files(const std::vector<SourceFile>& files);
+
+/// Words in string literals of core, ui and app that are ids of effects, outside the effect's own file: whatever the
+/// program knows about a particular effect belongs into its entry of the catalogue.
+///
+/// @param effects  as from effect_files()
+std::vector<Fault> effect_id_faults(const std::map<std::string, std::string>& effects, const SourceFile& file);
+
 /// Paths that exist on one machine only.
 std::vector<Fault> machine_path_faults(const SourceFile& file);
 

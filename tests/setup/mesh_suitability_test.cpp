@@ -89,10 +89,11 @@ TEST(Suitability, TellsOfAPatchBelowTheEdgeLength) {
                      {{"relative_change", -0.3},
                       {"centre_m", Eigen::VectorXd(Eigen::Vector3d(0.05, 0.01, 0.01))},
                       {"radius_m", 0.002}}}};
-    ASSERT_TRUE(patch_too_small(body.facts()));
-    EXPECT_THAT(*patch_too_small(body.facts()), HasSubstr("its radius of 2 mm is below the mesh's edge length of "));
+    ASSERT_TRUE(effect_too_small(body.facts()));
+    EXPECT_THAT(*effect_too_small(body.facts()),
+                HasSubstr("effect soft_patch: its radius of 2 mm is below the mesh's edge length of "));
     body.effects[0].parameters["radius_m"] = 0.01;
-    EXPECT_FALSE(patch_too_small(body.facts()));
+    EXPECT_FALSE(effect_too_small(body.facts()));
 }
 
 TEST(Suitability, TellsOfVolumeThatVoxelsMiss) {

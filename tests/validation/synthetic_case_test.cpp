@@ -14,13 +14,33 @@ namespace {
 
 TEST(SyntheticCase, EveryEffectOfTheCatalogueCanBeDrawn) {
     for (const effect::Effect& effect : effect::effect_catalogue()) {
-        const validation::EffectDraw* const draw = validation::find_effect_draw(effect.id);
-        ASSERT_NE(draw, nullptr) << effect.id;
-        if (draw->amount.empty()) continue;
-        const effect::EffectParameterEntry* const entry = effect.parameter(draw->amount);
+        const effect::EffectDraw& draw = effect.draw;
+        // An effect that does not scale has parameters to draw.
+        EXPECT_TRUE(!draw.amount.empty() || draw.others != nullptr) << effect.id;
+        if (draw.amount.empty()) continue;
+        const effect::EffectParameterEntry* const entry = effect.parameter(draw.amount);
         ASSERT_NE(entry, nullptr) << effect.id;
-        EXPECT_LT(draw->lowest, draw->highest) << effect.id;
-        EXPECT_LE(draw->highest, entry->highest) << effect.id;
+        EXPECT_LT(0.0, draw.lowest) << effect.id;
+        EXPECT_LT(draw.lowest, draw.highest) << effect.id;
+        EXPECT_LE(draw.highest, entry->highest) << effect.id;
+        if (draw.has_sign) {
+            EXPECT_LE(entry->lowest, -draw.highest) << effect.id;
+        }
+    }
+}
+
+TEST(SyntheticCase, EveryRequiredParameterIsDrawnWithinItsRange) {
+    for (const effect::Effect& effect : effect::effect_catalogue()) {
+        const validation::SyntheticCase c = validation::drawn_case({.seed = 1, .families = {}, .effects = {effect.id}},
+                                                                   1);
+        ASSERT_TRUE(c.effect) << effect.id;
+        for (const effect::EffectParameterEntry& entry : effect.parameters) {
+            EXPECT_TRUE(entry.optional || effect::has(c.effect->parameters, entry.name)) << effect.id << entry.name;
+            if (entry.kind != effect::EffectParameterKind::number || !effect::has(c.effect->parameters, entry.name))
+                continue;
+            EXPECT_GE(effect::number(c.effect->parameters, entry.name), entry.lowest) << effect.id << entry.name;
+            EXPECT_LE(effect::number(c.effect->parameters, entry.name), entry.highest) << effect.id << entry.name;
+        }
     }
 }
 
@@ -57,7 +77,7 @@ TEST(SyntheticCase, HasWhatItsEffectNeedsToShow) {
     for (int k = 0; k < 168; ++k) {
         const validation::SyntheticCase c = validation::drawn_case({.seed = 2, .families = {}, .effects = {}}, k);
         if (!c.effect) continue;
-        const validation::EffectNeeds& needs = validation::find_effect_draw(c.effect->id)->needs;
+        const effect::EffectNeeds& needs = validation::effect_draw(c.effect->id).needs;
         if (needs.muscles) {
             EXPECT_FALSE(c.muscles.empty()) << k;
         }
@@ -85,7 +105,7 @@ TEST(SyntheticCase, BodiesAreClosedAndPointOutwards) {
     for (const std::string& id : validation::body_family_ids()) {
         validation::BodyFamily family{};
         ASSERT_TRUE(validation::parse_body_family(id, family));
-        validation::RandomStream random{3, static_cast<std::uint64_t>(family)};
+        RandomStream random{3, static_cast<std::uint64_t>(family)};
         const validation::SyntheticBody body = validation::drawn_body(family, false, random);
         const mesh::SurfaceReport report = mesh::check_surface(body.surface);
         EXPECT_TRUE(report.outward && report.meshable()) << id;

@@ -5,6 +5,9 @@
 #include <limits>
 #include <optional>
 
+#include "diagnosis/diagnosis_policy.hpp"
+#include "effect/catalogue.hpp"
+
 namespace myo::diagnosis {
 namespace {
 
@@ -98,7 +101,7 @@ effect::EffectParameters with_trial(effect::EffectParameters parameters, const s
 }
 
 void scan_swaps(const setup::Setup& setup, const FitData& data, const JointFit& fit,
-                const statistics::NuisanceSpace& nuisance, std::vector<EffectScore>& scores) {
+                const statistics::NuisanceSpace& nuisance, const std::string& id, std::vector<EffectScore>& scores) {
     const int count = static_cast<int>(setup.marker_names.size());
     for (int first = 0; first < count; ++first)
         for (int second = first + 1; second < count; ++second) {
@@ -120,7 +123,7 @@ void scan_swaps(const setup::Setup& setup, const FitData& data, const JointFit& 
                         for (Index k = series.begin; k < series.end; ++k)
                             if (data.layout.time_s[static_cast<std::size_t>(k)] >= onset.from_s)
                                 S(k, 0) = change.at(series, k);
-                EffectScore score = scored(data, fit, nuisance, S, "marker_swap");
+                EffectScore score = scored(data, fit, nuisance, S, id);
                 score.best.effect = with_trial(
                     {{"markers", std::vector<std::string>{setup.marker_names[static_cast<std::size_t>(first)],
                                                           setup.marker_names[static_cast<std::size_t>(second)]}},
@@ -132,7 +135,7 @@ void scan_swaps(const setup::Setup& setup, const FitData& data, const JointFit& 
 }
 
 void scan_slips(const setup::Setup& setup, const FitData& data, const JointFit& fit,
-                const statistics::NuisanceSpace& nuisance, std::vector<EffectScore>& scores) {
+                const statistics::NuisanceSpace& nuisance, const std::string& id, std::vector<EffectScore>& scores) {
     const VectorXd outside = nuisance.outside(fit.residual);
     for (int marker = 0; marker < static_cast<int>(setup.marker_names.size()); ++marker)
         for (const std::optional<std::size_t>& choice : trial_choices(data)) {
@@ -155,7 +158,7 @@ void scan_slips(const setup::Setup& setup, const FitData& data, const JointFit& 
                     for (Index k = series.begin; k < series.end; ++k)
                         if (data.layout.time_s[static_cast<std::size_t>(k)] >= onset.from_s)
                             S(k, series.axis) = 1.0 / data.noise_m(k);
-            EffectScore score = scored(data, fit, nuisance, S, "marker_slip");
+            EffectScore score = scored(data, fit, nuisance, S, id);
             score.best.effect = with_trial({{"marker", setup.marker_names[static_cast<std::size_t>(marker)]},
                                             {"shift_m", VectorXd(-score.test.step)},
                                             {"time_s", onset.from_s}},
@@ -169,9 +172,13 @@ void scan_slips(const setup::Setup& setup, const FitData& data, const JointFit& 
 std::vector<EffectScore> scan_markers(const setup::Setup& setup, const FitData& data, const JointFit& fit,
                                       const statistics::NuisanceSpace& nuisance, const EffectFilter& allowed) {
     std::vector<EffectScore> scores;
-    if (allowed("marker_swap") && setup.experiment.markers.compare == experiment::Comparison::position)
-        scan_swaps(setup, data, fit, nuisance, scores);
-    if (allowed("marker_slip")) scan_slips(setup, data, fit, nuisance, scores);
+    for (const effect::Effect& effect : effect::effect_catalogue()) {
+        if (!allowed(effect.id)) continue;
+        if (effect.marker_event == effect::MarkerEvent::swap &&
+            setup.experiment.markers.compare == experiment::Comparison::position)
+            scan_swaps(setup, data, fit, nuisance, effect.id, scores);
+        if (effect.marker_event == effect::MarkerEvent::slip) scan_slips(setup, data, fit, nuisance, effect.id, scores);
+    }
     return scores;
 }
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-namespace myo::validation {
+namespace myo {
 
 /// Random numbers that depend on their key only: identical for all compilers and any order of the streams.
 class RandomStream {
@@ -43,4 +43,4 @@ private:
     std::mt19937_64 engine_;
 };
 
-}  // namespace myo::validation
+}  // namespace myo
