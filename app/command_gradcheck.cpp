@@ -13,7 +13,7 @@ namespace myo::app {
 namespace {
 
 /// Largest relative difference between adjoint and finite differences of a passed check.
-constexpr double most_relative_error = 1e-5;
+constexpr double max_relative_error = 1e-5;
 const char* const complete_check = "the check was complete";
 
 /// Parsed call of `myoloop gradcheck`.
@@ -57,7 +57,7 @@ report::Json gradcheck_json(const setup::Setup& setup, const calibration::TrialG
             {"against_trace", run.against_trace},
             {"median_relative_error", report::json_number(run.check.median_error())},
             {"worst_relative_error", report::json_number(run.check.worst_error())},
-            {"limit", most_relative_error},
+            {"limit", max_relative_error},
             {"seconds", run.seconds},
             {"version", facts.version},
             {"command", facts.command},
@@ -92,7 +92,7 @@ int gradcheck_command(const GradcheckCall& call) {
                                                             gradcheck_json(setup, run, run_facts(call, setup_s)));
             !written)
             return console.fail(written.error());
-    if (run.check.worst_error() <= most_relative_error) return status_done;
+    if (run.check.worst_error() <= max_relative_error) return status_done;
     // The message names the worst parameter, where the search for the error should begin.
     const auto worst = std::max_element(
         run.check.rows.begin(), run.check.rows.end(),
@@ -100,7 +100,7 @@ int gradcheck_command(const GradcheckCall& call) {
             return a.relative_error < b.relative_error;
         });
     console.complain("the gradient differs from differences by " + format_number(worst->relative_error, 2) + " for " +
-                     worst->name + ", more than " + format_number(most_relative_error, 1));
+                     worst->name + ", more than " + format_number(max_relative_error, 1));
     return status_failed;
 }
 

@@ -90,7 +90,7 @@ Result<void> check_surface_call(const MeshCall& call, const mesh::SurfaceMesh& s
     if (!call.resolution_m && !call.max_volume_m3) return Error{"state the edge length in metres", "--resolution"};
     const double edge = call.resolution_m.value_or(mesh::tet_edge_for_volume(call.max_volume_m3.value_or(1.0)));
     const double cells = mesh::estimate_counts(surface, *call.type, edge).cells;
-    if (cells > mesh::box_mesh_policy.most_grid_cells)
+    if (cells > mesh::box_mesh_policy.max_grid_cells)
         return Error{"this would make about " + format_number(cells, 2) + " elements; the limit is 2 million",
                      call.resolution_m ? "--resolution" : "--max-volume"};
     return {};
@@ -158,7 +158,7 @@ report::Json outcome_json(const MeshCall& call, const MeshOutcome& outcome) {
                        {"mean", report::json_number(q.mean)},
                        {"worst_element", q.worst_cell},
                        {"histogram", q.histogram},
-                       {"least_dihedral_deg", report::json_number(q.least_dihedral_deg)},
+                       {"least_dihedral_deg", report::json_number(q.min_dihedral_deg)},
                        {"largest_dihedral_deg", report::json_number(q.largest_dihedral_deg)}};
     json["components"] = q.components;
     json["warnings"] = outcome.warnings;
@@ -179,7 +179,7 @@ std::string outcome_text(const MeshOutcome& outcome) {
         // An exact fill leaves rounding only, which is not worth a number.
         text += std::abs(*q.volume_error) < 1e-8 ? " (that of the surface)" : line;
     }
-    std::snprintf(line, sizeof line, "\ndihedral angles %.1f to %.1f degrees\n\n", q.least_dihedral_deg,
+    std::snprintf(line, sizeof line, "\ndihedral angles %.1f to %.1f degrees\n\n", q.min_dihedral_deg,
                   q.largest_dihedral_deg);
     text += line + q.measure + " (1 is perfect): least " + format_number(q.least, 3) + ", mean " +
             format_number(q.mean, 3);

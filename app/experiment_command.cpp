@@ -41,7 +41,7 @@ Result<void> check_resolution(const ExperimentCall& call, const experiment::Expe
     const fem::ElementKind element = call.setup.settings.mesh.element.value_or(setup::automatic_element(*surface));
     const double edge = *call.setup.settings.mesh.resolution_m;
     const mesh::CountEstimate estimate = mesh::estimate_counts(*surface, fem::cell_type(element), edge);
-    if (!(estimate.cells > mesh::box_mesh_policy.most_grid_cells)) return {};
+    if (!(estimate.cells > mesh::box_mesh_policy.max_grid_cells)) return {};
     return Error{"an edge length of " + format_number(edge) + " m would make about " +
                      format_number(estimate.cells, 2) + " elements; the limit is 2 million",
                  "--resolution"};

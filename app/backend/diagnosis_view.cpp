@@ -27,7 +27,7 @@ constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* declared_key = "declared";
 constexpr const char* missing_force_key = "missing force";
 constexpr int about_patches = 48, about_moments = 48;  // force patches on the body, and times per trial
-constexpr std::size_t most_with_forces = 8;
+constexpr std::size_t max_with_forces = 8;
 
 std::string capitalised(std::string text) {
     if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
@@ -355,7 +355,7 @@ void add_forces(const DiagnosisSource& source, const diagnosis::Diagnosis& d, ui
     for (ui::commands::DiagnosisRow& row : view.rows) {
         if (row.kind == ui::commands::DiagnosisRow::Kind::missing_force)
             add_missing_force(setup, *d.missing_force, patches, row);
-        if (row.kind == ui::commands::DiagnosisRow::Kind::effects && row.fitted && rows.size() < most_with_forces)
+        if (row.kind == ui::commands::DiagnosisRow::Kind::effects && row.fitted && rows.size() < max_with_forces)
             rows.push_back(&row);
     }
     for (ui::commands::DiagnosisRow* row : rows) row->force.resize(setup.trials.size());

@@ -12,7 +12,7 @@ namespace {
 using Eigen::VectorXd;
 
 /// Later zero crossings may be noise.
-constexpr int most_crossings = 9;
+constexpr int max_crossings = 9;
 
 /// Replaces frequency and damping by those of a damped cosine, fitted to the longest interval without gaps, if it
 /// describes the samples. A short record does not come to rest, so its crossings depend on the assumed rest value.
@@ -52,7 +52,7 @@ MeasuredVibration vibration_of(const VectorXd& times_s, const VectorXd& values) 
         if (a * b >= 0.0) continue;
         last = times_s(t - 1) + (times_s(t) - times_s(t - 1)) * a / (a - b);
         if (crossings++ == 0) first = last;
-        if (crossings == most_crossings) break;
+        if (crossings == max_crossings) break;
     }
     if (crossings < 3) return found;
     found.frequency_Hz = (crossings - 1) / (2.0 * (last - first));

@@ -101,10 +101,10 @@ std::vector<ui::commands::ReportLine> recording_lines(const fs::path& path) {
     const Result<ui::commands::RecordingFile> file = read_recording_file(path, {});
     if (!file) return {};  // other tables have the same extensions
     const measurement::Recording& recording = *file->recording;
-    constexpr std::size_t most_names = 8;
+    constexpr std::size_t max_names = 8;
     std::vector<std::string> names(
         recording.labels.begin(),
-        recording.labels.begin() + static_cast<std::ptrdiff_t>(std::min(recording.labels.size(), most_names)));
+        recording.labels.begin() + static_cast<std::ptrdiff_t>(std::min(recording.labels.size(), max_names)));
     if (names.size() < recording.labels.size()) names.emplace_back("…");
     std::vector<ui::commands::ReportLine> lines{
         {"Format", file->format},

@@ -52,12 +52,12 @@ Result<Inflation> pressurise(const ChamberedArm& arm, const std::vector<double>&
     Inflation result;
     Matrix3Xd x = arm.model.body->mesh.nodes, origin;
     double volume = 0.0, before = 0.0;
-    constexpr double most_at_once_mbar = 25.0;
+    constexpr double max_at_once_mbar = 25.0;
     std::vector<double> all{0.0};
     all.insert(all.end(), pressures_mbar.begin(), pressures_mbar.end());
     for (const double pressure : all) {
         ChamberPose pose;
-        const int steps = std::max(1, static_cast<int>(std::ceil((pressure - before) / most_at_once_mbar)));
+        const int steps = std::max(1, static_cast<int>(std::ceil((pressure - before) / max_at_once_mbar)));
         for (int k = 1; k <= steps; ++k) {
             if (progress.cancelled()) return Error{"stopped", ""};
             model::Model model = arm.model;

@@ -20,7 +20,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 
 constexpr double step_s = 0.01;  // of the recordings, and of the paper
-constexpr double least_smoothness_m_s = 2e-5;
+constexpr double min_smoothness_m_s = 2e-5;
 
 /// Unknown signals of a variant; as published they are piecewise constant.
 inverse::SoughtSignals sought_signals(const SignalVariant& variant, double end_s) {
@@ -116,7 +116,7 @@ Result<SignalFit> fit_signals(const ReproduceSettings& settings, const MuscleRob
     problem.options.end_s = end;
     problem.target = target_of(variant, body->points, trial, to_robot.transpose());
     problem.sought = sought_signals(variant, end);
-    problem.smoothness_m_s = std::max(least_smoothness_m_s, trial.noise_m);
+    problem.smoothness_m_s = std::max(min_smoothness_m_s, trial.noise_m);
     const Result<MatrixXd> start = start_values(response, problem.sought, problem.target, progress);
     if (!start) return Error{start.error().text(), variant.name};
 

@@ -121,7 +121,7 @@ Result<setup::Setup> settled_mesh(const SyntheticCase& c, const setup::Setup& pr
     std::optional<setup::Setup> coarser;
     std::vector<double> before;
     const int first = c.body.is_declared_box() ? p.first_layers_of_tets : p.first_layers_of_hexes;
-    for (int layers = first; layers <= p.most_layers; layers += layers_more) {
+    for (int layers = first; layers <= p.max_layers; layers += layers_more) {
         if (progress.cancelled()) return Error{"cancelled", ""};
         Result<setup::Setup> setup = on_mesh(prepared, layered_mesh(c.body, layers));
         if (!setup) return setup;
@@ -130,7 +130,7 @@ Result<setup::Setup> settled_mesh(const SyntheticCase& c, const setup::Setup& pr
         truth.frequency_Hz = now.front() / (2.0 * std::numbers::pi);
         // Converged if refinement by two layers changes no frequency by more than the policy allows.
         truth.frequency_change = change_of(now, before);
-        if (truth.frequency_change < p.most_change) {
+        if (truth.frequency_change < p.max_change) {
             // If the change is tiny the coarser mesh suffices, with the modulus that corrects its frequency.
             const bool coarse = truth.frequency_change < p.coarse_enough;
             truth.modulus_factor = modulus_factor(coarse ? before.front() : now.front(), now.front(), before.front(),
@@ -140,7 +140,7 @@ Result<setup::Setup> settled_mesh(const SyntheticCase& c, const setup::Setup& pr
         coarser = std::move(*setup);
         before = now;
     }
-    return Error{"the truth's frequencies do not settle with " + std::to_string(p.most_layers) + " layers", c.name()};
+    return Error{"the truth's frequencies do not settle with " + std::to_string(p.max_layers) + " layers", c.name()};
 }
 
 }  // namespace
@@ -163,12 +163,12 @@ Result<ConvergedTruth> converged_truth(const SyntheticCase& c, const experiment:
     Result<Motions> coarse = motions(*setup, values, 1.0, silent);
     if (!coarse) return coarse.error();
     double part = 1.0;
-    for (int halving = 0; halving < p.most_halvings; ++halving) {
+    for (int halving = 0; halving < p.max_halvings; ++halving) {
         part *= 0.5;
         Result<Motions> fine = motions(*setup, values, part, silent);
         if (!fine) return fine.error();
         truth.path_change = path_change(*fine, *coarse);
-        if (truth.path_change < p.most_path_change) {
+        if (truth.path_change < p.max_path_change) {
             truth.positions_m = extrapolated(std::move(*fine), *coarse);
             return truth;
         }

@@ -10,20 +10,20 @@ namespace myo::validation {
 
 /// Criteria for a converged truth.
 struct ConvergencePolicy {
-    double most_change = 3e-3;  // of the first frequencies by the last refinement
+    double max_change = 3e-3;  // of the first frequencies by the last refinement
     /// Change of the path by extrapolation over the step, as a share of the motion's rms: with phase errors d and d/4
     /// the extrapolated path errs by d^2/8, 0.3 % if the phase error grows uniformly.
-    double most_path_change = 0.03;
+    double max_path_change = 0.03;
     double coarse_enough = 1e-3;   // change of the frequencies below which the coarser of the last two meshes suffices
     double mesh_order = 2.0;       // order of the frequency error
     int frequencies = 2;           // bending in both planes, or torsion of a plate
     int first_layers_of_tets = 2;  // through the thickness, increased by two per refinement
     int first_layers_of_hexes = 4;
-    int most_layers = 8;             // limit of the refinement
+    int max_layers = 8;              // limit of the refinement
     double length_aspect = 2.5;      // of cells: length over thickness
     double width_aspect = 2.0;       // width over thickness
     double steps_per_period = 40.0;  // of the first vibration, for the longest step
-    int most_halvings = 3;           // of the time step
+    int max_halvings = 3;            // of the time step
 };
 inline constexpr ConvergencePolicy convergence_policy;
 

@@ -16,8 +16,8 @@ enum DefaultsPurpose : std::uint64_t { the_body = 11, the_slip = 12 };
 /// Proportions of a family of bodies.
 struct Shape {
     const char* id;
-    double least_slenderness, most_slenderness;  // length over thickness
-    double least_width, most_width;              // width over thickness
+    double min_slenderness, max_slenderness;  // length over thickness
+    double min_width, max_width;              // width over thickness
     bool upright = false, tapered = false;
 };
 
@@ -114,9 +114,9 @@ SyntheticTrial drawn_trial(const SyntheticCase& c, const Cantilever& beam, doubl
     SyntheticTrial trial;
     trial.name = "motion";
     trial.end_s = end_s;
-    const double swing = random.uniform(defaults_policy.least_swing, defaults_policy.most_swing);
+    const double swing = random.uniform(defaults_policy.min_swing, defaults_policy.max_swing);
     experiment::LoadDeclaration load = end_force(c, beam.end_force_N(swing), random);
-    const int first = upright || beam.sag() < defaults_policy.least_swing ? 1 : 0;  // its weight alone must excite it
+    const int first = upright || beam.sag() < defaults_policy.min_swing ? 1 : 0;  // its weight alone must excite it
     switch (first + random.below(4 - first)) {
         case 0: return trial;
         case 1: load.from_s = rounded_to_three_digits(0.1 * end_s); break;
@@ -141,22 +141,22 @@ bool draw_experiment(DefaultsCase& d, RandomStream& random) {
     d.shape = shape.id;
     SyntheticCase& c = d.truth;
     Cantilever beam;
-    beam.length = rounded_to_three_digits(random.log_uniform(p.least_length_m, p.most_length_m));
+    beam.length = rounded_to_three_digits(random.log_uniform(p.min_length_m, p.max_length_m));
     beam.thickness = rounded_to_three_digits(beam.length /
-                                             random.uniform(shape.least_slenderness, shape.most_slenderness));
-    beam.width = rounded_to_three_digits(beam.thickness * random.uniform(shape.least_width, shape.most_width));
-    beam.E = rounded_to_three_digits(random.log_uniform(p.least_modulus_Pa, p.most_modulus_Pa));
+                                             random.uniform(shape.min_slenderness, shape.max_slenderness));
+    beam.width = rounded_to_three_digits(beam.thickness * random.uniform(shape.min_width, shape.max_width));
+    beam.E = rounded_to_three_digits(random.log_uniform(p.min_modulus_Pa, p.max_modulus_Pa));
     beam.rho = 10.0 * std::round(random.uniform(90.0, 130.0));
     d.frequency_Hz = beam.frequency_Hz();
     const bool hangs = shape.upright && random.chance(0.3);
-    if (shape.upright && !hangs && beam.column_load() > p.most_column_load) return false;
-    if (!shape.upright && beam.sag() > p.most_sag) return false;
-    c.rate_Hz = rounded_to_three_digits(random.log_uniform(p.least_rate_Hz, p.most_rate_Hz));
+    if (shape.upright && !hangs && beam.column_load() > p.max_column_load) return false;
+    if (!shape.upright && beam.sag() > p.max_sag) return false;
+    c.rate_Hz = rounded_to_three_digits(random.log_uniform(p.min_rate_Hz, p.max_rate_Hz));
     // A few periods, but enough samples for a slow camera and not too many of a fast one.
-    double end_s = random.uniform(p.least_periods, p.most_periods) / d.frequency_Hz;
-    end_s = std::min(std::max(end_s, p.least_samples / c.rate_Hz), p.most_samples / c.rate_Hz);
+    double end_s = random.uniform(p.min_periods, p.max_periods) / d.frequency_Hz;
+    end_s = std::min(std::max(end_s, p.min_samples / c.rate_Hz), p.max_samples / c.rate_Hz);
     const double periods = end_s * d.frequency_Hz;
-    if (periods < 0.5 * p.least_periods || periods > p.longest_periods) return false;
+    if (periods < 0.5 * p.min_periods || periods > p.longest_periods) return false;
     end_s = std::ceil(end_s * c.rate_Hz) / c.rate_Hz;
 
     c.body = shaped_body(shape, beam.length, beam.thickness, beam.width, random);
@@ -167,14 +167,14 @@ bool draw_experiment(DefaultsCase& d, RandomStream& random) {
     c.material.poissons_ratio = drawn_ratio(random);
     c.material.density_kg_m3 = beam.rho;
     // Damping ratio = omega damping / 2.
-    c.material.damping_s = rounded_to_three_digits(random.log_uniform(p.least_damping_ratio, p.most_damping_ratio) /
+    c.material.damping_s = rounded_to_three_digits(random.log_uniform(p.min_damping_ratio, p.max_damping_ratio) /
                                                    (std::numbers::pi * d.frequency_Hz));
     c.markers = drawn_markers(c.body, 3 + random.below(4), random);
     c.trials = {drawn_trial(c, beam, end_s, shape.upright, random)};
     if (!shape.upright && random.chance(p.muscles)) add_muscles(c, random);
     // Noise relative to the amplitude, as a camera is chosen for the motion.
-    const double swing = c.trials.front().loads.empty() ? beam.sag() : p.least_swing;
-    c.noise_m = rounded_to_three_digits(random.log_uniform(p.least_noise, p.most_noise) * swing * beam.length);
+    const double swing = c.trials.front().loads.empty() ? beam.sag() : p.min_swing;
+    c.noise_m = rounded_to_three_digits(random.log_uniform(p.min_noise, p.max_noise) * swing * beam.length);
     return true;
 }
 

@@ -11,17 +11,17 @@ namespace myo::validation {
 /// Ranges from which experiments are drawn that test the defaults. Quantities with a unit are in SI; all others are
 /// ratios.
 struct DefaultsPolicy {
-    double least_length_m = 2e-3, most_length_m = 0.5;
-    double least_modulus_Pa = 5e3, most_modulus_Pa = 50e6;
-    double least_rate_Hz = 5.0, most_rate_Hz = 1000.0;
-    double most_sag = 0.15;                          // deflection under the own weight over length
-    double most_column_load = 0.3;                   // weight of a standing column over its buckling load
-    double least_swing = 0.03, most_swing = 0.12;    // deflection by the released force over length
-    double least_periods = 4.0, most_periods = 8.0;  // of the first vibration, if the camera permits
-    double longest_periods = 30.0;                   // to give a slow camera enough samples
-    int least_samples = 10, most_samples = 250;
-    double least_noise = 0.003, most_noise = 0.02;  // over the deflection
-    double least_damping_ratio = 0.01, most_damping_ratio = 0.1;
+    double min_length_m = 2e-3, max_length_m = 0.5;
+    double min_modulus_Pa = 5e3, max_modulus_Pa = 50e6;
+    double min_rate_Hz = 5.0, max_rate_Hz = 1000.0;
+    double max_sag = 0.15;                        // deflection under the own weight over length
+    double max_column_load = 0.3;                 // weight of a standing column over its buckling load
+    double min_swing = 0.03, max_swing = 0.12;    // deflection by the released force over length
+    double min_periods = 4.0, max_periods = 8.0;  // of the first vibration, if the camera permits
+    double longest_periods = 30.0;                // to give a slow camera enough samples
+    int min_samples = 10, max_samples = 250;
+    double min_noise = 0.003, max_noise = 0.02;  // over the deflection
+    double min_damping_ratio = 0.01, max_damping_ratio = 0.1;
     double muscles = 0.15;     // share of experiments with two antagonists
     double slips = 1.0 / 3.0;  // share of experiments with a declaration error
 };

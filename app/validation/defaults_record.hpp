@@ -54,7 +54,7 @@ struct DefaultsJudgement {
     double relative = 0.02;   // of the true value
     double deviations = 3.0;  // stated standard deviations
     /// Largest informative standard deviation, relative to the value.
-    double most_deviation = 0.1;
+    double max_deviation = 0.1;
 };
 inline constexpr DefaultsJudgement defaults_judgement;
 

@@ -18,7 +18,7 @@ bool all_right(const std::vector<FittedNumber>& numbers) {
 /// Right, with informative standard deviations.
 bool all_tell_the_truth(const std::vector<FittedNumber>& numbers) {
     return all_right(numbers) && std::all_of(numbers.begin(), numbers.end(), [](const FittedNumber& n) {
-               return n.deviation <= defaults_judgement.most_deviation * std::abs(n.truth);
+               return n.deviation <= defaults_judgement.max_deviation * std::abs(n.truth);
            });
 }
 

@@ -11,14 +11,14 @@
 namespace myo::validation {
 namespace {
 
-constexpr int most_evaluations = 8, most_rounds = 8;
+constexpr int max_evaluations = 8, max_rounds = 8;
 
 double rms(const Eigen::VectorXd& residual) {
     return std::sqrt(residual.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, residual.size())));
 }
 
 /// With a margin, because the truth is simulated on another mesh.
-bool is_visible(double level) { return level > 1.05 * least_level && level < 0.95 * most_level; }
+bool is_visible(double level) { return level > 1.05 * min_level && level < 0.95 * max_level; }
 
 /// Recalibration by secant updates of the Jacobian without the effect.
 inverse::LeastSquaresOptions recalibration(int evaluations) {
@@ -26,7 +26,7 @@ inverse::LeastSquaresOptions recalibration(int evaluations) {
     options.max_evaluations = evaluations;
     options.relative_decrease = 0.03;
     options.relative_step = 1e-4;
-    options.most_jacobians = 0;
+    options.max_jacobians = 0;
     return options;
 }
 
@@ -39,7 +39,7 @@ EffectLevel::EffectLevel(const SyntheticCase& c, setup::Setup setup, const Progr
     without_ = true_values(c, setup_);
     without_.effects.clear();
     inverse::LeastSquaresOptions there = recalibration(1);
-    there.most_jacobians = 1;
+    there.max_jacobians = 1;
     const diagnosis::JointFit fit = diagnosis::joint_fit(setup_, data_, without_, diagnosis::EffectFreedom::all, there,
                                                          {}, progress_);
     if (!fit.usable()) return;
@@ -65,7 +65,7 @@ double EffectLevel::fitted(const Level& level) const {
     for (std::size_t i = 0; i < data_.trials.size(); ++i)
         seen.trials[data_.trials[i]].measured.tracks = level.with[i].positions_m;
     const diagnosis::JointFit fit = diagnosis::joint_fit(seen, data_, without_, diagnosis::EffectFreedom::all,
-                                                         recalibration(most_evaluations), near_, progress_);
+                                                         recalibration(max_evaluations), near_, progress_);
     return fit.usable() && fit.residual.allFinite() ? rms(fit.residual) : 0.0;
 }
 
@@ -77,19 +77,19 @@ std::optional<effect::EffectDeclaration> visible_effect(const SyntheticCase& c, 
     // An effect without amount is visible as it is, or the case is drawn again.
     if (draw.amount.empty()) {
         level = found ? levels.fitted(*found) : 0.0;
-        return level > least_fitted ? std::optional(effect) : std::nullopt;
+        return level > min_fitted ? std::optional(effect) : std::nullopt;
     }
     double power = draw.grows ? 1.0 : -1.0;  // level ~ amount^power, refined by secants of the logarithms
     double last_amount = 0.0, last_level = 0.0;
     double wanted = c.wanted_level;
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
         const double amount = effect_amount(effect);
         const double there = found ? found->first_order : 0.0;
         if (is_visible(there) && (round > 1 || std::abs(std::log(there / wanted)) < 0.3)) {
             level = levels.fitted(*found);
-            if (level > least_fitted) return effect;
-            wanted = std::min(1.6 * std::max(wanted, there), 0.9 * most_level);
-            if (there > 0.85 * most_level) return {};
+            if (level > min_fitted) return effect;
+            wanted = std::min(1.6 * std::max(wanted, there), 0.9 * max_level);
+            if (there > 0.85 * max_level) return {};
         }
         // A run that fails means that the amount is too large.
         double next = draw.grows ? amount / 5.0 : amount * 5.0;

@@ -292,7 +292,7 @@ SyntheticCase drawn_case(const CaseChoice& choice, int number, int attempt) {
     c.truth = drawn_scheme(random);
     if (!id.empty()) {
         c.effect = drawn_effect(id, c, random);
-        // Within the range of least_level and most_level.
+        // Within the range of min_level and max_level.
         c.wanted_level = random.log_uniform(3.5, 13.0);
     }
     c.seed = choice.seed;

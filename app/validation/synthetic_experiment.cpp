@@ -10,13 +10,13 @@
 namespace myo::validation {
 namespace {
 
-constexpr int most_attempts = 12;
+constexpr int max_attempts = 12;
 
 /// First draw with a visible effect.
 Result<MadeExperiment> visible_case(const CaseChoice& choice, int number, const std::filesystem::path& folder,
                                     const Progress& progress) {
     MadeExperiment made;
-    for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    for (int attempt = 0; attempt < max_attempts; ++attempt) {
         if (progress.cancelled()) return Error{"cancelled", ""};
         made.truth = drawn_case(choice, number, attempt);
         made.attempts = attempt + 1;
@@ -38,7 +38,7 @@ Result<MadeExperiment> visible_case(const CaseChoice& choice, int number, const 
         return made;
     }
     const std::string id = made.truth.effect ? made.truth.effect->id : "none";
-    return Error{"no experiment in " + std::to_string(most_attempts) + " draws shows " + id + " well enough",
+    return Error{"no experiment in " + std::to_string(max_attempts) + " draws shows " + id + " well enough",
                  made.truth.name()};
 }
 

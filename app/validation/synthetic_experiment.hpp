@@ -18,8 +18,8 @@ struct MadeExperiment {
     double seconds = 0.0;
 };
 
-/// Draws a case, scales its effect so that its level lies between least_level and most_level and a fit leaves
-/// least_fitted, simulates it with its own scheme on a finer mesh of other cells than the default, and writes the
+/// Draws a case, scales its effect so that its level lies between min_level and max_level and a fit leaves
+/// min_fitted, simulates it with its own scheme on a finer mesh of other cells than the default, and writes the
 /// folder: experiment.toml, traces, actuations, STL. No file reveals the truth.
 ///
 /// Errors: none of 12 draws could be run and was visible; the folder cannot be written; cancelled.
@@ -27,8 +27,8 @@ Result<MadeExperiment> make_experiment(const CaseChoice& choice, int number, con
                                        const Progress& progress = {});
 
 /// Range of the level of an effect [noise levels]: invisible below, obvious far above. Swapped markers may exceed it.
-inline constexpr double least_level = 3.0, most_level = 15.0;
+inline constexpr double min_level = 3.0, max_level = 15.0;
 /// Level that a nonlinear recalibration must leave: a fit also shifts phases, which first order does not.
-inline constexpr double least_fitted = 1.0;
+inline constexpr double min_fitted = 1.0;
 
 }  // namespace myo::validation

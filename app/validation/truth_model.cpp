@@ -17,7 +17,7 @@ constexpr double finer_tets = 0.75, finer_hexes = 0.7;
 /// Layers through the thickness. One layer of quadratic tetrahedra bends up to 5 % too far, two are off by 1 % (test
 /// SmallLoad.LayersOfQuadraticCells); the mesh error of the truth would be detected as an effect. Fully integrated
 /// hexahedra lock in bending, less with the square of the layers.
-constexpr double least_layers_of_tets = 2.0, least_layers_of_hexes = 5.0;
+constexpr double min_layers_of_tets = 2.0, min_layers_of_hexes = 5.0;
 
 /// Hexahedra of the untapered box, mapped to the taper.
 setup::BodyMesh tapered_hexes(const SyntheticBody& body, double edge) {
@@ -95,10 +95,10 @@ Result<setup::Setup> truth_setup(const SyntheticCase& c, const experiment::Exper
     settings.mesh.element = deep ? fem::ElementKind::hex8_mean_dilatation : fem::ElementKind::tet10;
     if (deep)
         settings.mesh.resolution_m = std::min(finer_hexes * setup::automatic_resolution(*surface, mesh::CellType::hex8),
-                                              c.body.thickness_m / least_layers_of_hexes);
+                                              c.body.thickness_m / min_layers_of_hexes);
     else if (!tapered)
         settings.mesh.resolution_m = std::min(finer_tets * setup::automatic_resolution(*surface, mesh::CellType::tet10),
-                                              c.body.thickness_m / least_layers_of_tets);
+                                              c.body.thickness_m / min_layers_of_tets);
     Result<setup::Setup> setup = setup::prepare_setup(experiment, settings, progress);
     if (!setup || !tapered) return setup;
     return on_mesh(std::move(*setup),

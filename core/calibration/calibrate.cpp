@@ -25,14 +25,14 @@ prediction::TrialPrediction markers_only(const prediction::TrialPrediction& full
 /// Predictions kept out of all evaluations of a fit: with the declared values, and with the lowest cost.
 struct KeptPredictions {
     std::vector<prediction::TrialPrediction> first, best;
-    double least_cost = std::numeric_limits<double>::infinity();
+    double min_cost = std::numeric_limits<double>::infinity();
 
     /// Stores the predictions if they have the lowest cost so far; returns whether they do.
     bool offer(std::vector<prediction::TrialPrediction> predictions, double cost, bool as_declared) {
         if (first.empty() && as_declared)
             for (const prediction::TrialPrediction& prediction : predictions) first.push_back(markers_only(prediction));
-        if (!(cost < least_cost)) return false;
-        least_cost = cost;
+        if (!(cost < min_cost)) return false;
+        min_cost = cost;
         best = std::move(predictions);
         return true;
     }

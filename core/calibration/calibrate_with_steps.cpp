@@ -18,7 +18,7 @@ int all_evaluations(const Calibration& calibration) {
 Calibration fit_with_chosen_steps(setup::Setup& setup, CalibrationSettings settings, const Progress& progress) {
     Calibration calibration = calibrate(setup, settings, progress);
     if (!prediction::choosable(setup.settings)) return calibration;
-    for (int fit = 1; fit < prediction::shorter_steps_policy.most_fits; ++fit) {
+    for (int fit = 1; fit < prediction::shorter_steps_policy.max_fits; ++fit) {
         if (!calibration.fit.converged() || progress.cancelled()) break;
         std::vector<setup::TrialStep> steps = prediction::choose_steps(setup, calibration.after.values, progress,
                                                                        &calibration.after);
@@ -66,7 +66,7 @@ Calibration fit_of_all_periods(setup::Setup& setup, CalibrationSettings settings
 Calibration calibrate_with_chosen_steps(setup::Setup& setup, CalibrationSettings settings, const Progress& progress) {
     Calibration calibration = fit_of_all_periods(setup, std::move(settings), progress);
     if (!calibration.usable()) return calibration;
-    // Only the final fit is analysed: the runs may take up to most_share of its time.
+    // Only the final fit is analysed: the runs may take up to max_share of its time.
     calibration.numerical = numerical_deviations(setup, calibration, progress);
     calibration.seconds += calibration.numerical.seconds;
     if (!calibration.numerical.message.empty()) calibration.warnings.push_back(calibration.numerical.message);

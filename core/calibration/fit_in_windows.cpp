@@ -25,7 +25,7 @@ void keep_samples(measurement::Recording& recording, Index count) {
 // At least a few samples, so that a slow camera does not give an empty window.
 Index samples_until(const setup::PreparedTrial& trial, double end_s) {
     const VectorXd& times = trial.measured.time_s;
-    return std::max<Index>(trial.first_sample + window_policy.least_samples, (times.array() <= end_s).count());
+    return std::max<Index>(trial.first_sample + window_policy.min_samples, (times.array() <= end_s).count());
 }
 
 /// Setup of the fit trials alone, each truncated to `length_s` after the onset of its motion.
@@ -96,7 +96,7 @@ public:
         // Frequency is proportional to the root of the modulus, so the bounds leave a frequency range of
         // omega * ln(E_max / E_min) / 2, which multiplied by time gives the open phase.
         upper_Pa_ = modulus_->parameter.upper;
-        lower_Pa_ = std::max(modulus_->parameter.lower, window_policy.least_share * upper_Pa_);
+        lower_Pa_ = std::max(modulus_->parameter.lower, window_policy.min_share * upper_Pa_);
         doubt_rad_s_ = 0.5 * std::log(upper_Pa_ / lower_Pa_) * frequency_rad_s();
         // Windows are measured from the onset: trials may begin with a long rest.
         double longest_s = 0.0;
@@ -107,8 +107,8 @@ public:
         }
         const double doubt_rad = doubt_rad_s_ * longest_s;
         // Less than half a period open: no ambiguity. Too many periods: the scan would not resolve them.
-        if (!(doubt_rad > window_policy.most_doubt_rad) || doubt_rad > window_policy.most_phase_rad) return {};
-        double length_s = window_policy.most_doubt_rad / doubt_rad_s_;
+        if (!(doubt_rad > window_policy.max_doubt_rad) || doubt_rad > window_policy.max_phase_rad) return {};
+        double length_s = window_policy.max_doubt_rad / doubt_rad_s_;
         CalibrationSettings settings = found_.settings;
         settings.starts = 1;
         settings.max_evaluations = window_policy.max_evaluations;
@@ -158,7 +158,7 @@ private:
             seen_s = std::max(seen_s, trial.measured.time_s.tail(1)(0));
         const int count = std::clamp(
             static_cast<int>(std::ceil(doubt_rad_s_ * seen_s / window_policy.scan_phase_rad)) + 1, 3,
-            window_policy.most_scanned);
+            window_policy.max_scanned);
         prediction::ParameterValues values = prediction::declared_values(window);
         const double damping_s = values.damping_s;
         double least = std::numeric_limits<double>::infinity();

@@ -12,15 +12,15 @@ struct WindowPolicy {
     double unexplained = 1.5;  // residual rms over noise that a correct fit stays below
     /// Phase left open by the modulus bounds at the end of a trial; beyond half a period a fit can be off by whole
     /// periods.
-    double most_doubt_rad = 3.1;
+    double max_doubt_rad = 3.1;
     /// Upper limit of that phase: a body declared so wrongly that it vibrates much faster than the recording is not
     /// searched.
-    double most_phase_rad = 200.0;
-    int least_samples = 4;        // in the first window
+    double max_phase_rad = 200.0;
+    int min_samples = 4;          // in the first window
     double seen_departure = 0.2;  // displacement at the onset of motion over the largest one of the marker
     double scan_phase_rad = 0.8;  // phase between adjacent moduli of the scan at the end of the first window
-    int most_scanned = 40;        // moduli per damping
-    double least_share = 0.02;    // smallest over largest modulus if the lower bound is 0
+    int max_scanned = 40;         // moduli per damping
+    double min_share = 0.02;      // smallest over largest modulus if the lower bound is 0
     /// Share of the declared damping that is tried with each modulus: an overdamped motion fits all equally badly.
     double damping_shares[2] = {1.0, 0.2};
     int max_evaluations = 10;  // per window; the next window continues

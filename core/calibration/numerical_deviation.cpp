@@ -47,15 +47,15 @@ struct Errors {
 
 /// Lower bound of the mesh error per value, see the policy; zero for all but the modulus. Proportional to the edge
 /// length, as the clamp's corners converge with first order.
-VectorXd least_mesh_error(const setup::Setup& setup, const Calibration& calibration,
-                          const NumericalDeviationPolicy& policy) {
+VectorXd min_mesh_error(const setup::Setup& setup, const Calibration& calibration,
+                        const NumericalDeviationPolicy& policy) {
     const double edges = setup.mesh.resolution_m /
                          setup::automatic_resolution(setup.surface, fem::cell_type(setup.mesh.element));
     VectorXd error = VectorXd::Zero(calibration.fit.values.size());
     for (Index i = 0; i < error.size(); ++i)
         if (calibration.parameters[static_cast<std::size_t>(i)].kind ==
             prediction::ModelParameter::Kind::youngs_modulus)
-            error(i) = policy.least_mesh_error * edges * calibration.fit.values(i);
+            error(i) = policy.min_mesh_error * edges * calibration.fit.values(i);
     return error;
 }
 
@@ -70,7 +70,7 @@ public:
           trials_(prediction::trials_with_role(setup, experiment::TrialRole::fit)),
           residuals_(
               prediction::weighted_residuals(setup, trials_, residuals_of(calibration.after, trials_), 0).residuals),
-          least_mesh_error_(least_mesh_error(setup, calibration, policy)) {
+          min_mesh_error_(min_mesh_error(setup, calibration, policy)) {
         const Eigen::MatrixXd& J = calibration.fit.jacobian;
         // Columns are scaled, and parameters that the fit could not determine are left out, so the system is well
         // conditioned.
@@ -88,13 +88,13 @@ public:
 
     /// @param values  initial values
     /// @param beside  reference: corrections small relative to the change from it end the iteration
-    /// @param most_s  no run but the first is started that would end later [s]
-    Refitted on(const setup::Setup& other, VectorXd values, const VectorXd& beside, double most_s) const {
+    /// @param max_s  no run but the first is started that would end later [s]
+    Refitted on(const setup::Setup& other, VectorXd values, const VectorXd& beside, double max_s) const {
         const setup::Setup kept = prediction::with_kept_paths(other);
         const Stopwatch watch;
         Refitted result;
         std::vector<std::shared_ptr<const dynamics::StagePath>> near(trials_.size());
-        for (int run = 1; run <= policy_.most_runs; ++run) {
+        for (int run = 1; run <= policy_.max_runs; ++run) {
             const VectorXd at = within_bounds(values);
             const prediction::ParameterValues all = with_values(at);
             std::vector<prediction::PredictionTask> tasks;
@@ -112,7 +112,7 @@ public:
             // column space.
             result.left = there.residuals + calibration_.fit.jacobian * step - residuals_;
             const bool settled = (step.array().abs() <= settled_change(values - beside)).all();
-            if (settled || watch.seconds() * (run + 1) / run > most_s) break;
+            if (settled || watch.seconds() * (run + 1) / run > max_s) break;
         }
         return result;
     }
@@ -143,7 +143,7 @@ private:
     /// for parameters that the data do not determine.
     Eigen::ArrayXd settled_change(const VectorXd& change) const {
         Eigen::ArrayXd most = policy_.settled *
-                              (change.array().abs() + calibration_.fit.deviations.array() + least_mesh_error_.array());
+                              (change.array().abs() + calibration_.fit.deviations.array() + min_mesh_error_.array());
         for (double& one : most)
             if (std::isnan(one)) one = std::numeric_limits<double>::infinity();
         return most;
@@ -153,7 +153,7 @@ private:
     Progress progress_;
     const NumericalDeviationPolicy& policy_;
     std::vector<std::size_t> trials_;
-    VectorXd residuals_, least_mesh_error_, scale_;
+    VectorXd residuals_, min_mesh_error_, scale_;
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver_;
 };
 
@@ -173,7 +173,7 @@ public:
               progress.report(event);
           })),
           refit_(setup, calibration, progress_, policy),
-          most_s_(std::max(policy.always_s, policy.most_share * calibration.seconds)) {}
+          max_s_(std::max(policy.always_s, policy.max_share * calibration.seconds)) {}
 
     NumericalDeviations run() {
         NumericalDeviations result;
@@ -214,7 +214,7 @@ private:
         return count > 0 ? std::sqrt(squares / count) / setup::mean_noise(setup_) : 0.0;
     }
 
-    double left_s() const { return most_s_ - watch_.seconds(); }
+    double left_s() const { return max_s_ - watch_.seconds(); }
 
     setup::Setup with_longer_steps(setup::Setup setup) const {
         for (std::size_t t = 0; t < setup.trials.size(); ++t)
@@ -259,7 +259,7 @@ private:
 
     VectorXd error_of(const setup::Setup& other, const VectorXd& change) const {
         const VectorXd error = extrapolation(edge_ratio(other), policy_.mesh_order) * change.cwiseAbs();
-        return error.cwiseMax(least_mesh_error(setup_, calibration_, policy_));
+        return error.cwiseMax(min_mesh_error(setup_, calibration_, policy_));
     }
 
     /// Start for another mesh: the modulus that gives the same first frequency. Otherwise the phase would drift from
@@ -281,7 +281,7 @@ private:
     Progress progress_;
     Stopwatch watch_;
     Refit refit_;
-    double most_s_;
+    double max_s_;
 };
 
 }  // namespace

@@ -19,11 +19,11 @@ struct NumericalDeviationPolicy {
     double mesh_order = 2.0;  // order of the error in the values: thin walls have 3, corners of clamps 1
     /// Least relative error of the modulus at the default edge length: corners of the clamp have a first-order error
     /// that two meshes hardly reveal. Errors of 22 bodies that showed nothing else were 0.1 to 0.95 %, of rms 0.7.
-    double least_mesh_error = 0.006;
+    double min_mesh_error = 0.006;
     double longer_steps = 2.0;   // factor on the time steps of the second run
-    int most_runs = 3;           // of all trials per mesh or step
+    int max_runs = 3;            // of all trials per mesh or step
     double settled = 0.3;        // a correction below this share of the total change ends the iteration
-    double most_share = 0.6;     // of the calibration's wall-clock time, for all runs ...
+    double max_share = 0.6;      // of the calibration's wall-clock time, for all runs ...
     double always_s = 1.0;       // ... but at least this
     double time_exponent = 1.3;  // of run time as a power of the number of unknowns
 };

@@ -22,7 +22,7 @@ Optimization search_with_chosen_steps(setup::Setup& setup, const inverse::Actuat
                                       const Progress& progress) {
     Optimization found = search_signals(setup, problem, settings, start, progress);
     if (!prediction::choosable(setup.settings)) return found;
-    for (int search = 1; search < prediction::shorter_steps_policy.most_fits; ++search) {
+    for (int search = 1; search < prediction::shorter_steps_policy.max_fits; ++search) {
         if (!found.fit.converged() || progress.cancelled()) break;
         const setup::Setup moved = with_signals(setup, problem.sought, found.fit.values);
         std::vector<setup::TrialStep> steps = prediction::choose_steps(

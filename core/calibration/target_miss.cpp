@@ -39,7 +39,7 @@ TargetMiss target_miss(const setup::Setup& setup, const prediction::SetupRun& ru
     std::sort(markers.begin(), markers.end(),
               [](const prediction::MarkerScore& a, const prediction::MarkerScore& b) { return a.rms_m > b.rms_m; });
     for (const prediction::MarkerScore& marker : markers)
-        if (miss.markers.size() < rule.most_markers && marker.rms_m >= rule.near_worst * markers.front().rms_m)
+        if (miss.markers.size() < rule.max_markers && marker.rms_m >= rule.near_worst * markers.front().rms_m)
             miss.markers.push_back({marker.name, marker.rms_m});
 
     // Error over time, rms over the markers at each sample.

@@ -19,7 +19,7 @@ struct TargetRule {
     double met = 0.5;
     /// Markers and times above this share of the worst are reported.
     double near_worst = 0.5;
-    std::size_t most_markers = 3;
+    std::size_t max_markers = 3;
 };
 
 /// Distance of a run from its target, with the worst markers and times.

@@ -14,7 +14,7 @@ using Eigen::Matrix3Xd;
 
 struct InsideOutPolicy {
     /// Number of states that are checked: an inverted cell remains inverted for more than a hundredth of a run.
-    std::size_t most_states = 100;
+    std::size_t max_states = 100;
 };
 constexpr InsideOutPolicy inside_out_policy;
 
@@ -46,8 +46,8 @@ std::vector<Finding> check_inside_out(const CheckedJob& job) {
     for (std::size_t t = 0; t < job.setup.trials.size(); ++t) {
         const dynamics::Trace& trace = job.run->predictions[t].trace;
         if (trace.positions.empty()) continue;
-        // Every stride-th state, about most_states of them.
-        const std::size_t last = trace.positions.size() - 1, stride = last / inside_out_policy.most_states + 1;
+        // Every stride-th state, about max_states of them.
+        const std::size_t last = trace.positions.size() - 1, stride = last / inside_out_policy.max_states + 1;
         int most = 0;
         double since_s = 0.0;
         for (std::size_t i = 0; i <= last; i += stride) {

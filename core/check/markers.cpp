@@ -10,7 +10,7 @@ namespace {
 
 struct MarkersPolicy {
     /// Markers closer than this share of an edge lie in one cell and only resolve its linear strain.
-    double least_edge_share = 0.25;
+    double min_edge_share = 0.25;
 };
 constexpr MarkersPolicy markers_policy;
 
@@ -33,7 +33,7 @@ std::vector<Finding> check_markers(const CheckedJob& job) {
                              report::length_words(nearest) + " apart";
     Finding finding = fine_finding("", pair + ", the nearest ones, with edges of " + report::length_words(edge));
     finding.figure = nearest;
-    finding.threshold = markers_policy.least_edge_share * edge;
+    finding.threshold = markers_policy.min_edge_share * edge;
     finding.unit = "m";
     if (nearest >= finding.threshold) return {finding};
     finding.level = CheckLevel::doubtful;

@@ -10,17 +10,17 @@ using Eigen::Index;
 
 /// When a recorded motion counts as free oscillation.
 struct SwingPolicy {
-    int least_turns = 3;                // 1.5 periods: an overshooting step response has one reversal, drift has none
-    double noise_levels = 10.0;         // least amplitude of a reversal over the noise: beyond white noise ...
-    double travel_share = 0.05;         // ... and over the range of motion: beyond a bumped tripod
-    double least_signal_change = 0.05;  // of a signal's range that still counts as a change
+    int min_turns = 3;                // 1.5 periods: an overshooting step response has one reversal, drift has none
+    double noise_levels = 10.0;       // least amplitude of a reversal over the noise: beyond white noise ...
+    double travel_share = 0.05;       // ... and over the range of motion: beyond a bumped tripod
+    double min_signal_change = 0.05;  // of a signal's range that still counts as a change
 };
 constexpr SwingPolicy swing_policy;
 
 /// Time of the last knot at which a signal still differs from its final value.
 double last_change_s(const fibre::Signal& signal) {
     const auto [least, most] = std::minmax_element(signal.values.begin(), signal.values.end());
-    const double off = swing_policy.least_signal_change * (*most - *least);
+    const double off = swing_policy.min_signal_change * (*most - *least);
     for (std::size_t k = signal.values.size(); k-- > 1;)
         if (std::abs(signal.values[k - 1] - signal.values.back()) > off) return signal.times_s[k];
     return 0.0;
@@ -36,7 +36,7 @@ double last_change_s(const model::Model& model) {
     return last;
 }
 
-std::vector<double> turning_times(const Eigen::VectorXd& time_s, const Eigen::VectorXd& x_m, double least_m) {
+std::vector<double> turning_times(const Eigen::VectorXd& time_s, const Eigen::VectorXd& x_m, double min_m) {
     std::vector<double> turns;
     Index low = -1, high = -1;  // extremes since the last reversal
     int direction = 0;
@@ -44,12 +44,12 @@ std::vector<double> turning_times(const Eigen::VectorXd& time_s, const Eigen::Ve
         if (!std::isfinite(x_m(k))) continue;
         if (low < 0 || x_m(k) < x_m(low)) low = k;
         if (high < 0 || x_m(k) > x_m(high)) high = k;
-        // Hysteresis: a reversal counts only after a return by `least_m`, so noise does not produce reversals.
-        if (direction >= 0 && x_m(high) - x_m(k) > least_m) {
+        // Hysteresis: a reversal counts only after a return by `min_m`, so noise does not produce reversals.
+        if (direction >= 0 && x_m(high) - x_m(k) > min_m) {
             if (direction > 0) turns.push_back(time_s(high));
             direction = -1;
             low = k;
-        } else if (direction <= 0 && x_m(k) - x_m(low) > least_m) {
+        } else if (direction <= 0 && x_m(k) - x_m(low) > min_m) {
             if (direction < 0) turns.push_back(time_s(low));
             direction = 1;
             high = k;
@@ -63,7 +63,7 @@ RecordedSwing recorded_swing(const setup::PreparedTrial& trial, double from_s, d
     const auto after = std::lower_bound(time.begin(), time.end(), from_s) - time.begin();
     const Index first = std::max(trial.first_sample, static_cast<Index>(after));
     const Index count = time.size() - first;
-    if (count <= swing_policy.least_turns) return {};
+    if (count <= swing_policy.min_turns) return {};
     // The coordinate with the largest range has the best ratio of signal to noise.
     Eigen::VectorXd widest;
     double travel = 0.0;
@@ -79,7 +79,7 @@ RecordedSwing recorded_swing(const setup::PreparedTrial& trial, double from_s, d
     const double least = std::max(swing_policy.noise_levels * noise_m, swing_policy.travel_share * travel);
     const std::vector<double> turns = turning_times(time.tail(count), widest, least);
     RecordedSwing swing;
-    if (turns.size() < static_cast<std::size_t>(swing_policy.least_turns)) return swing;
+    if (turns.size() < static_cast<std::size_t>(swing_policy.min_turns)) return swing;
     std::vector<double> halves;
     for (std::size_t i = 1; i < turns.size(); ++i) halves.push_back(turns[i] - turns[i - 1]);
     // Median of the half periods: robust against a missed reversal.

@@ -14,8 +14,8 @@ struct RecordedSwing {
     double frequency_Hz = 0.0;  // from the median time between reversals
 };
 
-/// Times [s] at which a coordinate [m] reverses by more than `least_m`; non-finite samples are skipped.
-std::vector<double> turning_times(const Eigen::VectorXd& time_s, const Eigen::VectorXd& x_m, double least_m);
+/// Times [s] at which a coordinate [m] reverses by more than `min_m`; non-finite samples are skipped.
+std::vector<double> turning_times(const Eigen::VectorXd& time_s, const Eigen::VectorXd& x_m, double min_m);
 
 /// Time [s] of the last change of a trial's loads and signals; 0 if nothing changes after the start. Changes below a
 /// twentieth of a signal's range are ignored: logs are noisy.

@@ -15,7 +15,7 @@ struct ResidualPolicy {
     double doubtful_ratio = 1.5;
     double wrong_ratio = 10.0;
     /// Numerical errors that raise the expected residual by less than this factor are not mentioned.
-    double least_told_rise = 1.1;
+    double min_reported_rise = 1.1;
 };
 constexpr ResidualPolicy residual_policy;
 
@@ -87,7 +87,7 @@ std::vector<Finding> of_fit(const CheckedJob& job) {
     // Noise and numerical errors are independent, so the expected residual is the root of the sum of squares.
     const double numerical = job.calibration->numerical.motion_noise_levels, expected = std::hypot(1.0, numerical);
     std::string sentence = "the residual of the fit trials, " + beside_noise(job.run->fit_rms_m, ratio);
-    if (expected > residual_policy.least_told_rise)
+    if (expected > residual_policy.min_reported_rise)
         sentence += ", of which mesh and step make about " + format_number(numerical, 2);
     Finding finding = judged_residual(sentence, ratio, expected);
     if (finding.level == CheckLevel::fine) return {finding};

@@ -14,7 +14,7 @@ namespace {
 struct StepPolicy {
     /// Relative frequency errors: the target of choose_steps() with a margin for values that a fit has moved
     /// (ShorterStepsPolicy), and an error that changes a fitted modulus by 2 %.
-    double doubtful_error = 1.5 * prediction::step_policy.most_frequency_error;
+    double doubtful_error = 1.5 * prediction::step_policy.max_frequency_error;
     double wrong_error = 1e-2;
 };
 constexpr StepPolicy step_policy;
@@ -34,7 +34,7 @@ Finding of_vibration(const setup::PreparedTrial& trial, double frequency_Hz, dou
     if (finding.level == CheckLevel::fine) return finding;
     finding.sentence += ", so that a modulus fitted on it is " + format_number(200.0 * error, 2) + " % too high";
     // Second-order scheme: the error grows with the square of the step.
-    const double better = trial.options.h_s * std::sqrt(prediction::step_policy.most_frequency_error / error);
+    const double better = trial.options.h_s * std::sqrt(prediction::step_policy.max_frequency_error / error);
     finding.way_out = "choose a step of " + format_number(better, 2) + " s (" + setup::step_setting +
                       "), or leave it to the program";
     return finding;

@@ -14,7 +14,7 @@ namespace {
 struct SupportPolicy {
     /// Width of the clamped part over the size of the body, below which it is a line or a point; allows for rounding in
     /// mesh files.
-    double least_width = 1e-5;
+    double min_width = 1e-5;
 };
 constexpr SupportPolicy support_policy;
 
@@ -34,9 +34,9 @@ std::vector<Finding> check_support(const CheckedJob& job) {
     Finding finding = fine_finding("", std::to_string(held.size()) + " of " + std::to_string(body.node_count()) +
                                            " nodes are held, across " + report::length_words(2.0 * extents(1)));
     finding.figure = extents(1) / size;
-    finding.threshold = support_policy.least_width;
-    if (finding.figure > support_policy.least_width) return {finding};
-    const bool point = extents(2) <= support_policy.least_width * size;
+    finding.threshold = support_policy.min_width;
+    if (finding.figure > support_policy.min_width) return {finding};
+    const bool point = extents(2) <= support_policy.min_width * size;
     finding.level = CheckLevel::wrong;
     finding.sentence = "clamp.box_m: what it holds is a " + std::string(point ? "point" : "line") +
                        ", so that the body turns freely about it";

@@ -18,9 +18,9 @@ struct TimeUnitPolicy {
     /// cantilever) without the first being visible. 30 leaves room for a modulus off by a factor of a thousand, which
     /// other checks report.
     double doubtful_ratio = 30.0;
-    double wrong_ratio = 300.0;       // a modulus off by 1e5
-    double most_samples_per_s = 1e5;  // high-speed cameras at a tenth of their image size
-    double same = 3.0;                // a ratio within this factor of a unit's is attributed to that unit
+    double wrong_ratio = 300.0;      // a modulus off by 1e5
+    double max_samples_per_s = 1e5;  // high-speed cameras at a tenth of their image size
+    double same = 3.0;               // a ratio within this factor of a unit's is attributed to that unit
 };
 constexpr TimeUnitPolicy time_unit_policy;
 
@@ -81,7 +81,7 @@ Finding of_rate(const setup::PreparedTrial& trial, double rate_Hz) {
     const std::string sentence = "trial " + trial.name + ": " + format_number(rate_Hz, 3) + " samples per second";
     Finding finding = fine_finding(trial.name, sentence + ", and nothing in the motion contradicts its times");
     finding.figure = rate_Hz;
-    finding.threshold = time_unit_policy.most_samples_per_s;
+    finding.threshold = time_unit_policy.max_samples_per_s;
     finding.unit = "Hz";
     if (rate_Hz <= finding.threshold) return finding;
     finding.level = CheckLevel::doubtful;
@@ -102,7 +102,7 @@ std::vector<Finding> check_time_unit(const CheckedJob& job) {
         if (trial.measured.sample_count() < 2) continue;
         const double rate_Hz = 1.0 / setup::sampling_interval_s(trial);
         const RecordedSwing swing = recorded_swing(trial, last_change_s(trial.model), setup::mean_noise(setup));
-        if (rate_Hz <= time_unit_policy.most_samples_per_s && swing.frequency_Hz > 0.0 && signals_are_known(trial)) {
+        if (rate_Hz <= time_unit_policy.max_samples_per_s && swing.frequency_Hz > 0.0 && signals_are_known(trial)) {
             const double omega = setup::first_vibration_rad_s(
                 prediction::affected_trial(setup, t, prediction::declared_values(setup)).model);
             if (omega > 0.0) {

@@ -51,7 +51,7 @@ Eigen::MatrixXd smooth_motions(const model::BlockPattern& pattern, const Eigen::
 
 bool LaggedFactor::is_whole(const model::BlockPattern& pattern) {
     if (whole_.factor_entries() == 0.0) whole_.analyse(pattern.zero);
-    return whole_.factor_entries() <= most_entries_;
+    return whole_.factor_entries() <= max_entries_;
 }
 
 bool LaggedFactor::factorize(const solver::SymmetricSparse& H, const model::Body& body, const Eigen::Matrix3Xd& x) {

@@ -22,8 +22,8 @@ namespace myo::dynamics {
 /// is_whole().
 class LaggedFactor {
 public:
-    /// @param most_entries  limit for the factor of the whole body [entries of single precision]
-    explicit LaggedFactor(double most_entries) : most_entries_(most_entries) {}
+    /// @param max_entries  limit for the factor of the whole body [entries of single precision]
+    explicit LaggedFactor(double max_entries) : max_entries_(max_entries) {}
 
     /// True if solve() is the inverse of the factored matrix to single precision; false if it is a Schwarz
     /// preconditioner, to be used with conjugate gradients only. The first call does the symbolic analysis.
@@ -59,7 +59,7 @@ public:
 private:
     bool factorize(const solver::SymmetricSparse& H, const model::Body& body, const Eigen::Matrix3Xd& x);
 
-    double most_entries_;                                          // limit for whole_
+    double max_entries_;                                           // limit for whole_
     solver::FastCholesky whole_;                                   // factor of the whole body, single precision
     solver::SchwarzPreconditioner parts_;                          // subdomain factors, used above the limit
     Eigen::Matrix<double, 9, Eigen::Dynamic> factored_rotations_;  // R_factored per node, column-major 3 x 3

@@ -14,12 +14,12 @@ namespace {
 
 /// Termination of the subspace iteration.
 struct ModePolicy {
-    int most_iterations = 100;
+    int max_iterations = 100;
     double settled = 1e-7;  // relative residual of a converged mode, see NaturalModes
     /// Accepted residual once the iteration stalls: in nearly incompressible thin bodies the rounding of the forces
     /// ends the decrease earlier. The error of a frequency is of the order of the residual squared.
     double acceptable = 1e-4;
-    double least_fall = 0.7;  // ratio of successive residuals above which the iteration counts as stalled
+    double min_fall = 0.7;  // ratio of successive residuals above which the iteration counts as stalled
 };
 constexpr ModePolicy mode_policy;
 
@@ -52,7 +52,7 @@ NaturalModes natural_modes(StageSolver& solver, const Eigen::Matrix3Xd& x, int c
     const int block = std::min(std::max(2 * count, count + 4), pattern.unknowns());
     NaturalModes result;
     MatrixXd V = start_block(pattern.unknowns(), block);
-    for (result.iterations = 1; result.iterations <= mode_policy.most_iterations; ++result.iterations) {
+    for (result.iterations = 1; result.iterations <= mode_policy.max_iterations; ++result.iterations) {
         V = solver.solve_linear(K, stage, x, inertia_of(V));
         const MatrixXd KV = K.selfadjointView<Eigen::Lower>() * V, MV = inertia_of(V);
         // Rayleigh-Ritz: best approximations of the modes within the subspace, M-orthonormal.
@@ -69,7 +69,7 @@ NaturalModes natural_modes(StageSolver& solver, const Eigen::Matrix3Xd& x, int c
             result.residual = std::max(result.residual, error);
         }
         result.status = SolveStatus::not_converged;
-        const bool stalled = result.iterations > 1 && result.residual > mode_policy.least_fall * before;
+        const bool stalled = result.iterations > 1 && result.residual > mode_policy.min_fall * before;
         if (result.residual > (stalled ? mode_policy.acceptable : mode_policy.settled)) continue;
         result.status = SolveStatus::converged;
         for (int j = 0; j < count; ++j)

@@ -26,7 +26,7 @@ std::string where_it_failed(double t, double h, const std::string& reason) {
 
 struct SimulatePolicy {
     /// A failing step is halved down to this fraction of its length.
-    double most_parts = 4.0;
+    double max_parts = 4.0;
 };
 constexpr SimulatePolicy simulate_policy;
 
@@ -72,13 +72,13 @@ public:
         while (point_.step < std::min(ends.size(), part_.until_step)) {
             const double end = ends[point_.step];
             std::vector<double> goals{end};  // stack of targets, the next one last; halving a step pushes its midpoint
-            for (const double least = (end - point_.time_s) / simulate_policy.most_parts; !goals.empty();) {
+            for (const double least = (end - point_.time_s) / simulate_policy.max_parts; !goals.empty();) {
                 if (progress.cancelled())
                     return ended(RunStatus::cancelled, "stopped at t = " + std::to_string(point_.time_s) + " s");
-                if (trace_.newton_iterations > options_.most_iterations)
+                if (trace_.newton_iterations > options_.max_iterations)
                     return ended(RunStatus::failed, "at t = " + std::to_string(point_.time_s) +
                                                         " s the run has taken more than " +
-                                                        std::to_string(options_.most_iterations) + " iterations");
+                                                        std::to_string(options_.max_iterations) + " iterations");
                 Step step = take_step_to(goals.back(), goals.back() == end && is_jump(jumps_, end, options_.h_s));
                 const double h = goals.back() - point_.time_s;
                 if (h > 1.5 * least && (!step.taken || (!step.resolved && gains_energy(solver_, point_.state, step.next,

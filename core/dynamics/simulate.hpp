@@ -33,8 +33,8 @@ struct SimulationOptions {
     double h_s = 0.005;  // length of a step
     double end_s = 1.0;  // the run covers [0, end_s]
     SolverOptions solver;
-    int most_iterations = std::numeric_limits<int>::max();  // Newton iterations of the whole run; the run fails
-                                                            // when it exceeds them
+    int max_iterations = std::numeric_limits<int>::max();  // Newton iterations of the whole run; the run fails
+                                                           // when it exceeds them
     std::shared_ptr<const StagePath>
         near;  // similar run whose stage solutions start ours: fewer iterations, same results within the tolerance
     bool keep_path = false;  // store the stage solutions in Trace::path, for use as `near`

@@ -28,8 +28,8 @@ struct SolverOptions {
     /// Relative residual of the linear solves of sensitivities. The tangents of a run differ from those at 1e-12 by
     /// 5e-8 with this value; at 1e-10 every stage would need its own factor.
     double tangent_tolerance = 1e-8;
-    int max_newton_iterations = 40;    // per stage
-    double most_factor_entries = 4e8;  // 1.6 GB; larger bodies: subdomain factors and conjugate gradients
+    int max_newton_iterations = 40;   // per stage
+    double max_factor_entries = 4e8;  // 1.6 GB; larger bodies: subdomain factors and conjugate gradients
 };
 
 }  // namespace myo::dynamics

@@ -15,7 +15,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 StageSolver::StageSolver(const model::Model& model, SolverOptions options)
-    : options_(options), constants_(stage_constants(model)), factor_(options.most_factor_entries) {}
+    : options_(options), constants_(stage_constants(model)), factor_(options.max_factor_entries) {}
 
 // The factor of the earlier moduli is kept: it is only a metric, and is renewed when it converges slowly.
 void StageSolver::soften(const VectorXd& factors) {

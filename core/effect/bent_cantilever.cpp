@@ -69,7 +69,7 @@ BeamSection BentCantilever::at(double s) const {
 
 BentCantilever bent_cantilever(double deflection, double shear) {
     assert(deflection >= 0.0 && shear >= 0.0);
-    const double wanted = std::min(deflection, bent_cantilever_policy.most_deflection);
+    const double wanted = std::min(deflection, bent_cantilever_policy.max_deflection);
     // Small deflections: bending contributes load / 3, shear contributes load times shear. Larger deflections are
     // reached by continuation.
     Vector2d at = Vector2d::Constant(std::min(wanted, 0.1) / (1.0 / 3.0 + shear));

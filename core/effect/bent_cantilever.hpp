@@ -27,13 +27,13 @@ struct BentCantilever {
 
 struct BentCantileverPolicy {
     /// Largest deflection of the end in beam lengths. A transverse force cannot bend the beam by its full length.
-    double most_deflection = 0.9;
+    double max_deflection = 0.9;
     /// Intervals along the beam: error of 1e-8 of the length at the largest deflection.
     int parts = 128;
 };
 inline constexpr BentCantileverPolicy bent_cantilever_policy;
 
-/// Cantilever whose end is deflected by `deflection` beam lengths, 0 ... most_deflection; larger values are truncated.
+/// Cantilever whose end is deflected by `deflection` beam lengths, 0 ... max_deflection; larger values are truncated.
 /// A smooth function of the deflection below this limit.
 BentCantilever bent_cantilever(double deflection, double shear);
 

@@ -29,7 +29,7 @@ void apply(const TrialContext& context, const EffectParameters& parameters, Affe
 
 struct CableTugPolicy {
     double probed_stiffness_N_m = 0.2;
-    double least_share = 0.1;
+    double min_share = 0.1;
 };
 constexpr CableTugPolicy cable_tug_policy;
 
@@ -60,7 +60,7 @@ EffectParameters joined(const std::vector<EffectParameters>& columns, const Eige
     result["anchor_m"] = Eigen::VectorXd(vector(result, "position_m") +
                                          (along.dot(outwards) < 0.0 ? -length : length) * along);
     result["stiffness_N_m"] = cable_tug_policy.probed_stiffness_N_m *
-                              std::max(eigen.eigenvalues()(2), cable_tug_policy.least_share);
+                              std::max(eigen.eigenvalues()(2), cable_tug_policy.min_share);
     return result;
 }
 

@@ -17,7 +17,7 @@ struct ClampSlipPolicy {
     double farthest = 0.5;
     /// The shift is distributed over at least this fraction of the clamp depth, more for a long slip; and this fraction
     /// of the depth always remains clamped.
-    double least_taken_up = 0.5;
+    double min_absorbing_part = 0.5;
     double left_of_depth = 0.05;
     /// A drawn slip is at most this part of the clamp's depth, so that the body is still held.
     double max_drawn_part = 0.8;
@@ -58,7 +58,7 @@ Eigen::Matrix3Xd set_back(const TrialContext& context, const model::Model& model
     const Eigen::Matrix3Xd& X = model.body->mesh.nodes;
     const double reach = first_load(context, model, clamp),
                  taken_up_m = std::clamp(free_m / (1.0 - 2.0 * clamp_slip_policy.left_of_depth),
-                                         clamp_slip_policy.least_taken_up * clamp.held_m, clamp.held_m);
+                                         clamp_slip_policy.min_absorbing_part * clamp.held_m, clamp.held_m);
     Eigen::Matrix3Xd shift = Eigen::Matrix3Xd::Zero(3, X.cols());
     for (Eigen::Index i = 0; i < X.cols(); ++i) {
         const double ahead = clamp.ahead(X.col(i));

@@ -20,7 +20,7 @@ struct FibresAlongLinePolicy {
     double finest_part = 1.0 / 6.0;
     /// Maximum number of subdivisions: 2^9 parts along each axis. A tube thinner than a hundredth of a cell is not
     /// resolved further.
-    int most_cuts = 9;
+    int max_cuts = 9;
 };
 constexpr FibresAlongLinePolicy fibres_along_line_policy;
 
@@ -49,7 +49,7 @@ public:
         // At least two levels, the resolution of a block; then until the part is small compared with the radius.
         const bool fine = part.depth >= 2 &&
                           (inside || std::cbrt(place.volume_m3) <= fibres_along_line_policy.finest_part * radius_);
-        if (!fine && part.depth < fibres_along_line_policy.most_cuts) {
+        if (!fine && part.depth < fibres_along_line_policy.max_cuts) {
             for (const CellPart& child : cut_in_eight(part)) collect(child);
             return;
         }

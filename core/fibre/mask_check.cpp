@@ -53,7 +53,7 @@ std::vector<std::string> contradictions(const PaintedMask& mask, const MaskRule&
     std::vector<std::string> found;
     if (mask.count() < 2) return found;
     const double apart = spacing(mask), size = mask.cell_size_m / apart;
-    if (mask.count() >= rule.least_places && !(size >= rule.least_size && size <= rule.most_size))
+    if (mask.count() >= rule.min_places && !(size >= rule.min_size && size <= rule.max_size))
         found.push_back(
             "cell_size_m says " + in_mm(mask.cell_size_m) + ", but its places are " + in_mm(apart) +
             " apart: " + (size < 1.0 ? "most of the room between them stays unpainted" : "paint spreads beyond them"));

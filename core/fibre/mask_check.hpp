@@ -10,11 +10,11 @@ namespace myo::fibre {
 /// Limits for a consistent mask.
 struct MaskRule {
     /// Cell size over the distance to the nearest other element, median over the mask: 1 for cubes, 1.7 for boxes of 1
-    /// : 2 : 2, 2.5 to 4 for tetrahedra. Below least_size the paint leaves gaps between elements; far above, it extends
+    /// : 2 : 2, 2.5 to 4 for tetrahedra. Below min_size the paint leaves gaps between elements; far above, it extends
     /// outside.
-    double least_size = 0.85, most_size = 6.0;
+    double min_size = 0.85, max_size = 6.0;
     /// Smallest number of elements for an estimate of the spacing.
-    Eigen::Index least_places = 4;
+    Eigen::Index min_places = 4;
     /// Elements closer than this fraction of the spacing count as identical.
     double same_place = 1e-6;
 };

@@ -51,7 +51,7 @@ bool stands_out(const Signal& s, const Rise& rise, double h, const SwitchRule& r
     };
     for (std::size_t i = rise.first; i > 0 && s.times_s[i] > from; --i) add(i - 1);
     for (std::size_t i = rise.last; i + 1 < s.times_s.size() && s.times_s[i] < to; ++i) add(i);
-    return others <= rule.quiet_share * size && alike <= rule.most_beside;
+    return others <= rule.quiet_share * size && alike <= rule.max_adjacent;
 }
 
 /// Time at which a jump of the same height preserves the integral of the signal.

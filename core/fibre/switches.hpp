@@ -13,9 +13,9 @@ struct SwitchRule {
     /// a change has similar noise next to it; treating its samples as switches would reduce the step to the sampling
     /// interval.
     double quiet_share = 0.5;
-    /// Adjacent switches may differ in size by this factor, and there may be at most most_beside of them.
+    /// Adjacent switches may differ in size by this factor, and there may be at most max_adjacent of them.
     double alike = 2.0;
-    int most_beside = 4;
+    int max_adjacent = 4;
     /// Jump times are rounded to this fraction of a step: very short steps would amplify the rounding of positions in
     /// the accelerations. Shifts a switch by at most 5e-4 h.
     double time_grid = 1e-3;

@@ -219,9 +219,9 @@ ActuationDeviations actuation_deviations(const ActuationProblem& problem, const 
     assert(values.size() > 0 && noise_m >= 0.0);
     const Stopwatch watch;
     ActuationDeviations result;
-    if (values.size() > actuation_deviations_policy.most_deviations) {
+    if (values.size() > actuation_deviations_policy.max_deviations) {
         result.reason = "not looked for: " + std::to_string(values.size()) + " values are more than " +
-                        std::to_string(actuation_deviations_policy.most_deviations);
+                        std::to_string(actuation_deviations_policy.max_deviations);
         return result;
     }
     model::Model model = problem.model;

@@ -28,7 +28,7 @@ struct ActuationDeviations {
 
 struct ActuationDeviationsPolicy {
     /// Largest number of values for which deviations are computed. A tangent costs about an eighth of a run.
-    Eigen::Index most_deviations = 200;
+    Eigen::Index max_deviations = 200;
     /// Relative eigenvalue below which a direction is not determined at all.
     double not_seen = 1e-12;
     /// Values with less information from the target are interpolated by the smoothness rather than measured.

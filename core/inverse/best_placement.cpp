@@ -14,7 +14,7 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 struct BestPlacementPolicy {
     /// Small rotations converge quadratically: three iterations reach rounding.
-    int most_steps = 8;
+    int max_steps = 8;
     double converged = 1e-12;  // norm of a change relative to the bounds
 };
 constexpr BestPlacementPolicy best_placement_policy;
@@ -47,7 +47,7 @@ MarkerPlacement best_placement(const MarkerTarget& target, const sensitivity::No
     const VectorXd times = target.times_s.array() - target.placement.start_shift_s;
     const std::vector<Eigen::Matrix3Xd> markers = measurement::observe(motion, target.markers, times).positions;
     const Vector6d most = as_vector(bounds);
-    for (int step = 0; step < best_placement_policy.most_steps; ++step) {
+    for (int step = 0; step < best_placement_policy.max_steps; ++step) {
         const std::vector<Eigen::Matrix3Xd> residuals = target_residuals(placed, motion);
         MatrixXd A(target.coordinates(), 6);
         VectorXd r(target.coordinates());

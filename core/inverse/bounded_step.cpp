@@ -12,8 +12,8 @@ using Eigen::VectorXd;
 
 struct BoundedStepPolicy {
     /// Nearly parallel columns need many rounds; a round costs n^2 operations only.
-    int most_rounds = 20000;
-    double least_change = 1e-10;  // relative to the norm of the residual
+    int max_rounds = 20000;
+    double min_change = 1e-10;  // relative to the norm of the residual
 };
 constexpr BoundedStepPolicy bounded_step_policy;
 
@@ -24,8 +24,8 @@ VectorXd bounded_step(const MatrixXd& A, const VectorXd& r, const VectorXd& lowe
     const MatrixXd H = A.transpose() * A;
     VectorXd slope = A.transpose() * r;
     VectorXd x = VectorXd::Zero(A.cols());
-    const double enough = bounded_step_policy.least_change * r.norm();
-    for (int round = 0; round < bounded_step_policy.most_rounds; ++round) {
+    const double enough = bounded_step_policy.min_change * r.norm();
+    for (int round = 0; round < bounded_step_policy.max_rounds; ++round) {
         double most = 0.0;
         for (Index i = 0; i < x.size(); ++i) {
             if (H(i, i) == 0.0) continue;

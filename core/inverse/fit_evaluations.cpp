@@ -14,7 +14,7 @@ using Eigen::VectorXd;
 
 struct FitEvaluationsPolicy {
     /// Largest change of ln(1 + value / scale) at once: a factor of e squared.
-    double most_decades = 2.0;
+    double max_decades = 2.0;
 };
 constexpr FitEvaluationsPolicy fit_evaluations_policy;
 
@@ -57,7 +57,7 @@ StepBounds internal_step_bounds(const std::vector<Parameter>& parameters, const 
     StepBounds bounds{VectorXd(internal.size()), VectorXd(internal.size())};
     for (Index i = 0; i < internal.size(); ++i) {
         const Parameter& p = parameters[static_cast<std::size_t>(i)];
-        const double most = p.over_decades ? fit_evaluations_policy.most_decades
+        const double most = p.over_decades ? fit_evaluations_policy.max_decades
                                            : std::numeric_limits<double>::infinity();
         const auto room = [&](double bound) {
             return std::isfinite(bound) ? internal_value(p, bound) - internal(i) : bound;
@@ -71,14 +71,14 @@ StepBounds internal_step_bounds(const std::vector<Parameter>& parameters, const 
 
 FitEvaluations::FitEvaluations(const ResidualFunction& function, const LeastSquaresOptions& options,
                                const Progress& progress, LeastSquaresReport& report)
-    : function_(function), progress_(progress), most_evaluations_(options.max_evaluations), report_(report) {}
+    : function_(function), progress_(progress), max_evaluations_(options.max_evaluations), report_(report) {}
 
 const ResidualEvaluation& FitEvaluations::at(const VectorXd& values) {
     for (const Point& point : latest_)
         if (point.values == values) return point.evaluation;
     if (progress_.cancelled()) return stopped_;
     const auto show = [&](double done) {
-        progress_.report({"fit", done, most_evaluations_, "evaluations", last_words_});
+        progress_.report({"fit", done, max_evaluations_, "evaluations", last_words_});
     };
     if (report_.evaluations == 0) show(0.0);  // shows activity during the first evaluation
     const Progress inside = progress_.with_sink([&](const ProgressEvent& event) {

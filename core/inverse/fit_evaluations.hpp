@@ -50,7 +50,7 @@ private:
 
     const ResidualFunction& function_;
     const Progress& progress_;
-    double most_evaluations_;
+    double max_evaluations_;
     LeastSquaresReport& report_;
     Throttle throttle_;  // limits progress reports from within evaluations
     std::string last_words_;

@@ -91,10 +91,10 @@ struct LeastSquaresOptions {
     /// A Jacobian is reused as long as it predicts the change of the residuals since its evaluation within this
     /// relative error. At the end of a fit it may be wrong by twice as much, and the values by some hundredths of a
     /// standard deviation.
-    double most_surprise = 0.02;
+    double max_prediction_error = 0.02;
     Eigen::MatrixXd
-        jacobian_guess;         // fit_by_secants(): approximate m x n Jacobian at the start, saves one evaluation of it
-    int most_jacobians = 1000;  // fit_by_secants(): limit of requested Jacobians; afterwards secant updates only
+        jacobian_guess;        // fit_by_secants(): approximate m x n Jacobian at the start, saves one evaluation of it
+    int max_jacobians = 1000;  // fit_by_secants(): limit of requested Jacobians; afterwards secant updates only
 };
 
 /// Minimises |r(p)|^2 within bounds: Levenberg-Marquardt (Ceres) with exact Jacobians, one run of the model per
@@ -116,7 +116,7 @@ LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, c
                                      const LeastSquaresOptions& options = {}, const Progress& progress = {});
 
 /// Least squares for models whose derivatives dominate the cost: `residuals` omits them, and the fit requests a
-/// Jacobian only where the last one does not predict the residuals (LeastSquaresOptions::most_surprise).
+/// Jacobian only where the last one does not predict the residuals (LeastSquaresOptions::max_prediction_error).
 LeastSquaresReport fit_least_squares(const std::vector<Parameter>& parameters, const ResidualFunction& residuals,
                                      const JacobianFunction& jacobian, const LeastSquaresOptions& options,
                                      const Progress& progress);

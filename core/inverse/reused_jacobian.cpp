@@ -19,12 +19,12 @@ VectorXd ReusedJacobian::internal(const VectorXd& values) const {
     return moved;
 }
 
-/// Whether the last Jacobian predicts the residuals at this point, see LeastSquaresOptions::most_surprise.
+/// Whether the last Jacobian predicts the residuals at this point, see LeastSquaresOptions::max_prediction_error.
 bool ReusedJacobian::foretells(const VectorXd& internal, const VectorXd& residuals) const {
     if (last_.size() == 0) return false;
     if (internal == internal_) return true;
     const VectorXd change = residuals - residuals_;
-    return (change - last_ * (internal - internal_)).norm() <= options_.most_surprise * change.norm();
+    return (change - last_ * (internal - internal_)).norm() <= options_.max_prediction_error * change.norm();
 }
 
 MatrixXd ReusedJacobian::at(const VectorXd& values, const ResidualEvaluation& there) {

@@ -79,7 +79,7 @@ private:
     VectorXd physical(const VectorXd& u) const { return physical_values(parameters_, u); }
     VectorXd slopes() const { return physical_slopes(parameters_, here_.u); }
 
-    bool may_ask() const { return report_.jacobians < options_.most_jacobians; }
+    bool may_ask() const { return report_.jacobians < options_.max_jacobians; }
     bool is_exact() const { return report_.jacobians > 0 && anchor_.u == here_.u; }
 
     /// Requests the Jacobian at the present point. Returns false if the model could not be run.

@@ -12,21 +12,21 @@ using Eigen::Index;
 using Eigen::Vector3d;
 
 struct ExcursionsPolicy {
-    /// Thresholds of the header; least_opposition is the least cosine between opposite jumps.
-    double least_deviations = 20.0;
-    double least_ratio = 6.0;
-    double least_opposition = 0.5;
-    double most_unequal = 2.0;
+    /// Thresholds of the header; min_opposition is the least cosine between opposite jumps.
+    double min_deviations = 20.0;
+    double min_ratio = 6.0;
+    double min_opposition = 0.5;
+    double max_inequality = 2.0;
     std::size_t shortest = 4;
     /// Intervals on each side that measure the usual jumps of a track, and how many of them must be known.
     std::size_t nearby = 6;
-    std::size_t least_nearby = 4;
+    std::size_t min_nearby = 4;
     /// Intervals beside a jump whose velocities are affected by it.
     std::size_t touched = 1;
     /// Other markers that must be visible at a jump.
-    std::size_t least_others = 2;
+    std::size_t min_others = 2;
     /// Missing samples among the four of an interval: over a longer gap the velocities are not meaningful.
-    Index most_missing = 3;
+    Index max_missing = 3;
 };
 constexpr ExcursionsPolicy excursions_policy;
 
@@ -47,7 +47,7 @@ std::vector<Step> steps_of(const Eigen::Matrix3Xd& track, const Eigen::VectorXd&
     std::vector<Step> steps;
     for (std::size_t i = 0; i + 1 < seen.size(); ++i) {
         Step step{seen[i], seen[i + 1]};
-        step.known = i >= 1 && i + 2 < seen.size() && seen[i + 2] - seen[i - 1] <= 3 + excursions_policy.most_missing;
+        step.known = i >= 1 && i + 2 < seen.size() && seen[i + 2] - seen[i - 1] <= 3 + excursions_policy.max_missing;
         if (step.known)
             step.jump = track.col(step.after) - track.col(step.before) -
                         0.5 * (time_s(step.after) - time_s(step.before)) * (velocity(i - 1) + velocity(i + 1));
@@ -69,7 +69,7 @@ bool stands_out(const std::vector<Step>& steps, std::size_t place, std::size_t o
         largest = std::max(largest, steps[i].jump.norm());
         ++told;
     }
-    return told >= excursions_policy.least_nearby && steps[place].jump.norm() > excursions_policy.least_ratio * largest;
+    return told >= excursions_policy.min_nearby && steps[place].jump.norm() > excursions_policy.min_ratio * largest;
 }
 
 /// Whether no other marker jumps at the same time, with enough markers visible.
@@ -79,19 +79,19 @@ bool is_alone(const std::vector<std::vector<Step>>& steps, std::size_t marker, c
         if (m == marker) continue;
         for (const Step& step : steps[m]) {
             if (!step.known || step.after <= own.before || step.before >= own.after) continue;
-            if (excursions_policy.least_ratio * step.jump.norm() > own.jump.norm()) return false;
+            if (excursions_policy.min_ratio * step.jump.norm() > own.jump.norm()) return false;
             ++told;
             break;
         }
     }
-    return told >= excursions_policy.least_others;
+    return told >= excursions_policy.min_others;
 }
 
 /// Whether two jumps are opposite and of similar length.
 bool are_there_and_back(const Step& away, const Step& back) {
     const double there = away.jump.norm(), here = back.jump.norm();
-    return away.jump.dot(back.jump) < -excursions_policy.least_opposition * there * here &&
-           std::max(there, here) < excursions_policy.most_unequal * std::min(there, here);
+    return away.jump.dot(back.jump) < -excursions_policy.min_opposition * there * here &&
+           std::max(there, here) < excursions_policy.max_inequality * std::min(there, here);
 }
 
 }  // namespace
@@ -107,7 +107,7 @@ std::vector<Excursion> find_excursions(const std::vector<Eigen::Matrix3Xd>& trac
         std::vector<std::size_t> jumps;
         for (std::size_t i = 0; i < own.size(); ++i)
             if (own[i].known &&
-                own[i].jump.norm() > excursions_policy.least_deviations * sigma_m(static_cast<Index>(m)) &&
+                own[i].jump.norm() > excursions_policy.min_deviations * sigma_m(static_cast<Index>(m)) &&
                 is_alone(steps, m, own[i]))
                 jumps.push_back(i);
         // Shortest first, so that a marker that slips between two excursions does not pair with either of them.

@@ -23,7 +23,7 @@ struct NoisePolicy {
     double start_quantile = 0.1;
     double still_quantile = 0.98;
     int quantile_steps = 200;  // of the midpoint rule for the truncated mean
-    int least_changes = 20;
+    int min_changes = 20;
     double exact = 1e-6;  // relative to a unit: decimal text is not exact in binary
 };
 constexpr NoisePolicy noise_policy;
@@ -188,7 +188,7 @@ double rounding_step(const std::vector<Eigen::Matrix3Xd>& tracks) {
         for (Eigen::Index t = 1; t < track.cols(); ++t)
             if (is_seen(track, t - 1) && is_seen(track, t))
                 changes += static_cast<int>((track.col(t).array() != track.col(t - 1).array()).count());
-    if (changes < noise_policy.least_changes) return 0.0;
+    if (changes < noise_policy.min_changes) return 0.0;
     const auto all_are_multiples = [&](double steps) {
         return std::all_of(tracks.begin(), tracks.end(), [&](const Eigen::Matrix3Xd& track) {
             return std::all_of(track.reshaped().begin(), track.reshaped().end(), [&](double x) {

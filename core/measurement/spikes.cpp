@@ -14,14 +14,14 @@ using Eigen::Index;
 using Eigen::Vector3d;
 
 struct SpikesPolicy {
-    double least_deviations = 10.0;
-    double least_ratio = 6.0;
+    double min_deviations = 10.0;
+    double min_ratio = 6.0;
     std::size_t longest_run = 3;
     /// Runs on each side that measure the usual deviation of a track from a cubic, and how many of them must exist.
     std::size_t nearby = 4;
-    std::size_t least_nearby = 4;
+    std::size_t min_nearby = 4;
     /// Missing samples among the points of a cubic: over a longer gap the cubic is not meaningful.
-    Index most_missing = 3;
+    Index max_missing = 3;
 };
 constexpr SpikesPolicy spikes_policy;
 
@@ -46,7 +46,7 @@ public:
         if (first < 2 || first + length + 2 > count()) return std::nullopt;
         const Index points[4] = {samples_[first - 2], samples_[first - 1], samples_[first + length],
                                  samples_[first + length + 1]};
-        if (points[3] - points[0] > static_cast<Index>(length) + 3 + spikes_policy.most_missing) return std::nullopt;
+        if (points[3] - points[0] > static_cast<Index>(length) + 3 + spikes_policy.max_missing) return std::nullopt;
         const Index at = samples_[place];
         Vector3d cubic = Vector3d::Zero();
         for (int i = 0; i < 4; ++i) {
@@ -84,7 +84,7 @@ public:
                 largest = std::max(largest, run->largest);
                 ++told;
             }
-        return told >= spikes_policy.least_nearby ? std::optional(largest) : std::nullopt;
+        return told >= spikes_policy.min_nearby ? std::optional(largest) : std::nullopt;
     }
 
 private:
@@ -104,12 +104,12 @@ Spikes find_spikes(const Eigen::Matrix3Xd& track, const Eigen::VectorXd& time_s,
         for (std::size_t first = 2; first + length + 2 <= seen.count(); ++first) {
             // Every sample of the run must deviate, hence the least distance.
             const auto out = seen.distances(first, length);
-            if (!out || !(out->least > spikes_policy.least_deviations * sigma_m)) continue;
+            if (!out || !(out->least > spikes_policy.min_deviations * sigma_m)) continue;
             // Usual deviation without the run, which would otherwise raise it.
             Seen without = seen;
             without.take_out(first, length);
             const std::optional<double> unrest = without.unrest_around(first, length);
-            if (!unrest || !(out->least > spikes_policy.least_ratio * *unrest)) continue;
+            if (!unrest || !(out->least > spikes_policy.min_ratio * *unrest)) continue;
             for (std::size_t place = first; place < first + length; ++place)
                 spikes.samples.push_back(seen.sample(place));
             spikes.largest_m = std::max(spikes.largest_m, out->largest);

@@ -11,7 +11,7 @@ using Eigen::Index;
 using Eigen::Matrix3Xd;
 
 struct TimeAlignmentPolicy {
-    Index most_samples = 600;  // of the resampled record: sufficient for a tenth of a sample with the parabola
+    Index max_samples = 600;  // of the resampled record: sufficient for a tenth of a sample with the parabola
 };
 constexpr TimeAlignmentPolicy time_alignment_policy;
 
@@ -71,9 +71,8 @@ Result<TimeAlignment> align_in_time(const Eigen::VectorXd& reference_time_s, con
         return Error{"both records must have the same markers", ""};
     if (reference_time_s.size() < 8 || record_time_s.size() < 8) return Error{"too few samples to align", ""};
     const double first = record_time_s[0], last = record_time_s[record_time_s.size() - 1];
-    const double length = last - first,
-                 step = std::max(length / static_cast<double>(time_alignment_policy.most_samples),
-                                 length / static_cast<double>(record_time_s.size() - 1));
+    const double length = last - first, step = std::max(length / static_cast<double>(time_alignment_policy.max_samples),
+                                                        length / static_cast<double>(record_time_s.size() - 1));
     const auto count = static_cast<Index>(std::floor(length / step + 1e-9)) + 1;
     const Eigen::VectorXd grid = Eigen::VectorXd::LinSpaced(count, first,
                                                             first + step * static_cast<double>(count - 1));

@@ -48,17 +48,17 @@ GridLines grid_lines(const Box& box, const EdgeAt& edge, const GridPlanes& plane
 
 struct BoxMeshPolicy {
     /// Upper limit of grid cells. A larger number is treated as a typing error, because it would exhaust the memory.
-    double most_grid_cells = 2e6;
+    double max_grid_cells = 2e6;
 };
 inline constexpr BoxMeshPolicy box_mesh_policy;
 
 /// grid_lines() with a check of the number of cells before memory is allocated.
 /// Error: the complete grid would have more than max_cells cells.
 Result<GridLines> limited_grid_lines(const Box& box, const EdgeAt& edge, const GridPlanes& planes = {},
-                                     double max_cells = box_mesh_policy.most_grid_cells);
+                                     double max_cells = box_mesh_policy.max_grid_cells);
 /// The same with a uniform edge length [m].
 Result<GridLines> limited_grid_lines(const Box& box, double edge, const GridPlanes& planes = {},
-                                     double max_cells = box_mesh_policy.most_grid_cells);
+                                     double max_cells = box_mesh_policy.max_grid_cells);
 
 /// Cubes of exactly `edge`, as many as fit completely: floor(extent / edge) per axis. The rest of the box stays empty,
 /// as in published voxel meshes; for comparison.
@@ -66,7 +66,7 @@ Result<GridLines> limited_grid_lines(const Box& box, double edge, const GridPlan
 /// @param from_highest  per axis: the cubes end at the highest side of the box instead of starting at the lowest
 /// Errors: as limited_grid_lines(); edge longer than the box.
 Result<GridLines> whole_cube_lines(const Box& box, double edge, const std::array<bool, 3>& from_highest,
-                                   double max_cells = box_mesh_policy.most_grid_cells);
+                                   double max_cells = box_mesh_policy.max_grid_cells);
 
 /// All cells of a grid as hex8.
 ///

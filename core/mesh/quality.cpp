@@ -19,7 +19,7 @@ using Vector3 = Eigen::Vector3d;
 
 struct QualityPolicy {
     /// Relative error of mass and, in thin parts, of stiffness.
-    double most_volume_error = 0.01;
+    double max_volume_error = 0.01;
 };
 constexpr QualityPolicy quality_policy;
 
@@ -128,12 +128,12 @@ QualityReport mesh_quality(const VolumeMesh& mesh, const SurfaceMesh* surface) {
     const Eigen::VectorXd shapes = cell_shapes(mesh);
     report.least = shapes.minCoeff(&report.worst_cell);
     report.mean = shapes.mean();
-    report.least_dihedral_deg = 180.0;
+    report.min_dihedral_deg = 180.0;
     for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
         // 1e-9 keeps a perfect cell in the last bin under rounding.
         const int bin = std::clamp(static_cast<int>(std::floor(10.0 * shapes[c] + 1e-9)), 0, 9);
         ++report.histogram[static_cast<std::size_t>(bin)];
-        widen_dihedral_range(mesh, c, report.least_dihedral_deg, report.largest_dihedral_deg);
+        widen_dihedral_range(mesh, c, report.min_dihedral_deg, report.largest_dihedral_deg);
     }
     report.mean_edge = mean_edge_length(mesh);
     report.volume = cell_volumes(mesh).sum();
@@ -157,7 +157,7 @@ QualityReport mesh_quality(const VolumeMesh& mesh, const SurfaceMesh* surface) {
     if (report.least <= 0.0) {
         report.messages.push_back("cell " + std::to_string(report.worst_cell).append(" is turned inside out"));
     }
-    if (report.volume_error && std::abs(*report.volume_error) > quality_policy.most_volume_error) {
+    if (report.volume_error && std::abs(*report.volume_error) > quality_policy.max_volume_error) {
         report.messages.push_back("the mesh's volume differs from the surface's by " +
                                   format_number(100.0 * *report.volume_error, 3) +
                                   " %, more than 1 %: choose shorter edges or tetrahedra");

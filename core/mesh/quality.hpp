@@ -26,8 +26,8 @@ struct QualityReport {
     double least = 0.0, mean = 0.0;   // of the shape measure
     int worst_cell = -1;              // cell with the smallest measure
     std::array<int, 10> histogram{};  // cells per tenth of [0, 1]; negative values count in the first bin
-    double least_dihedral_deg = 0.0, largest_dihedral_deg = 0.0;  // over all cells
-    double mean_edge = 0.0;                                       // [m]
+    double min_dihedral_deg = 0.0, largest_dihedral_deg = 0.0;  // over all cells
+    double mean_edge = 0.0;                                     // [m]
 
     Eigen::Index nodes = 0, cells = 0, dofs = 0;         // dofs = 3 nodes
     double volume = 0.0;                                 // [m3]

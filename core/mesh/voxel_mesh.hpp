@@ -14,9 +14,9 @@ namespace myo::mesh {
 struct VoxelOptions {
     double edge = 0.005;  // [m] target edge length; adapted per axis so that the bounding box is matched exactly
     GridPlanes planes{};  // [m] coordinates that must be grid planes, for example faces of a clamp
-    std::optional<GridLines> grid{};                     // [m] grid instead of edge and planes
-    double solid_fraction = 0.5;                         // a cell is kept if at least this fraction of it lies inside
-    double max_cells = box_mesh_policy.most_grid_cells;  // limit for the complete grid
+    std::optional<GridLines> grid{};                    // [m] grid instead of edge and planes
+    double solid_fraction = 0.5;                        // a cell is kept if at least this fraction of it lies inside
+    double max_cells = box_mesh_policy.max_grid_cells;  // limit for the complete grid
 };
 
 /// Axis-aligned hex8 mesh of the interior of a closed surface.

@@ -64,7 +64,7 @@ setup::Setup with_kept_paths(setup::Setup setup) {
     for (setup::PreparedTrial& trial : setup.trials) {
         // TR-BDF2 has two stages per step, each with one displacement per degree of freedom of 8 bytes.
         const double stages = 2.0 * trial.options.end_s / trial.options.h_s;
-        trial.options.keep_path = 8.0 * stages * setup.body->dofs() < path_policy.most_bytes;
+        trial.options.keep_path = 8.0 * stages * setup.body->dofs() < path_policy.max_bytes;
     }
     return setup;
 }

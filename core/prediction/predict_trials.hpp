@@ -32,7 +32,7 @@ std::vector<TrialPrediction> predict_trials_with(const setup::Setup& setup, cons
 
 /// Memory limit for stored paths.
 struct PathPolicy {
-    double most_bytes = 1e8;  // per trial: 20 thousand degrees of freedom, 300 steps
+    double max_bytes = 1e8;  // per trial: 20 thousand degrees of freedom, 300 steps
 };
 inline constexpr PathPolicy path_policy;
 

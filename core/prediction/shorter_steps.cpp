@@ -9,7 +9,7 @@ namespace myo::prediction {
 
 bool much_shorter(const setup::Setup& setup, const std::vector<setup::TrialStep>& steps) {
     for (std::size_t t = 0; t < steps.size(); ++t)
-        if (steps[t].h_s < shorter_steps_policy.least_change * setup.trials[t].options.h_s) return true;
+        if (steps[t].h_s < shorter_steps_policy.min_change * setup.trials[t].options.h_s) return true;
     return false;
 }
 

@@ -8,8 +8,8 @@ namespace myo::prediction {
 
 /// When a fit is repeated with shorter time steps because the fitted values require them.
 struct ShorterStepsPolicy {
-    double least_change = 0.85;  // a step shortened by less changes the error by a quarter at most
-    int most_fits = 3;           // declared values off by a factor of a hundred need two
+    double min_change = 0.85;  // a step shortened by less changes the error by a quarter at most
+    int max_fits = 3;          // declared values off by a factor of a hundred need two
 };
 inline constexpr ShorterStepsPolicy shorter_steps_policy;
 

@@ -25,11 +25,11 @@ double frequency_error(const dynamics::TimeScheme& scheme, double omega, double 
 /// Longest step up to `longest` that keeps the frequency error within the policy. Bisection: the error grows
 /// monotonically with the step.
 double step_for(const dynamics::TimeScheme& scheme, double omega, double longest) {
-    if (frequency_error(scheme, omega, longest) <= step_policy.most_frequency_error) return longest;
+    if (frequency_error(scheme, omega, longest) <= step_policy.max_frequency_error) return longest;
     double low = 0.0, high = longest;
     for (int i = 0; i < 40; ++i) {
         const double middle = 0.5 * (low + high);
-        (frequency_error(scheme, omega, middle) <= step_policy.most_frequency_error ? low : high) = middle;
+        (frequency_error(scheme, omega, middle) <= step_policy.max_frequency_error ? low : high) = middle;
     }
     return low;
 }
@@ -57,7 +57,7 @@ double probe_step(const setup::Setup& setup, std::size_t index, const ParameterV
     // omega h <= 1: the step resolves this vibration well enough to detect it.
     if (!(omega * half > 1.0)) return half;
     return whole_part(interval,
-                      std::min(half, std::max(1.0 / omega, trial.options.end_s / step_policy.most_probe_steps)));
+                      std::min(half, std::max(1.0 / omega, trial.options.end_s / step_policy.max_probe_steps)));
 }
 
 /// Step for the vibration visible in a run, not longer than the step of the run; empty if none is visible.
@@ -97,7 +97,7 @@ setup::TrialStep choose_step(setup::Setup& setup, std::size_t index, const Param
     double h_before = 2.0 * step.h_s;
     // A visible vibration gives the error by its frequency, so the second run for a difference is not needed.
     TrialPrediction before = probed ? TrialPrediction{} : run(h_before);
-    for (int runs = 1; runs < step_policy.most_runs; ++runs) {
+    for (int runs = 1; runs < step_policy.max_runs; ++runs) {
         const TrialPrediction now = probed ? *std::exchange(probed, std::nullopt) : run(step.h_s);
         if (!now.ok()) {
             step = {};
@@ -105,7 +105,7 @@ setup::TrialStep choose_step(setup::Setup& setup, std::size_t index, const Param
             step.failure = now.message;
             return step;
         }
-        const double allowed_m = step_policy.most_noise_share * noise;
+        const double allowed_m = step_policy.max_noise_share * noise;
         step = step_seen_in(setup, index, values, now.trace);
         double needed = step.h_s;
         if (step.vibration_Hz > 0.0) {
@@ -121,7 +121,7 @@ setup::TrialStep choose_step(setup::Setup& setup, std::size_t index, const Param
         if (needed >= step.h_s) return step;
         // A step is reduced by a limited factor per run: error estimates at coarse steps are unreliable.
         h_before = step.h_s;
-        step.h_s = whole_part(interval, std::max(needed, step_policy.least_ratio * step.h_s));
+        step.h_s = whole_part(interval, std::max(needed, step_policy.min_ratio * step.h_s));
         // omega h < 1 at the previous step: the vibration was identified reliably, so the step need not be verified by
         // a run.
         if (step.h_s <= needed && step.vibration_Hz > 0.0 && omega_of(step) * h_before < 1.0) {
@@ -143,8 +143,7 @@ setup::TrialStep step_seen_in(const setup::Setup& setup, std::size_t trial, cons
     step.h_s = setup.trials[trial].options.h_s;
     const std::vector<Vibration> all = vibrations_in(affected_trial(setup, trial, values).model, setup.markers, trace);
     // A vibration below a third of the noise is not distinguishable in the recording.
-    if (all.empty() || !(all.front().amplitude_m > step_policy.most_noise_share * setup::mean_noise(setup)))
-        return step;
+    if (all.empty() || !(all.front().amplitude_m > step_policy.max_noise_share * setup::mean_noise(setup))) return step;
     const Vibration& largest = all.front();
     const dynamics::TimeScheme scheme = setup.trials[trial].options.integrator;
     step.vibration_Hz = largest.omega_rad_s / (2.0 * std::numbers::pi);
@@ -210,7 +209,7 @@ SetupRun run_with_chosen_steps(setup::Setup& setup, const ParameterValues& value
     for (std::size_t t = 0; t < setup.trials.size(); ++t)
         if (run.predictions[t].status != dynamics::RunStatus::not_run) asked.push_back(t);
     std::vector<std::size_t> open = asked;
-    for (int repeat = 0; repeat < step_policy.most_repeats && !progress.cancelled(); ++repeat) {
+    for (int repeat = 0; repeat < step_policy.max_repeats && !progress.cancelled(); ++repeat) {
         // Only trials whose visible vibration needs a shorter step run again.
         std::erase_if(open, [&](std::size_t t) {
             if (!run.predictions[t].ok()) return true;

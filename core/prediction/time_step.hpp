@@ -10,13 +10,13 @@ namespace myo::prediction {
 
 /// How the time step of a trial is chosen if none is requested.
 struct StepPolicy {
-    double most_frequency_error = 1e-3;   // of the dominant vibration; the modulus E errs by twice as much
-    double most_noise_share = 1.0 / 3.0;  // step error over noise if no vibration is visible: a tenth of its square
-    int most_runs = 8;                    // runs per trial
-    double least_ratio = 0.2;             // smallest step over the one before
-    int most_probe_steps = 1000;          // of the probe for vibrations faster than the camera: 160 periods
-    int most_repeats = 2;                 // of runs whose vibrations require shorter steps
-    double safety = 0.9;                  // factor on steps predicted from the order of the error
+    double max_frequency_error = 1e-3;   // of the dominant vibration; the modulus E errs by twice as much
+    double max_noise_share = 1.0 / 3.0;  // step error over noise if no vibration is visible: a tenth of its square
+    int max_runs = 8;                    // runs per trial
+    double min_ratio = 0.2;              // smallest step over the one before
+    int max_probe_steps = 1000;          // of the probe for vibrations faster than the camera: 160 periods
+    int max_repeats = 2;                 // of runs whose vibrations require shorter steps
+    double safety = 0.9;                 // factor on steps predicted from the order of the error
 };
 inline constexpr StepPolicy step_policy;
 

@@ -52,7 +52,7 @@ std::vector<Vibration> vibrations_in(const model::Model& model, const measuremen
     for (const dynamics::NaturalMode& mode : modes.modes) {
         const double damping = dynamics::damping_ratio(dynamics::damping_factor(model, pose, mode), model.damping_s,
                                                        mode.omega_rad_s);
-        if (damping > vibration_policy.most_damping_ratio) continue;
+        if (damping > vibration_policy.max_damping_ratio) continue;
         // Mass-weighted projection gives the velocity of the modal coordinate, for mass-normalised modes.
         const Matrix3Xd momentum = model::times_mass(mode.shape, solver.mass(trace.times_s.back()));
         std::vector<double> velocity;

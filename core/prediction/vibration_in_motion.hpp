@@ -9,8 +9,8 @@ namespace myo::prediction {
 
 /// Which natural vibrations are searched for in a motion.
 struct VibrationPolicy {
-    int modes = 6;                    // number of modes, the slowest ones
-    double most_damping_ratio = 0.5;  // of an oscillating mode: 16 % of an amplitude is left after half a period
+    int modes = 6;                   // number of modes, the slowest ones
+    double max_damping_ratio = 0.5;  // of an oscillating mode: 16 % of an amplitude is left after half a period
 };
 
 /// A natural vibration that is visible in a motion.

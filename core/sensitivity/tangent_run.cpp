@@ -22,7 +22,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 struct TangentRunPolicy {
-    int most_softening_rounds = 200;
+    int max_softening_rounds = 200;
     double softening_tolerance = 1e-9;
     /// Width of the difference quotients at the start, relative to the size of the body. Strains are nearly quadratic
     /// in the positions: the error consists of a term of width squared and of rounding over width.
@@ -199,7 +199,7 @@ private:
         const model::BlockPattern& pattern = model_.body->pattern;
         const dynamics::Stage stage = dynamics::static_stage(*model_.body, 0.0);
         const solver::SymmetricSparse K = solver.hessian(stage, x);
-        for (int iteration = 0; iteration < tangent_run_policy.most_softening_rounds; ++iteration) {
+        for (int iteration = 0; iteration < tangent_run_policy.max_softening_rounds; ++iteration) {
             explicit_.soften(x, nodal_[x_field], true);
             const MatrixXd B = -explicit_.residuals(solver, stage, x, state.rate, {}, {});
             const model::NodalColumns before = nodal_[x_field];

@@ -85,16 +85,16 @@ double plain_resolution(const mesh::SurfaceMesh& surface, mesh::CellType type) {
 
 // Edge length that gives the wanted number of layers across a slice.
 double layer_edge(const BodySlice& slice) {
-    return slice.thickness_m() / (slice.thin_rod ? mesh_policy.rod_layers : mesh_policy.least_layers);
+    return slice.thickness_m() / (slice.thin_rod ? mesh_policy.rod_layers : mesh_policy.min_layers);
 }
 
-// Flat cells: the edges in the plane may exceed the layer edge by most_aspect, within the limit of least_edge_share.
+// Flat cells: the edges in the plane may exceed the layer edge by max_aspect, within the limit of min_edge_share.
 double hexahedra_resolution(double edge, const std::vector<BodySlice>& slices) {
     double thinnest = edge;
     for (const BodySlice& slice : slices)
-        if (slice.thin_share >= mesh_policy.least_part && !slice.thin_rod)
+        if (slice.thin_share >= mesh_policy.min_part && !slice.thin_rod)
             thinnest = std::min(thinnest, layer_edge(slice));
-    return std::clamp(mesh_policy.most_aspect * thinnest, mesh_policy.least_edge_share * edge, edge);
+    return std::clamp(mesh_policy.max_aspect * thinnest, mesh_policy.min_edge_share * edge, edge);
 }
 
 /// Whether a block has so few layers along two axes that its torsional stiffness would be wrong.
@@ -136,8 +136,7 @@ double whole_area(const mesh::SurfaceMesh& surface) {
 double tetrahedra_resolution(double edge, const mesh::SurfaceMesh& surface) {
     double shortest = std::min(edge, longest_edge(surface, local_thickness(surface)));
     const auto unknowns = [&](double e) { return mesh::estimate_counts(surface, mesh::CellType::tet10, e).dofs; };
-    while (shortest < edge && unknowns(shortest) > mesh_policy.most_unknowns)
-        shortest = std::min(edge, 1.05 * shortest);
+    while (shortest < edge && unknowns(shortest) > mesh_policy.max_unknowns) shortest = std::min(edge, 1.05 * shortest);
     return shortest;
 }
 
@@ -193,7 +192,7 @@ std::vector<BodySlice> body_slices(const mesh::SurfaceMesh& surface, double edge
     // The edge length exceeds the body, so the grid has one block between adjacent planes.
     const mesh::GridLines grid = mesh::grid_lines(bounds, 2.0 * bounds.size().maxCoeff(), face_planes(surface, edge));
     // A detailed rectilinear body can have more face planes than the block grid may hold; it is then meshed uniformly.
-    if (grid.cells().cast<double>().prod() > mesh::box_mesh_policy.most_grid_cells) return slices;
+    if (grid.cells().cast<double>().prod() > mesh::box_mesh_policy.max_grid_cells) return slices;
     const Blocks blocks(surface, grid);
     const double whole = mesh::enclosed_volume(surface);
     for (int axis = 0; axis < 3; ++axis) {
@@ -243,8 +242,8 @@ double local_thickness(const mesh::SurfaceMesh& surface) {
 }
 
 double longest_edge(const mesh::SurfaceMesh& surface, double thickness_m) {
-    // Surface times thickness over volume is about 2 for a plate and 4 for a rod (see MeshPolicy::least_rod_surface).
-    const bool rod = whole_area(surface) * thickness_m > mesh_policy.least_rod_surface * mesh::enclosed_volume(surface);
+    // Surface times thickness over volume is about 2 for a plate and 4 for a rod (see MeshPolicy::min_rod_surface).
+    const bool rod = whole_area(surface) * thickness_m > mesh_policy.min_rod_surface * mesh::enclosed_volume(surface);
     return (rod ? mesh_policy.rod_edge_over_thickness : mesh_policy.edge_over_thickness) * thickness_m;
 }
 

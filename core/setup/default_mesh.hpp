@@ -16,21 +16,21 @@ namespace myo::setup {
 struct MeshPolicy {
     double hexahedra_per_size = 6.0;   // edges per cube root of the volume; about a thousand unknowns
     double tetrahedra_per_size = 3.0;  // the same for tetrahedra
-    int least_layers = 2;              // of hexahedra between parallel faces
+    int min_layers = 2;                // of hexahedra between parallel faces
     /// A rod with at most this many layers in one direction and fewer in the other twists 9 to 14 % too little.
     int few_rod_layers = 3;
     /// It gets this many layers instead, 4 %. Compact bars of 3 x 3, 7 %, stay as they are.
     int rod_layers = 4;
     double rod_aspect = 4.0;           // cells along a rod may be longer by this factor: bending stays resolved
-    double most_aspect = 5.0;          // of cells flattened by thin layers; longer edges are shortened ...
-    double least_edge_share = 0.5;     // ... but at most to this factor: a sheet would take millions of cells
-    double least_part = 0.05;          // of the volume; smaller thin parts get layers but do not shorten other edges
+    double max_aspect = 5.0;           // of cells flattened by thin layers; longer edges are shortened ...
+    double min_edge_share = 0.5;       // ... but at most to this factor: a sheet would take millions of cells
+    double min_part = 0.05;            // of the volume; smaller thin parts get layers but do not shorten other edges
     double edge_over_thickness = 1.5;  // of tetrahedra; longer edges give degenerate cells
     double rod_edge_over_thickness = 0.7;  // of rods: one layer twists 18 % too little, two layers 5 %
-    double least_rod_surface = 3.0;        // surface times thickness over volume: plates have 2, rods 4
+    double min_rod_surface = 3.0;          // surface times thickness over volume: plates have 2, rods 4
     double thickness_quantile = 0.1;       // of the surface that may be thinner: tips and rims do not count
     int thickness_rays = 400;              // sampled rays per body
-    double most_unknowns = 30'000;         // limit up to which edges are shortened for thin parts
+    double max_unknowns = 30'000;          // limit up to which edges are shortened for thin parts
 };
 inline constexpr MeshPolicy mesh_policy;
 

@@ -49,7 +49,7 @@ struct Layers {
 std::optional<Layers> fewest_layers(const MeshFacts& facts, bool rods) {
     std::optional<Layers> fewest;
     for (const BodySlice& slice : body_slices(facts.surface, facts.mesh.resolution_m)) {
-        if (slice.thin_share < suitability_policy.least_part || (rods && !slice.thin_rod)) continue;
+        if (slice.thin_share < suitability_policy.min_part || (rods && !slice.thin_rod)) continue;
         const int count = layers_in(slice, facts.mesh.mesh);
         if (count > 0 && (!fewest || count < fewest->count)) fewest = Layers{slice, count};
     }
@@ -94,15 +94,15 @@ std::optional<std::string> too_few_layers(const MeshFacts& facts) {
     const SuitabilityPolicy& policy = suitability_policy;
     if (has_hexahedra(facts) && is_rectilinear(facts.surface)) {
         const std::optional<Layers> fewest = fewest_layers(facts, false);
-        if (!fewest || fewest->count >= policy.least_layers) return std::nullopt;
-        return layers_text(*fewest) + ", fewer than " + std::to_string(policy.least_layers) +
+        if (!fewest || fewest->count >= policy.min_layers) return std::nullopt;
+        return layers_text(*fewest) + ", fewer than " + std::to_string(policy.min_layers) +
                ": it may bend tens of percent too far and twist " + format_number(policy.layer_twist_error_percent) +
-               " % too little; " + edges_up_to(fewest->slice.thickness_m() / policy.least_layers) + or_none;
+               " % too little; " + edges_up_to(fewest->slice.thickness_m() / policy.min_layers) + or_none;
     }
     // Bodies without axis-aligned faces have no countable layers: edge length against local thickness instead.
     const double thickness = local_thickness(facts.surface);
     const double edge = has_hexahedra(facts) ? facts.mesh.resolution_m : mesh::mean_edge_length(facts.mesh.mesh);
-    const double most = has_hexahedra(facts) ? 1.0 / policy.least_layers : mesh_policy.edge_over_thickness;
+    const double most = has_hexahedra(facts) ? 1.0 / policy.min_layers : mesh_policy.edge_over_thickness;
     if (!(edge > 1.001 * most * thickness)) return std::nullopt;  // meshers slightly exceed the requested length
     return "edges of " + in_mm(edge) + " are longer than " + format_number(most, 3) +
            " times the body's thickness of " + in_mm(thickness) + ": it may bend too far; " +
@@ -121,10 +121,10 @@ std::optional<std::string> too_few_cells_to_twist(const MeshFacts& facts) {
                edges_up_to(best) + or_none;
     }
     const std::optional<Layers> fewest = fewest_layers(facts, true);
-    if (!fewest || fewest->count >= policy.least_rod_layers) return std::nullopt;
-    return layers_text(*fewest) + " of a rod, fewer than " + std::to_string(policy.least_rod_layers) +
+    if (!fewest || fewest->count >= policy.min_rod_layers) return std::nullopt;
+    return layers_text(*fewest) + " of a rod, fewer than " + std::to_string(policy.min_rod_layers) +
            ": its torsion may be off by " + format_number(policy.rod_twist_error_percent) + " %; " +
-           edges_up_to(fewest->slice.thickness_m() / policy.least_rod_layers) + or_none;
+           edges_up_to(fewest->slice.thickness_m() / policy.min_rod_layers) + or_none;
 }
 
 std::optional<std::string> cells_too_flat(const MeshFacts& facts) {
@@ -135,13 +135,13 @@ std::optional<std::string> cells_too_flat(const MeshFacts& facts) {
     for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
         const double own = aspect(mesh, c);
         worst = std::max(worst, own);
-        flat += own > suitability_policy.most_aspect;
+        flat += own > suitability_policy.max_aspect;
     }
-    if (static_cast<double>(flat) < suitability_policy.least_flat_share * static_cast<double>(mesh.cell_count()))
+    if (static_cast<double>(flat) < suitability_policy.min_flat_share * static_cast<double>(mesh.cell_count()))
         return std::nullopt;
     if (flat == 0) return std::nullopt;
     return std::to_string(flat) + " of " + std::to_string(mesh.cell_count()) + " cells are longer than " +
-           format_number(suitability_policy.most_aspect) + " times their height, up to " + format_number(worst, 3) +
+           format_number(suitability_policy.max_aspect) + " times their height, up to " + format_number(worst, 3) +
            " times: choose shorter edges (" + edge_setting + "), or move faces that nearly touch";
 }
 
@@ -151,7 +151,7 @@ std::optional<std::string> effect_too_small(const MeshFacts& facts) {
         const effect::Effect* const entry = effect::find_effect(effect.id);
         if (entry == nullptr || !effect::has(effect.parameters, entry->resolved_length)) continue;
         const double length = effect::number(effect.parameters, entry->resolved_length);
-        if (length >= suitability_policy.least_cells_per_length * edge) continue;
+        if (length >= suitability_policy.min_cells_per_length * edge) continue;
         const std::string word = entry->resolved_length.substr(0, entry->resolved_length.size() - unit_ending.size());
         return "effect " + effect.id + ": its " + word + " of " + in_mm(length) +
                " is below the mesh's edge length of " + in_mm(edge) + ", so the cells see little of it; " +

@@ -12,16 +12,16 @@ namespace myo::setup {
 
 /// Thresholds for warnings about a mesh. Percentages were measured against fine meshes (hex8, nu = 0.49).
 struct SuitabilityPolicy {
-    int least_layers = 2;                               // of hexahedra; a single layer bends up to 70 % too far
-    double least_part = 0.05;                           // of the volume that must be thin for a warning
-    int least_rod_layers = 3;                           // across a rod in both directions
+    int min_layers = 2;                                 // of hexahedra; a single layer bends up to 70 % too far
+    double min_part = 0.05;                             // of the volume that must be thin for a warning
+    int min_rod_layers = 3;                             // across a rod in both directions
     double rod_twist_error_percent = 15.0;              // of 2 x 2 cells; 3 x 2: 9
     double rod_edge_over_thickness = 1.0;               // of tetrahedra; longer edges leave a single layer across a rod
     double tetrahedral_rod_twist_error_percent = 18.0;  // of one layer
     double layer_twist_error_percent = 5.0;             // of one layer, at least four cells wide
-    double most_aspect = 10.0;                          // of a cell before it counts as flat
-    double least_flat_share = 0.05;                     // of the cells that must be flat for a warning
-    double least_cells_per_length = 1.0;                // that an effect declares
+    double max_aspect = 10.0;                           // of a cell before it counts as flat
+    double min_flat_share = 0.05;                       // of the cells that must be flat for a warning
+    double min_cells_per_length = 1.0;                  // that an effect declares
 };
 inline constexpr SuitabilityPolicy suitability_policy;
 
@@ -35,7 +35,7 @@ struct MeshFacts {
 /// A check returns one sentence with measured value, threshold and remedy; empty if the mesh is suitable.
 using MeshCheck = std::optional<std::string> (*)(const MeshFacts&);
 
-/// Bending: fewer layers than least_layers, or edges too long for the thickness of the body.
+/// Bending: fewer layers than min_layers, or edges too long for the thickness of the body.
 std::optional<std::string> too_few_layers(const MeshFacts& body);
 /// Torsion: too few cells across a rod.
 std::optional<std::string> too_few_cells_to_twist(const MeshFacts& body);

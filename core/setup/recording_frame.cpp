@@ -18,7 +18,7 @@ namespace {
 struct ClockPolicy {
     /// Sampling intervals between t = 0 and the first sample that give a warning; a camera may have been started late.
     double late_intervals = 20.0;
-    double most_lead = 10.0;  // lead over the length of the trace; nobody simulates so much to compare so little
+    double max_lead = 10.0;  // lead over the length of the trace; nobody simulates so much to compare so little
 };
 constexpr ClockPolicy clock_policy;
 
@@ -31,7 +31,7 @@ bool begins_late(const measurement::Recording& recording) {
 Result<void> check_clock(const experiment::Experiment& experiment, const experiment::TrialDeclaration& declaration,
                          const measurement::Recording& recording) {
     const double first = recording.time_s(0), last = recording.time_s(recording.sample_count() - 1);
-    if (last >= 0.0 && !(begins_late(recording) && first > clock_policy.most_lead * (last - first))) return {};
+    if (last >= 0.0 && !(begins_late(recording) && first > clock_policy.max_lead * (last - first))) return {};
     return experiment::declaration_error(
         experiment, experiment::trial_key(experiment, declaration) + ".start_s",
         declaration.trace.filename().string() + " runs from " +

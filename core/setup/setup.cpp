@@ -176,14 +176,14 @@ void warn_of_mass(const model::Model& model, std::vector<std::string>& warnings)
                        " % of its mesh's true mass");
 }
 
-/// Default damping time, limited to most_assumed_damping_ratio of the first vibration: zeta = omega d / 2.
+/// Default damping time, limited to max_assumed_damping_ratio of the first vibration: zeta = omega d / 2.
 ///
 /// @param model  without muscles, whose activations differ between trials
 double assumed_damping_s(const model::Model& model, const SetupSettings& settings) {
     if (settings.assumed_damping_s == 0.0) return 0.0;
     const double omega = first_vibration_rad_s(model);
     if (!(omega > 0.0)) return settings.assumed_damping_s;
-    return std::min(settings.assumed_damping_s, 2.0 * settings.most_assumed_damping_ratio / omega);
+    return std::min(settings.assumed_damping_s, 2.0 * settings.max_assumed_damping_ratio / omega);
 }
 
 /// Warnings about clocks, frames and the range of activations.

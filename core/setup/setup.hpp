@@ -32,7 +32,7 @@ struct SetupSettings {
     model::MassModel mass_model = model::MassModel::consistent;
     /// Damping time if none is declared: 9 % of critical damping at 10 Hz, typical of silicones, and at most that ratio
     /// in the first vibration of faster bodies, which would otherwise creep instead of oscillating.
-    double assumed_damping_s = 0.003, most_assumed_damping_ratio = 0.09;
+    double assumed_damping_s = 0.003, max_assumed_damping_ratio = 0.09;
     bool as_published = false;  // derived from published_settings()
     bool fine_element = false;  // also without a declared effect that needs it, for trying effects
     int threads = 1;            // trials that run in parallel

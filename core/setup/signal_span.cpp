@@ -21,7 +21,7 @@ bool meets(const fibre::Signal& signal, double end_s, const SignalSpanPolicy& po
     if (!(range > 0.0)) return true;
     for (const double t : signal.times_s)
         if (t > 0.0 && t < end_s) return true;
-    return std::abs(signal.value(end_s) - signal.value_before(0.0)) > policy.least_change * range;
+    return std::abs(signal.value(end_s) - signal.value_before(0.0)) > policy.min_change * range;
 }
 
 fibre::Signal with_times(fibre::Signal signal, double shift_s, double factor) {

@@ -12,7 +12,7 @@ struct SignalSpanPolicy {
     /// Smallest change over the trial, relative to the range of the signal. With times in ms a trial covers a
     /// thousandth of a ramp, with times of another clock nothing; the motion due to a hundredth of a ramp is below
     /// camera noise.
-    double least_change = 0.01;
+    double min_change = 0.01;
 };
 
 /// Clock under which the times of a signal would overlap its trial.

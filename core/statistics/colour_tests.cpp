@@ -13,7 +13,7 @@ namespace {
 
 struct ColourTestsPolicy {
     /// Shorter series: the reference distributions are inaccurate, and autocorrelation is not detectable.
-    Eigen::Index least_samples = 8;
+    Eigen::Index min_samples = 8;
 };
 constexpr ColourTestsPolicy colour_tests_policy;
 
@@ -63,7 +63,7 @@ LjungBoxTest ljung_box_test(const Eigen::VectorXd& r, const ResidualLayout& layo
     Eigen::ArrayXd null = Eigen::ArrayXd::Zero(draws);
     RandomSigns random(seed);
     for (const ResidualSeries& series : layout.series) {
-        if (series.size() < colour_tests_policy.least_samples) continue;
+        if (series.size() < colour_tests_policy.min_samples) continue;
         GriddedSeries grid = gridded(r, layout, series);
         const Portmanteau portmanteau(grid, std::min(lags, static_cast<int>(series.size() / 4)));
         if (portmanteau.lags == 0.0) continue;
@@ -91,7 +91,7 @@ PeriodicityTest periodicity_test(const Eigen::VectorXd& r, const ResidualLayout&
     double tried = 0.0;
     for (std::size_t i = 0; i < layout.series.size(); ++i) {
         const ResidualSeries& series = layout.series[i];
-        if (series.size() < colour_tests_policy.least_samples) continue;
+        if (series.size() < colour_tests_policy.min_samples) continue;
         const Eigen::VectorXd shares = energy_shares(gridded(r, layout, series));
         const double n = static_cast<double>(series.size());
         // With gaps fewer frequencies are independent, but the maximum is taken over all of them: a conservative count.

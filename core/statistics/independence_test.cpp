@@ -19,7 +19,7 @@ namespace {
 using Eigen::Index;
 
 struct IndependenceTestPolicy {
-    std::size_t least_markers = 3;  // fewer markers share no pattern that could be compared with chance
+    std::size_t min_markers = 3;  // fewer markers share no pattern that could be compared with chance
 };
 constexpr IndependenceTestPolicy independence_test_policy;
 
@@ -42,7 +42,7 @@ std::optional<double> chance(const GriddedTrial& grid, const ResidualLayout& lay
                              std::mt19937_64& random) {
     const std::map<int, std::vector<Index>> rows = rows_of_markers(grid, layout);
     const Index samples = grid.values.cols();
-    if (rows.size() < independence_test_policy.least_markers || samples < 2) return std::nullopt;
+    if (rows.size() < independence_test_policy.min_markers || samples < 2) return std::nullopt;
     Eigen::ArrayXd drawn(draws);
     Eigen::MatrixXd shifted(grid.values.rows(), samples);
     for (double& value : drawn) {

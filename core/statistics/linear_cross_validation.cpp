@@ -15,7 +15,7 @@ struct LinearCrossValidationPolicy {
     double relative_tolerance = 1e-12;
     /// Smallest information of the remaining folds, relative to all data. Derivatives are not exact, and a step of many
     /// standard deviations leaves the linear range.
-    double least_information = 1e-3;
+    double min_information = 1e-3;
 };
 constexpr LinearCrossValidationPolicy linear_cross_validation_policy;
 
@@ -46,14 +46,14 @@ struct Step {
     int undetermined = 0;    // directions left at zero
 };
 
-// Least squares in the whitened basis. Directions with less than least_information are not changed.
+// Least squares in the whitened basis. Directions with less than min_information are not changed.
 Step solved(const NormalEquations& equations, const Eigen::MatrixXd& directions) {
     const Eigen::Index p = equations.right.size(), known = directions.cols();
     Step step{Eigen::VectorXd::Zero(p), static_cast<int>(p - known)};
     if (known == 0) return step;
     const SymmetricEigen eigen = symmetric_eigen(directions.transpose() * equations.matrix * directions);
     for (Eigen::Index k = 0; k < known; ++k) {
-        if (eigen.values(k) < linear_cross_validation_policy.least_information) {
+        if (eigen.values(k) < linear_cross_validation_policy.min_information) {
             ++step.undetermined;
             continue;
         }

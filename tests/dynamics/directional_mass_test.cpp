@@ -145,14 +145,14 @@ TEST(DirectionalMass, KeepsTheEnergyOfAnUndampedVibration) {
         options.h_s = 6.0 / (parts * mode.omega_rad_s);
         const Trace trace = simulate(model, options);
         ASSERT_TRUE(trace.complete()) << trace.message;
-        double worst = 0.0, least_kinetic = 1e300;
+        double worst = 0.0, min_kinetic = 1e300;
         const double first = energy(model, mass, trace.positions[0], trace.velocities[0], 0.0).total_J();
         for (std::size_t n = 0; n < trace.times_s.size(); ++n) {
             const Energy now = energy(model, mass, trace.positions[n], trace.velocities[n], trace.times_s[n]);
             worst = std::max(worst, std::abs(now.total_J() / first - 1.0));
-            least_kinetic = std::min(least_kinetic, now.kinetic_J / first);
+            min_kinetic = std::min(min_kinetic, now.kinetic_J / first);
         }
-        EXPECT_LT(least_kinetic, 0.1) << "kinetic energy turns into elastic energy";
+        EXPECT_LT(min_kinetic, 0.1) << "kinetic energy turns into elastic energy";
         steps.push_back(options.h_s);
         drift.push_back(worst);
     }

@@ -18,7 +18,7 @@ using Eigen::Matrix3Xd;
 constexpr int shards = 10, cases_per_shard = 100;
 
 /// Iterations that all strategies and fallbacks of one solve may take together.
-constexpr int most_iterations = 2400;
+constexpr int max_iterations = 2400;
 
 /// Imbalance of forces at a stage's solution over the forces on the body, measured by other means than the solver's.
 double imbalance(const model::Model& model, StageSolver& solver, const Stage& stage, const Matrix3Xd& start,
@@ -41,7 +41,7 @@ bool solves_statics(const test::RandomCase& c) {
     Matrix3Xd x = start;
     const StageReport report = solve_equilibrium(solver, 0.0, x);
     EXPECT_TRUE(x.allFinite());
-    EXPECT_LE(report.newton_iterations, most_iterations);
+    EXPECT_LE(report.newton_iterations, max_iterations);
     if (report.ok()) {
         EXPECT_LE(imbalance(c.model, solver, static_stage(*c.model.body, 0.0), start, x, c.options.solver.tolerance),
                   100.0 * c.options.solver.tolerance);
@@ -68,7 +68,7 @@ bool runs(const test::RandomCase& c) {
     EXPECT_EQ(trace.velocities.size(), trace.times_s.size());
     for (const Matrix3Xd& x : trace.positions) EXPECT_TRUE(x.allFinite());
     for (const Matrix3Xd& v : trace.velocities) EXPECT_TRUE(v.allFinite());
-    EXPECT_LE(trace.newton_iterations, most_iterations * std::max(1, trace.stages));
+    EXPECT_LE(trace.newton_iterations, max_iterations * std::max(1, trace.stages));
     if (trace.complete()) {
         EXPECT_NEAR(trace.times_s.back(), c.options.end_s, 1e-9 * c.options.end_s);
     } else {

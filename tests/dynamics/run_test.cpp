@@ -175,14 +175,14 @@ TEST(Run, IsGivenUpWhereItTakesTooManyIterations) {
     const model::Model model = test::make_beam(hanging_beam("hex8"));
     const Trace whole = simulate(model, options);
     ASSERT_TRUE(whole.complete());
-    options.most_iterations = whole.newton_iterations / 2;
+    options.max_iterations = whole.newton_iterations / 2;
     const Trace given_up = simulate(model, options);
     EXPECT_EQ(given_up.status, RunStatus::failed);
-    EXPECT_NE(given_up.message.find("more than " + std::to_string(options.most_iterations) + " iterations"),
+    EXPECT_NE(given_up.message.find("more than " + std::to_string(options.max_iterations) + " iterations"),
               std::string::npos)
         << given_up.message;
     EXPECT_LT(given_up.times_s.size(), whole.times_s.size());
-    options.most_iterations = whole.newton_iterations;
+    options.max_iterations = whole.newton_iterations;
     EXPECT_TRUE(simulate(model, options).complete());
 }
 

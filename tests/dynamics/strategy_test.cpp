@@ -110,7 +110,7 @@ TEST(Strategies, PartsGiveTheSameTrajectoryAsTheWholeFactor) {
     options.end_s = 0.02;
     options.solver.tolerance = 1e-8;
     const Trace whole = simulate(model, options);
-    options.solver.most_factor_entries = 1e6;
+    options.solver.max_factor_entries = 1e6;
     const Trace parts = simulate(model, options);
     ASSERT_TRUE(whole.complete() && parts.complete()) << parts.message;
     test::record("conjugate_gradients_per_newton_step",

@@ -92,7 +92,7 @@ TEST(LeastSquares, EndsWhereAStepLosesNoMoreThanTheModelRounds) {
 /// Where Jacobians are asked for apart, a fit makes few, ends where one ends that has them at every point, and knows
 /// the Jacobian there: all within this distance.
 template <class Fit>
-void expect_few_jacobians(const Fit& fit, double near, double most_share) {
+void expect_few_jacobians(const Fit& fit, double near, double max_share) {
     int asked = 0, points = 0;
     for (unsigned seed = 1; seed <= 20; ++seed) {
         const Decay decay = decay_data(seed);
@@ -116,7 +116,7 @@ void expect_few_jacobians(const Fit& fit, double near, double most_share) {
         EXPECT_LT((report.deviations - all.deviations).cwiseQuotient(all.deviations).norm(), 2.5 * near);
         EXPECT_LT((report.jacobian - decay(report.values).jacobian).norm(), 2.5 * near * report.jacobian.norm());
     }
-    EXPECT_LT(asked, most_share * points);
+    EXPECT_LT(asked, max_share * points);
 }
 
 TEST(LeastSquares, UsesAJacobianAsLongAsItForetellsTheResiduals) {
@@ -183,7 +183,7 @@ TEST(LeastSquares, SecantsHaveToDoWhereNoJacobianIsAllowed) {
     const std::vector<Parameter> near = {{"amplitude", 35.0, 0.0, 1e3, 10.0}, {"rate_1_s", 1.2, 0.0, 10.0, 1.0}};
     LeastSquaresOptions options;
     options.jacobian_guess = decay(Eigen::Vector2d(45.0, 0.9)).jacobian;
-    options.most_jacobians = 0;
+    options.max_jacobians = 0;
     const LeastSquaresReport report = fit_by_secants(
         near,
         [&](const Eigen::VectorXd& p, const Progress&) {

@@ -16,7 +16,7 @@ TEST(Quality, PerfectCells) {
     const QualityReport cubes = mesh_quality(box_hex_mesh({{0, 0, 0}, {0.02, 0.01, 0.01}}, {2, 1, 1}));
     EXPECT_NEAR(cubes.least, 1.0, 1e-14);
     EXPECT_EQ(cubes.histogram[9], 2);
-    EXPECT_NEAR(cubes.least_dihedral_deg, 90.0, 1e-12);
+    EXPECT_NEAR(cubes.min_dihedral_deg, 90.0, 1e-12);
     EXPECT_NEAR(cubes.mean_edge, 0.01, 1e-16);
     EXPECT_EQ(cubes.dofs, 36);
 
@@ -26,8 +26,8 @@ TEST(Quality, PerfectCells) {
     ASSERT_GT(cell_volumes(regular)[0], 0.0);
     const QualityReport report = mesh_quality(regular);
     EXPECT_NEAR(report.least, 1.0, 1e-14);
-    EXPECT_NEAR(report.least_dihedral_deg, std::acos(1.0 / 3.0) * 180.0 / M_PI, 1e-10);
-    EXPECT_NEAR(report.largest_dihedral_deg, report.least_dihedral_deg, 1e-10);
+    EXPECT_NEAR(report.min_dihedral_deg, std::acos(1.0 / 3.0) * 180.0 / M_PI, 1e-10);
+    EXPECT_NEAR(report.largest_dihedral_deg, report.min_dihedral_deg, 1e-10);
     std::swap(regular.cells(0, 0), regular.cells(1, 0));
     EXPECT_NEAR(mesh_quality(regular).least, -1.0, 1e-14);
     EXPECT_FALSE(mesh_quality(regular).messages.empty());
@@ -39,7 +39,7 @@ TEST(Quality, ShearedHexahedron) {
     mesh.nodes.row(0) += mesh.nodes.row(2).eval();
     const QualityReport report = mesh_quality(mesh);
     EXPECT_NEAR(report.least, std::sqrt(0.5), 1e-14);
-    EXPECT_NEAR(report.least_dihedral_deg, 45.0, 1e-10);
+    EXPECT_NEAR(report.min_dihedral_deg, 45.0, 1e-10);
     EXPECT_NEAR(report.largest_dihedral_deg, 135.0, 1e-10);
     EXPECT_EQ(report.histogram[7], 1);
 }

@@ -80,7 +80,7 @@ TEST(TimeStep, FollowsFromAKnownRun) {
     const double chosen_s = choose_steps(setup, values).front().h_s;
     const SetupRun run = run_trials(setup, values);
     ASSERT_TRUE(run.ok());
-    setup.trials.front().options.most_iterations = 1;
+    setup.trials.front().options.max_iterations = 1;
     ASSERT_NE(choose_steps(setup, values).front().failure, "");
     const setup::TrialStep step = choose_steps(setup, values, {}, &run).front();
     EXPECT_EQ(step.failure, "");

@@ -15,8 +15,8 @@ TEST(Log, GivesTheOldestLinesUpAndShowsTheNewest) {
         driver.workbench->execute(commands::Tell{commands::LogLevel::information, "Line " + std::to_string(i)});
     driver.settle();
     const auto& log = driver.state().log;
-    EXPECT_LE(log.size(), commands::most_log_lines);
-    EXPECT_GT(log.size(), commands::most_log_lines / 2);
+    EXPECT_LE(log.size(), commands::max_log_lines);
+    EXPECT_GT(log.size(), commands::max_log_lines / 2);
     EXPECT_EQ(log.back().text, "Line 4999");
     EXPECT_TRUE(driver.has("messages/line/" + std::to_string(log.size() - 1)));
     EXPECT_FALSE(driver.has("messages/line/0"));

@@ -33,14 +33,13 @@ TEST(DefaultsCase, IsTheSameForItsNumberAndOneInThreeHasASlip) {
         else
             EXPECT_EQ(validation::experiment_text(d.declared), validation::experiment_text(d.truth));
         const double length = d.truth.body.length_m(), E = d.truth.material.youngs_modulus_Pa;
-        EXPECT_TRUE(length >= validation::defaults_policy.least_length_m &&
-                    length <= validation::defaults_policy.most_length_m)
+        EXPECT_TRUE(length >= validation::defaults_policy.min_length_m &&
+                    length <= validation::defaults_policy.max_length_m)
             << length;
-        EXPECT_TRUE(E >= validation::defaults_policy.least_modulus_Pa &&
-                    E <= validation::defaults_policy.most_modulus_Pa)
+        EXPECT_TRUE(E >= validation::defaults_policy.min_modulus_Pa && E <= validation::defaults_policy.max_modulus_Pa)
             << E;
         const double samples = d.truth.trials.front().end_s * d.truth.rate_Hz;
-        EXPECT_TRUE(samples > 8.0 && samples < validation::defaults_policy.most_samples + 1.5) << samples;
+        EXPECT_TRUE(samples > 8.0 && samples < validation::defaults_policy.max_samples + 1.5) << samples;
     }
     EXPECT_EQ(shapes.size(), 5u);
     EXPECT_EQ(with_slip, 30);
@@ -64,8 +63,8 @@ TEST(ConvergedTruth, HasTheFrequencyOfBeamTheory) {
     const Result<validation::ConvergedTruth> truth = validation::converged_truth(d.truth, *experiment);
     ASSERT_TRUE(truth) << truth.error().text();
     EXPECT_NEAR(truth->frequency_Hz / d.frequency_Hz, 0.995, 0.006);
-    EXPECT_LT(truth->frequency_change, validation::convergence_policy.most_change);
-    EXPECT_LT(truth->path_change, validation::convergence_policy.most_path_change);
+    EXPECT_LT(truth->frequency_change, validation::convergence_policy.max_change);
+    EXPECT_LT(truth->path_change, validation::convergence_policy.max_path_change);
     EXPECT_EQ(truth->positions_m.front().size(), d.truth.markers.size());
 }
 

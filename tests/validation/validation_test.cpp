@@ -52,8 +52,8 @@ TEST(Validation, ASmallOneIsAnsweredRightAndNotRepeated) {
         EXPECT_GT(record.confidence, 0.5) << what;
         EXPECT_LT(record.after_over_noise, 1.5) << what;  // another simulator, and a trial that was not fitted
         if (record.kind != validation::CaseKind::named) continue;
-        EXPECT_GT(record.level, validation::least_fitted) << what;
-        EXPECT_LT(record.level, validation::most_level) << what;
+        EXPECT_GT(record.level, validation::min_fitted) << what;
+        EXPECT_LT(record.level, validation::max_level) << what;
         EXPECT_GT(record.before_over_noise, record.after_over_noise) << what;
         for (const validation::ParameterError& error : record.errors)
             EXPECT_LT(error.relative, 0.2) << error.name << " " << what;

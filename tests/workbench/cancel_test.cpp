@@ -13,7 +13,7 @@ namespace {
 using test::Driver;
 
 /// What is promised of every job, on a machine that does little else.
-constexpr double most_s = 1.0;
+constexpr double max_s = 1.0;
 
 /// Bundled examples on the real core, jobs cancelled at several moments of their lives.
 class Cancel : public ::testing::Test {
@@ -50,7 +50,7 @@ protected:
         driver.workbench->execute(ui::commands::Cancel{});
         const Stopwatch watch;
         while (driver.state().busy() && watch.seconds() < 60.0) step();
-        EXPECT_LT(watch.seconds(), most_s) << stage;
+        EXPECT_LT(watch.seconds(), max_s) << stage;
         ++cancelled;
     }
     void step() {

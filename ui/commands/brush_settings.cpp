@@ -31,9 +31,9 @@ fibre::Brush make_brush(const BrushSettings& settings, const PaintGround& ground
     fibre::Brush brush;
     // A cell is painted if its centre lies in the brush. On a coarse mesh a small brush must still reach the cell under
     // it.
-    const double least_m = 0.6 * ground.places.edge_m;
-    brush.radius_m = std::max(settings.radius_m, least_m);
-    brush.depth_m = settings.through ? std::numeric_limits<double>::infinity() : std::max(settings.depth_m, least_m);
+    const double min_m = 0.6 * ground.places.edge_m;
+    brush.radius_m = std::max(settings.radius_m, min_m);
+    brush.depth_m = settings.through ? std::numeric_limits<double>::infinity() : std::max(settings.depth_m, min_m);
     brush.falloff = settings.falloff;
     brush.strength = settings.strength;
     brush.erase = erase;

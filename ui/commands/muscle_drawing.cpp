@@ -16,11 +16,11 @@ using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-constexpr float strongest_tint = 0.8f;     // opacity of the muscle colour on a face with full weight
-constexpr double fibre_length = 0.7;       // share of the distance between cells
-constexpr double lift = 0.04;              // share of the same distance, above the face
-constexpr std::size_t most_fibres = 4000;  // per muscle; with more, every n-th one is drawn
-constexpr float dark_fibre = 0.35f;        // brightness of fibres that lie on their own colour
+constexpr float strongest_tint = 0.8f;    // opacity of the muscle colour on a face with full weight
+constexpr double fibre_length = 0.7;      // share of the distance between cells
+constexpr double lift = 0.04;             // share of the same distance, above the face
+constexpr std::size_t max_fibres = 4000;  // per muscle; with more, every n-th one is drawn
+constexpr float dark_fibre = 0.35f;       // brightness of fibres that lie on their own colour
 
 /// Positions of the nodes of one cell or face: one column of `nodes`.
 Matrix3Xd nodes_of(const Matrix3Xd& positions, const Eigen::MatrixXi& nodes, Index column) {
@@ -66,7 +66,7 @@ void add_fibres(viewport::DrawnScene& drawn, const MeshedBody& body, const fibre
         if (paint.weights(c) > 0.0 && drawn.body->has(c) && !at_surface[static_cast<std::size_t>(c)])
             inside.push_back(c);
     // Stride over both lists together, so that the density is the same on the surface and inside.
-    const std::size_t stride = std::max<std::size_t>(1, (faces.size() + inside.size() + most_fibres - 1) / most_fibres);
+    const std::size_t stride = std::max<std::size_t>(1, (faces.size() + inside.size() + max_fibres - 1) / max_fibres);
     const double half = 0.5 * fibre_length * spacing_m;
     std::vector<Vector3d> on_surface, within;
     for (std::size_t i = 0; i < faces.size(); i += stride) {

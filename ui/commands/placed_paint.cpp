@@ -5,7 +5,7 @@
 namespace myo::ui::commands {
 namespace {
 
-constexpr std::size_t most_kept = 32;  // entries; undo rarely goes back further
+constexpr std::size_t max_kept = 32;  // entries; undo rarely goes back further
 
 }  // namespace
 
@@ -30,7 +30,7 @@ void PlacedPaint::remember(const std::shared_ptr<const MeshedBody>& body,
                            const std::shared_ptr<const fibre::PaintedMask>& mask,
                            const std::shared_ptr<const fibre::CellPaint>& paint) {
     entries_.push_back({body, mask, paint});
-    if (entries_.size() > most_kept) entries_.pop_front();
+    if (entries_.size() > max_kept) entries_.pop_front();
 }
 
 }  // namespace myo::ui::commands

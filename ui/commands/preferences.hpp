@@ -29,7 +29,7 @@ struct Preferences {
 };
 
 // Limits of the list of recent files and of the scale.
-inline constexpr std::size_t most_recent = 10;
-inline constexpr float least_scale = 0.75f, greatest_scale = 2.5f;
+inline constexpr std::size_t max_recent = 10;
+inline constexpr float min_scale = 0.75f, greatest_scale = 2.5f;
 
 }  // namespace myo::ui::commands

@@ -14,7 +14,7 @@ constexpr double benchmark_exponent = 1.5;
 constexpr double small_exponent = 1.0;
 /// The default model in the README's table of times, on the machine named there.
 constexpr StepCost benchmark_cost{mesh::CellType::hex8, 4608.0, 6.8e-3};
-constexpr double least_size_ratio = 1.5;  // smaller ratios would turn noise into an exponent
+constexpr double min_size_ratio = 1.5;  // smaller ratios would turn noise into an exponent
 
 /// Slope of log(seconds) over log(DOF) by least squares. Requires at least two different sizes.
 double slope(const std::vector<StepCost>& costs) {
@@ -33,7 +33,7 @@ void remember(std::vector<StepCost>& costs, const StepCost& cost) {
     std::erase_if(costs,
                   [&](const StepCost& known) { return known.element == cost.element && known.dofs == cost.dofs; });
     costs.push_back(cost);
-    if (costs.size() > most_step_costs) costs.erase(costs.begin());
+    if (costs.size() > max_step_costs) costs.erase(costs.begin());
 }
 
 StepPrediction predict_step(const std::vector<StepCost>& costs, mesh::CellType element, double dofs) {
@@ -47,7 +47,7 @@ StepPrediction predict_step(const std::vector<StepCost>& costs, mesh::CellType e
     const auto by_size = [](const StepCost& a, const StepCost& b) { return a.dofs < b.dofs; };
     if (!same.empty()) {
         const auto [least, most] = std::minmax_element(same.begin(), same.end(), by_size);
-        if (most->dofs >= least_size_ratio * least->dofs) {
+        if (most->dofs >= min_size_ratio * least->dofs) {
             // Timing noise on a busy machine must not make small bodies look expensive.
             prediction.exponent = std::clamp(slope(same), 0.5, 2.5);
             prediction.fitted = true;

@@ -17,7 +17,7 @@ struct StepCost {
 };
 
 // Number of measurements kept in the preferences.
-inline constexpr std::size_t most_step_costs = 24;
+inline constexpr std::size_t max_step_costs = 24;
 
 /// Appends a measurement. It replaces an earlier one of the same element type and size; the oldest is dropped if there
 /// are too many. Ignores values that are not positive.

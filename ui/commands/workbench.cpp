@@ -45,9 +45,9 @@ Workbench::Workbench(std::shared_ptr<Backend> backend, std::function<void()> wak
 }
 
 void Workbench::log(LogLevel level, const std::string& text) {
-    if (state_.log.size() >= most_log_lines)
+    if (state_.log.size() >= max_log_lines)
         // A tenth at once, as erasing at the front of a vector moves all other lines.
-        state_.log.erase(state_.log.begin(), state_.log.begin() + most_log_lines / 10);
+        state_.log.erase(state_.log.begin(), state_.log.begin() + max_log_lines / 10);
     state_.log.push_back({level, text});
     ++state_.logged;
 }

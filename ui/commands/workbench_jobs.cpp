@@ -9,8 +9,8 @@
 namespace myo::ui::commands {
 namespace {
 
-constexpr std::size_t most_records = 60;  // in the history
-constexpr double most_bytes = 1.5e9;      // memory limit for the frames of all records [bytes]
+constexpr std::size_t max_records = 60;  // in the history
+constexpr double max_bytes = 1.5e9;      // memory limit for the frames of all records [bytes]
 
 /// Local time as "14:05:09".
 std::string clock_now() {
@@ -33,11 +33,11 @@ double bytes_of(const RunResult& run) {
 /// Releases runs and searches of the oldest records if all records together need too much memory. Their settings are
 /// kept. The newest record always keeps its run.
 void save_memory(std::vector<JobRecord>& history) {
-    if (history.size() > most_records) history.erase(history.begin());
+    if (history.size() > max_records) history.erase(history.begin());
     double bytes = 0.0;
     for (auto record = history.rbegin(); record != history.rend(); ++record) {
         if (record->run) bytes += bytes_of(*record->run);
-        if (bytes <= most_bytes || record == history.rbegin()) continue;
+        if (bytes <= max_bytes || record == history.rbegin()) continue;
         record->run.reset();
         record->found.reset();
         record->search.reset();

@@ -113,7 +113,7 @@ void Workbench::remember_recent(const fs::path& path) {
     auto& recent = state_.preferences.recent;
     std::erase(recent, whole);
     recent.insert(recent.begin(), whole);
-    if (recent.size() > most_recent) recent.resize(most_recent);
+    if (recent.size() > max_recent) recent.resize(max_recent);
 }
 
 void Workbench::autosave(const fs::path& file) {

@@ -34,7 +34,7 @@ struct LogLine {
 };
 
 // Number of messages that are kept.
-inline constexpr std::size_t most_log_lines = 2000;
+inline constexpr std::size_t max_log_lines = 2000;
 
 // Name of the job by which WorkbenchState::diagnosing() recognises it.
 inline constexpr const char* diagnose_job = "Diagnose";
@@ -89,7 +89,7 @@ struct WorkbenchState {
     ViewOptions view;
     Preferences preferences;
 
-    std::vector<LogLine> log;                            // newest last; at most most_log_lines
+    std::vector<LogLine> log;                            // newest last; at most max_log_lines
     std::size_t logged = 0;                              // number of messages since the start
     std::optional<JobView> job;                          // the running job; empty: none
     std::vector<QueuedJob> queue;                        // waiting jobs in order

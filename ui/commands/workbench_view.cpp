@@ -43,7 +43,7 @@ void Workbench::on(const ChangeView& c) { state_.view = c.view; }
 
 void Workbench::on(const SetTheme& c) {
     state_.preferences.theme = c.theme;
-    state_.preferences.scale = std::clamp(c.scale, least_scale, greatest_scale);
+    state_.preferences.scale = std::clamp(c.scale, min_scale, greatest_scale);
 }
 
 void Workbench::on(const SetLayout& c) { state_.preferences.layout = c.layout; }
@@ -57,7 +57,7 @@ void Workbench::on(const Bookmark& c) {
 void Workbench::on(const UsePreferences& c) {
     state_.preferences = c.preferences;
     if (c.preferences.scale > 0.0f)
-        state_.preferences.scale = std::clamp(c.preferences.scale, least_scale, greatest_scale);
+        state_.preferences.scale = std::clamp(c.preferences.scale, min_scale, greatest_scale);
 }
 
 void Workbench::on(const ClearLog&) { state_.log.clear(); }

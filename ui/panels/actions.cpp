@@ -31,10 +31,10 @@ std::function<void(PanelContext&, viewport::ViewportState&)> emits(Asked asked) 
 
 /// Multiplies the scale of text and controls, within the limits of the preferences.
 void rescale(PanelContext& context, float factor) {
-    context.emit(commands::SetTheme{
-        context.state.preferences.theme,
-        // The factors 1.25 and 0.8 are inverse, so that larger and smaller cancel.
-        std::clamp(context.state.scale() * factor, commands::least_scale, commands::greatest_scale)});
+    context.emit(
+        commands::SetTheme{context.state.preferences.theme,
+                           // The factors 1.25 and 0.8 are inverse, so that larger and smaller cancel.
+                           std::clamp(context.state.scale() * factor, commands::min_scale, commands::greatest_scale)});
 }
 
 /// Menu File. Dialogs are requested from the window; saving is a command, as the workbench decides whether to ask for a

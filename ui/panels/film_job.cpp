@@ -12,7 +12,7 @@
 namespace myo::ui::panels {
 namespace {
 
-constexpr float least_picture_scale = 0.75f;  // minimum for letters 10 pixels high
+constexpr float min_picture_scale = 0.75f;  // minimum for letters 10 pixels high
 
 /// Widens the field of view for an image that is narrower than the view, so that it contains everything that the view
 /// shows.
@@ -35,7 +35,7 @@ float picture_scale(const viewport::ViewSize& view, const viewport::ViewSize& pi
     // The smaller ratio counts: annotations must fit in both directions.
     const float wide = static_cast<float>(picture.width) / static_cast<float>(view.width),
                 high = static_cast<float>(picture.height) / static_cast<float>(view.height);
-    return std::max(least_picture_scale, view_scale * std::min(wide, high));
+    return std::max(min_picture_scale, view_scale * std::min(wide, high));
 }
 
 /// Everything that can fail is created before the first image: renderer, canvas and writer.

@@ -11,8 +11,8 @@
 namespace myo::ui::panels {
 namespace {
 
-constexpr int least_side = 64, greatest_side = 8192;  // of an image [pixels]
-constexpr int most_pictures = 20000;                  // limit for a sequence
+constexpr int min_side = 64, max_side = 8192;  // of an image [pixels]
+constexpr int max_pictures = 20000;            // limit for a sequence
 
 }  // namespace
 
@@ -50,7 +50,7 @@ void PictureDialog::draw_size(PanelContext& context) {
         row_label(context.theme, label);
         ImGui::InputInt((std::string("##") + item).c_str(), side, 0, 0);
         context.items.mark(item);
-        *side = std::clamp(*side, least_side, greatest_side);
+        *side = std::clamp(*side, min_side, max_side);
     }
     ImGui::EndDisabled();
     row_label(context.theme, "Annotations");
@@ -104,8 +104,8 @@ void PictureDialog::draw_motion(PanelContext& context) {
     PictureRequest moving = request_;
     moving.moves = true;
     const int count = picture_count(moving);
-    text_row(context.theme, "Pictures", with_separators(count) + (count > most_pictures ? ": too many" : ""),
-             count > most_pictures ? &context.theme.failure : nullptr);
+    text_row(context.theme, "Pictures", with_separators(count) + (count > max_pictures ? ": too many" : ""),
+             count > max_pictures ? &context.theme.failure : nullptr);
 }
 
 /// Closes itself before the file browser opens, as only one modal dialog can be in front.
@@ -139,7 +139,7 @@ void PictureDialog::draw(PanelContext& context) {
     ImGui::Spacing();
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
     // The row of the number of images explains why.
-    ImGui::BeginDisabled(picture_count(request_) > most_pictures);
+    ImGui::BeginDisabled(picture_count(request_) > max_pictures);
     if (primary_button(context.theme, "Save as\xe2\x80\xa6", {width, 0.0f})) {
         PictureRequest asked = request_;
         // H.264 requires even sides.

@@ -13,7 +13,7 @@ namespace {
 
 /// Distance to a knot within which the mouse takes it [pixels at scale 1].
 constexpr float reach = 9.0f;
-constexpr plot::Range least_range{0.9, 1.1};  // always visible, so that a constant signal is not magnified
+constexpr plot::Range min_range{0.9, 1.1};  // always visible, so that a constant signal is not magnified
 
 // In the order of commands::SignalShape.
 const std::vector<commands::Choice>& shape_choices() {
@@ -276,7 +276,7 @@ void SignalPanel::draw_curve(PanelContext& context) {
     plot.y_unit = "";
     plot.cursor = state.time_s;
     plot.legend = state.settings.muscles.size() > 1;
-    plot.y_least = least_range;
+    plot.y_least = min_range;
     plot.editable = muscle.follows.empty();
     // While a knot is dragged, the plot must not pan.
     plot.held = grabbed_.has_value();

@@ -11,9 +11,9 @@
 namespace myo::ui::viewport {
 namespace {
 
-constexpr int segment_floats = 10;      // see append_segments()
-constexpr int marker_floats = 7;        // position (3) and colour (4)
-constexpr double least_through = 0.22;  // minimum opacity of what an opaque body hides
+constexpr int segment_floats = 10;    // see append_segments()
+constexpr int marker_floats = 7;      // position (3) and colour (4)
+constexpr double min_opacity = 0.22;  // minimum opacity of what an opaque body hides
 
 // Rows of the colour texture: the maps to choose from, then the one for signed values.
 int color_rows() { return static_cast<int>(color_maps().size()) + 1; }
@@ -220,7 +220,7 @@ Result<void> SceneRenderer::update(const DrawnScene& scene, std::uint64_t revisi
     std::map<double, std::vector<float>> by_width;
     for (const DrawnLine& line : scene.lines) append_segments(by_width[line.width], line);
     // First the parts that the body hides, drawn with low opacity so that no marker gets lost; then the visible parts.
-    const double through = std::max(least_through, 1.0 - scene.body_opacity);
+    const double through = std::max(min_opacity, 1.0 - scene.body_opacity);
     platform::gl::DepthMask(GL_FALSE);
     for (const bool hidden : {true, false}) {
         platform::gl::DepthFunc(hidden ? GL_GREATER : GL_LEQUAL);

@@ -79,7 +79,7 @@ NumericalError numerical_error(const setup::Setup& setup, setup::Setup* refined,
         halved.modulus_factor = effective_modulus.factor_of_finer_step();
         for (setup::PreparedTrial& trial : halved.trials) {
             trial.options.h_s *= error.step_ratio;
-            trial.options.most_iterations = dynamics::SimulationOptions().most_iterations;  // limit for more steps
+            trial.options.max_iterations = dynamics::SimulationOptions().max_iterations;  // limit for more steps
             trial.options.keep_path = false;
         }
         finer_step = prediction::predict_trials_with(halved, values.finer_step, trials, progress);

@@ -60,9 +60,9 @@ bool fit_declared(DiagnosisWork& work) {
     for (std::size_t i = 0; i < result.data.trials.size(); ++i) {
         const std::size_t t = result.data.trials[i];
         work.setup.trials[t]
-            .options.most_iterations = work.serial.trials[t]
-                                           .options.most_iterations = diagnosis_policy.declared.most_iteration_ratio *
-                                                                      declared.predictions[i].trace.newton_iterations;
+            .options.max_iterations = work.serial.trials[t]
+                                          .options.max_iterations = diagnosis_policy.declared.most_iteration_ratio *
+                                                                    declared.predictions[i].trace.newton_iterations;
     }
     lengthen_steps_for(work, declared);
     if (any_longer(result.step_factors))

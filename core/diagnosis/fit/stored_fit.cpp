@@ -30,7 +30,7 @@ JointFit stored_fit(FitStore& store, const setup::Setup& setup, const FitData& d
     inverse::LeastSquaresOptions options;
     options.max_evaluations = effort.evaluations;
     options.relative_decrease = effort.relative_decrease;
-    options.most_jacobians = effort.most_jacobians;
+    options.max_jacobians = effort.most_jacobians;
     options.relative_step = diagnosis_policy.fits.relative_step;
     const std::vector<prediction::ModelParameter> parameters = joint_parameters(setup, start, freedom);
     std::string key = std::to_string(effort.evaluations) + " shift " +
