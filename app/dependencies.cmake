@@ -88,8 +88,8 @@ find_library(GLOG_LIBRARY glog)
 if(NOT Ceres_FOUND OR NOT CERES_INCLUDE_DIR OR NOT CERES_LIBRARY OR NOT GLOG_LIBRARY)
   myoloop_missing("Ceres" "libceres-dev")
 endif()
-# Ceres's own target is the static library. Its copies of Eigen's inline functions, built for another processor and so another
-# alignment, would mix with ours; the shared library keeps them apart.
+# Ceres's own target is the static library. Its copies of Eigen's inline functions, built for another processor and so
+# another alignment, would mix with ours; the shared library keeps them apart.
 add_library(myoloop_ceres INTERFACE)
 target_include_directories(myoloop_ceres SYSTEM INTERFACE ${CERES_INCLUDE_DIR})
 target_link_libraries(myoloop_ceres INTERFACE ${CERES_LIBRARY} ${GLOG_LIBRARY})

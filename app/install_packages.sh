@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that Myoloop needs and that are missing. Does nothing, and needs no rights, when all are there.
-# Use: install_packages.sh [--tests]      (--tests: also what the tests of the window need)
+# Installs the Debian packages that Myoloop needs and that are missing. Does nothing, and needs no rights, when all are
+# there. Use: install_packages.sh [--tests]      (--tests: also what the tests of the window need)
 set -euo pipefail
 
 packages=(
@@ -35,7 +35,8 @@ if ((${#missing[@]} == 0)); then exit 0; fi
 as_root=()
 if ((EUID != 0)); then
   if ! command -v sudo >/dev/null; then
-    echo "install_packages.sh: packages are missing and installing them needs root; run: apt-get install --no-install-recommends ${missing[*]}" >&2
+    echo "install_packages.sh: packages are missing and installing them needs root; run:" \
+      "apt-get install --no-install-recommends ${missing[*]}" >&2
     exit 1
   fi
   as_root=(sudo)

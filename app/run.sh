@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds Myoloop and opens it on a bundled example. Without a display it calibrates the example
-# and draws the picture instead.
-# Use: run.sh [--headless]
+# Installs what is missing, builds Myoloop and opens it on a bundled example. Without a display it calibrates the
+# example and draws the picture instead. Use: run.sh [--headless]
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
 build=$root/build
@@ -28,7 +27,8 @@ export OPENBLAS_NUM_THREADS=1
 program=$build/bin/myoloop
 example=$root/assets/examples/silicone_beam
 if [[ ! -d $example ]]; then
-  example=$(find "$root/assets/examples" -mindepth 2 -maxdepth 2 -name experiment.toml -printf '%h\n' | sort | head -n 1)
+  example=$(find "$root/assets/examples" -mindepth 2 -maxdepth 2 -name experiment.toml -printf '%h\n' |
+    sort | head -n 1)
 fi
 if ! $headless; then
   exec "$program" "$example"

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds everything, and runs all tests in one run of ctest: the Release build's, and those of the
-# numerical modules once more with assertions and sanitizers. Ends with ctest's summary; its exit code is the verdict.
+# Installs what is missing, builds everything, and runs all tests in one run of ctest: the Release build's, and those of
+# the numerical modules once more with assertions and sanitizers. Ends with ctest's summary; its exit code is the
+# verdict.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
 release=$root/build
@@ -13,7 +14,8 @@ jobs=2
 sanitized=(base solver toml mesh fem material fibre model measurement report random_input)
 
 export OPENBLAS_NUM_THREADS=1
-# Leaks are errors: of the libraries that the subset links (VTK's readers, CHOLMOD), none leaks; Mesa's are named in tests/ui.
+# Leaks are errors: of the libraries that the subset links (VTK's readers, CHOLMOD), none leaks; Mesa's are named in
+# tests/ui.
 export ASAN_OPTIONS=detect_leaks=1:strict_string_checks=1
 export UBSAN_OPTIONS=print_stacktrace=1
 
@@ -42,7 +44,8 @@ build_release() {
 }
 
 build_sanitized() {
-  # Not Debug: oneTBB then defines a macro for those who link it, and no other module could share the precompiled header.
+  # Not Debug: oneTBB then defines a macro for those who link it, and no other module could share the precompiled
+  # header.
   configure "$sanitize" -DCMAKE_BUILD_TYPE=Sanitized -DMYOLOOP_SANITIZE=ON
   local targets=(myoloop-tetgen) module
   for module in "${sanitized[@]}"; do

@@ -1,7 +1,8 @@
 # Writes one C++ file that holds every shader of FOLDER as a string. Called as cmake -DOUTPUT=... -DFOLDER=... -P.
 file(GLOB files ${FOLDER}/*.vert ${FOLDER}/*.frag)
 list(SORT files)
-set(text "#include \"platform/shader_sources.hpp\"\n\nnamespace myo::ui::platform {\n\nstd::string_view shader_source(std::string_view name) {\n")
+set(text "#include \"platform/shader_sources.hpp\"\n\nnamespace myo::ui::platform {\n\n")
+string(APPEND text "std::string_view shader_source(std::string_view name) {\n")
 foreach(file ${files})
   get_filename_component(name ${file} NAME)
   file(READ ${file} content)

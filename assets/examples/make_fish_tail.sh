@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # Makes surface and trace of assets/examples/fish_tail again.
 #
-# The surface: elliptic sections along x, 120 mm long, the fin at its end. The trace comes from two muscles that the folder does not name: all that lies on the
-# left (y > 2 mm) and on the right (y < -2 mm) between x = 10 and 75 mm, fibres along x, stiffness 200 kPa, antagonists; the left one's signal is
-# 1 - 0.02 sin(2 pi 2 t), set in over the first half period. Quadratic tetrahedra, steps of 1.25 ms, noise 0.1 mm per coordinate.
+# The surface: elliptic sections along x, 120 mm long, the fin at its end. The trace comes from two muscles that the
+# folder does not name: all that lies on the left (y > 2 mm) and on the right (y < -2 mm) between x = 10 and 75 mm,
+# fibres along x, stiffness 200 kPa, antagonists; the left one's signal is 1 - 0.02 sin(2 pi 2 t), set in over the first
+# half period. Quadratic tetrahedra, steps of 1.25 ms, noise 0.1 mm per coordinate.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 source "$here/traces.sh"

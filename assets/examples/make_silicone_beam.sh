@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Makes the traces of assets/examples/silicone_beam again.
 #
-# No inverse crime: the data come from quadratic tetrahedra of 5 mm (32,406 unknowns) and steps of 1.25 ms, while the default model of the folder
-# uses hexahedra of 7 mm and steps of 5 ms. True values: E = 270 kPa, damping time 2.4 ms; noise 0.1 mm per coordinate, some samples occluded.
+# No inverse crime: the data come from quadratic tetrahedra of 5 mm (32,406 unknowns) and steps of 1.25 ms, while the
+# default model of the folder uses hexahedra of 7 mm and steps of 5 ms. True values: E = 270 kPa, damping time 2.4 ms;
+# noise 0.1 mm per coordinate, some samples occluded.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 source "$here/traces.sh"

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Makes the traces and signals of assets/examples/soft_arm again.
 #
-# No inverse crime: the data come from quadratic tetrahedra and steps of 1.25 ms. True values: E = 160 kPa, damping time 4 ms; noise 0.1 mm per coordinate,
-# some samples occluded. The signal of the trial reach is used here and not kept: it falls to 0.82 within half a second, rises to 1.06 and ends at 0.9.
+# No inverse crime: the data come from quadratic tetrahedra and steps of 1.25 ms. True values: E = 160 kPa, damping time
+# 4 ms; noise 0.1 mm per coordinate, some samples occluded. The signal of the trial reach is used here and not kept: it
+# falls to 0.82 within half a second, rises to 1.06 and ends at 0.9.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 source "$here/traces.sh"

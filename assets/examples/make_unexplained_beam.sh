@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Makes the experiment of assets/examples/unexplained_beam again: the last of the 204 cases of `myoloop validate --seed 1`.
+# Makes the experiment of assets/examples/unexplained_beam again: the last of the 204 cases of `myoloop validate --seed
+# 1`.
 #
-# The study simulates with other cells, a finer mesh, smaller steps and another scheme than those who are to explain the data. What it hid is told in the case's truth.json: a drag that
-# grows with the square of the speed.
+# The study simulates with other cells, a finer mesh, smaller steps and another scheme than those who are to explain the
+# data. What it hid is told in the case's truth.json: a drag that grows with the square of the speed.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 myoloop=${1:-$here/../../build/bin/myoloop}

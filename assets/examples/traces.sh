@@ -14,8 +14,8 @@ empty_trace() {
         for (k = 0; k <= samples; ++k) { printf "%.4f", k / rate; for (i = 1; i <= 3 * n; ++i) printf ",0"; print "" } }' > "$1"
 }
 
-# as_recorded SEED SIGMA < exact > recorded: noise of SIGMA metres per coordinate, one sample in a hundred begins a gap of up to four. The noise is drawn
-# by awk's srand(seed), so another awk gives other traces of the same quality.
+# as_recorded SEED SIGMA < exact > recorded: noise of SIGMA metres per coordinate, one sample in a hundred begins a gap
+# of up to four. The noise is drawn by awk's srand(seed), so another awk gives other traces of the same quality.
 as_recorded() {
     awk -F, -v OFS=, -v seed="$1" -v sigma="$2" '
         function noise() { return sigma * sqrt(-2 * log(1 - rand())) * cos(6.283185307179586 * rand()) }

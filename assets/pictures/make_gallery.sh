@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Draws the workbench's tasks with the program as it is built: the pictures of the README and of the manual.
-# Use: make_gallery.sh [FOLDER]   default: this script's own folder. --all adds both themes and 200 % of every task, for inspection.
+# Draws the workbench's tasks with the program as it is built: the pictures of the README and of the manual. Use:
+# make_gallery.sh [FOLDER]   default: this script's own folder. --all adds both themes and 200 % of every task, for
+# inspection.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 myoloop=$(realpath "${MYOLOOP:-$here/../../build/bin/myoloop}")
