@@ -39,7 +39,7 @@ calibration::OptimizeSettings settings_of(const OptimizeCall& call) {
 }
 
 /// Median standard deviation of the determined values of a signal, ", ± 0.01 (median)".
-std::string deviation_words(const inverse::ActuationDeviations& deviations, Eigen::Index signal) {
+std::string deviation_text(const inverse::ActuationDeviations& deviations, Eigen::Index signal) {
     if (!deviations.found) return "";
     std::vector<double> known;
     for (const double deviation : deviations.deviations.row(signal))
@@ -71,7 +71,7 @@ std::string result_lines(const setup::Setup& setup, const calibration::Optimizat
                     " before t = 0 (sought)";
         text += "\nsignal " + result.problem.sought.signals[s].name + ": " + std::to_string(row.size()) + " values, " +
                 format_number(row.minCoeff(), 4) + " ... " + format_number(row.maxCoeff(), 4) +
-                deviation_words(result.deviations, static_cast<Eigen::Index>(s));
+                deviation_text(result.deviations, static_cast<Eigen::Index>(s));
     }
     if (result.problem.placement_bounds) {
         const Eigen::Vector3d moved = 1e3 * result.fit.best.placement.translation_m,

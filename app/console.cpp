@@ -23,7 +23,7 @@ std::string one_line(std::string text) {
 }
 
 // Rounded to the unit that matters: seconds, minutes with seconds, hours.
-std::string duration_words(double seconds) {
+std::string duration_text(double seconds) {
     char text[32];
     if (seconds < 60.0)
         std::snprintf(text, sizeof text, "%.0f s", std::ceil(seconds));
@@ -48,9 +48,9 @@ std::string bar_of(double share) {
 std::string evaluation_bar(const ProgressEvent& event, double elapsed_s) {
     const double complete = std::floor(event.done);
     std::string text = event.task + "  evaluation " + format_number(complete + 1.0, 4) + " " +
-                       bar_of(event.done - complete) + "  " + duration_words(elapsed_s) + " so far";
+                       bar_of(event.done - complete) + "  " + duration_text(elapsed_s) + " so far";
     if (event.done >= 1.0 && event.done < event.total)
-        text += ", at most " + duration_words(elapsed_s * (event.total - event.done) / event.done) + " left";
+        text += ", at most " + duration_text(elapsed_s * (event.total - event.done) / event.done) + " left";
     return event.message.empty() ? text : text + "  " + event.message;
 }
 
@@ -140,14 +140,14 @@ std::string progress_bar(const ProgressEvent& event, double elapsed_s) {
     if (event.unit == "evaluations") return evaluation_bar(event, elapsed_s);
     // Without a known total, the elapsed time is shown.
     if (!(event.total > 0.0))
-        return event.task + "  " + duration_words(elapsed_s) + " so far" +
+        return event.task + "  " + duration_text(elapsed_s) + " so far" +
                (event.message.empty() ? "" : "  " + event.message);
     const double share = std::clamp(event.done / event.total, 0.0, 1.0);
     std::string text = event.task + "  " + bar_of(share) + "  " + format_number(event.done, 4) + " of " +
                        format_number(event.total, 4) + " " + event.unit;
     // Early estimates of the remaining time are unreliable.
     if (share > 0.01 && share < 1.0 && elapsed_s > 0.5)
-        text += "  " + duration_words(elapsed_s * (1.0 - share) / share) + " left";
+        text += "  " + duration_text(elapsed_s * (1.0 - share) / share) + " left";
     return event.message.empty() ? text : text + "  " + event.message;
 }
 

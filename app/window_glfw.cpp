@@ -219,8 +219,8 @@ private:
         if (file.empty() || now == preferences_) return;
         preferences_ = now;
         if (const Result<void> written = backend::write_preferences(file, now); !written)
-            workbench_.execute(ui::commands::Tell{ui::commands::LogLevel::warning,
-                                                  "Preferences cannot be saved: " + written.error().text()});
+            workbench_.execute(ui::commands::LogMessage{ui::commands::LogLevel::warning,
+                                                        "Preferences cannot be saved: " + written.error().text()});
     }
 
     ui::commands::Workbench& workbench_;
@@ -234,8 +234,8 @@ void take_up(ui::commands::Workbench& workbench) {
         if (const Result<ui::commands::Preferences> kept = backend::read_preferences(file))
             workbench.execute(ui::commands::UsePreferences{*kept});
         else
-            workbench.execute(
-                ui::commands::Tell{ui::commands::LogLevel::warning, "Preferences are ignored: " + kept.error().text()});
+            workbench.execute(ui::commands::LogMessage{ui::commands::LogLevel::warning,
+                                                       "Preferences are ignored: " + kept.error().text()});
     }
     if (const auto file = backend::recovery_file(); !file.empty())
         workbench.execute(ui::commands::OfferRecovery{backend::found_recoveries(file.parent_path())});

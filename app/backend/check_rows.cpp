@@ -13,7 +13,7 @@ namespace myo::backend {
 namespace {
 
 /// Task of the window in which a finding can be remedied; "run" for checks not listed.
-std::string step_of(const std::string& check, bool as_declared) {
+std::string task_of(const std::string& check, bool as_declared) {
     if (check == "residual" && as_declared) return "fit";
     static const std::map<std::string, std::string> steps{
         {"units", "material"}, {"time_unit", "measure"}, {"mesh", "mesh"},      {"markers", "mesh"},
@@ -24,7 +24,7 @@ std::string step_of(const std::string& check, bool as_declared) {
 }
 
 /// Value with a prefix of suitable size and typographic powers: "320 kPa", "1070 kg/m³".
-std::string number_words(double figure, std::string unit) {
+std::string number_text(double figure, std::string unit) {
     if (unit == "Pa")
         for (const auto& [size, larger] : {std::pair{1e9, "GPa"}, {1e6, "MPa"}, {1e3, "kPa"}})
             if (std::abs(figure) >= size) return format_number(figure / size, 3) + " " + larger;
@@ -35,11 +35,11 @@ std::string number_words(double figure, std::string unit) {
 }
 
 /// Lengths in a readable unit; the frequency error of the step in percent; other values with their unit.
-std::string figure_words(const check::Finding& finding, double figure) {
+std::string figure_text(const check::Finding& finding, double figure) {
     if (!std::isfinite(figure)) return {};
     if (finding.unit == "m" && std::abs(figure) < 1.0) return report::length_words(figure);
     if (finding.unit.empty() && finding.check == "step") return format_number(100.0 * figure, 2) + " %";
-    return number_words(figure, finding.unit);
+    return number_text(figure, finding.unit);
 }
 
 }  // namespace
@@ -54,9 +54,9 @@ ui::commands::CheckRows check_rows(const std::vector<check::Finding>& findings, 
     for (const check::Finding& finding : findings) {
         const check::Check* const check = check::find_check(finding.check);
         rows.push_back({finding.check, check != nullptr ? check->question : finding.check, shown_state(finding.level),
-                        finding.subject, figure_words(finding, finding.figure),
-                        figure_words(finding, finding.threshold), finding.source, finding.sentence, finding.way_out,
-                        step_of(finding.check, as_declared), finding.told});
+                        finding.subject, figure_text(finding, finding.figure), figure_text(finding, finding.threshold),
+                        finding.source, finding.sentence, finding.way_out, task_of(finding.check, as_declared),
+                        finding.told});
     }
     std::stable_sort(rows.begin(), rows.end(), [](const ui::commands::CheckRow& a, const ui::commands::CheckRow& b) {
         return a.state > b.state;

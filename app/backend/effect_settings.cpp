@@ -12,7 +12,7 @@ namespace {
 using Eigen::VectorXd;
 
 /// "coefficient 903 kg/m³, position 1, 2, 3 mm".
-std::string readable_words(const effect::EffectParameters& parameters) {
+std::string readable_text(const effect::EffectParameters& parameters) {
     std::string words;
     for (const auto& [name, value] : parameters) {
         const results::ReadableParameter shown = results::readable_quantity(name);
@@ -31,7 +31,7 @@ std::string readable_words(const effect::EffectParameters& parameters) {
 
 ui::commands::AddedEffect added_effect(effect::EffectDeclaration effect) {
     effect.calibrate = true;
-    std::string name = results::effect_name(effect.id), words = readable_words(effect.parameters);
+    std::string name = results::effect_name(effect.id), words = readable_text(effect.parameters);
     return {std::move(effect), std::move(name), std::move(words)};
 }
 

@@ -46,8 +46,8 @@ TEST(ChecksPanel, ListsWhatWasFoundTheWorstFirst) {
     driver.backend->start_opened = commands::CheckState::red;
     driver.open_beam();
     ASSERT_TRUE(driver.state().checks);
-    EXPECT_EQ(commands::count_words(driver.state().checks->rows), "2 green, 1 red");
-    EXPECT_EQ(commands::doubt_words(driver.state().checks->rows), "1 red");
+    EXPECT_EQ(commands::count_text(driver.state().checks->rows), "2 green, 1 red");
+    EXPECT_EQ(commands::doubt_text(driver.state().checks->rows), "1 red");
     EXPECT_FALSE(driver.has("checks/head")) << "another panel is in front";
     driver.click("bar/checks");
     ASSERT_TRUE(driver.has("checks/head"));
@@ -100,14 +100,14 @@ TEST(ChecksPanel, WhatIsDoubtfulHasNoTick) {
     ASSERT_TRUE(driver.wait_for_job());
     EXPECT_EQ(driver.state().log.back().level, commands::LogLevel::warning);
     EXPECT_NE(driver.state().log.back().text.find("Checks: 1 amber."), std::string::npos);
-    const commands::StepStatus status = commands::step_status(driver.state(), commands::Step::run);
-    EXPECT_EQ(status.state, commands::StepState::done);
+    const commands::TaskStatus status = commands::task_status(driver.state(), commands::Task::run);
+    EXPECT_EQ(status.state, commands::TaskState::done);
     EXPECT_EQ(status.checks, commands::CheckState::amber);
     EXPECT_NE(status.next.find("Checks: 1 amber."), std::string::npos);
-    EXPECT_EQ(commands::step_status(driver.state(), commands::Step::measure).checks, commands::CheckState::amber);
-    EXPECT_EQ(commands::step_status(driver.state(), commands::Step::mesh).checks, commands::CheckState::green);
-    driver.click("step/report");
-    const platform::Rectangle step = driver.item("step/run");
+    EXPECT_EQ(commands::task_status(driver.state(), commands::Task::measure).checks, commands::CheckState::amber);
+    EXPECT_EQ(commands::task_status(driver.state(), commands::Task::mesh).checks, commands::CheckState::green);
+    driver.click("task/report");
+    const platform::Rectangle step = driver.item("task/run");
     const platform::Rectangle sign{{step.highest.x - 26.0f, step.lowest.y + 8.0f},
                                    {step.highest.x - 4.0f, step.highest.y - 8.0f}};
     EXPECT_TRUE(is_drawn_in(driver, sign, dark().warning, dark().success));
@@ -122,7 +122,7 @@ TEST(ChecksPanel, WhatIsDoubtfulHasNoTick) {
     driver.click("run/run");
     ASSERT_TRUE(driver.wait_for_job());
     EXPECT_EQ(driver.state().log.back().level, commands::LogLevel::done);
-    EXPECT_EQ(commands::step_status(driver.state(), commands::Step::run).checks, commands::CheckState::green);
+    EXPECT_EQ(commands::task_status(driver.state(), commands::Task::run).checks, commands::CheckState::green);
     EXPECT_TRUE(is_drawn_in(driver, driver.item("bar/checks"), dark().success, dark().warning));
     // The doubtful run is taken up again with its checks.
     driver.workbench->execute(commands::RestoreRecord{driver.state().history.front().id});
@@ -140,15 +140,15 @@ TEST(ChecksPanel, ValuesThatDoNotFitLeaveTheRunItsTick) {
     commands::WorkbenchState state = driver.state();
     commands::RunResult run = *state.run;
     run.checks.front().state = commands::CheckState::red;
-    const std::string own = run.checks.front().step;
+    const std::string own = run.checks.front().task;
     const auto status_where = [&](const std::string& mended_in) {
-        run.checks.front().step = mended_in;
+        run.checks.front().task = mended_in;
         state.run = std::make_shared<const commands::RunResult>(run);
-        return commands::step_status(state, commands::Step::run).checks;
+        return commands::task_status(state, commands::Task::run).checks;
     };
     EXPECT_EQ(status_where(own), commands::CheckState::red);
     EXPECT_EQ(status_where("fit"), commands::CheckState::green);
-    EXPECT_EQ(commands::step_status(state, commands::Step::measure).checks, commands::CheckState::green);
+    EXPECT_EQ(commands::task_status(state, commands::Task::measure).checks, commands::CheckState::green);
 }
 
 TEST(ChecksPanel, ACalibrationBringsItsOwn) {
@@ -159,15 +159,15 @@ TEST(ChecksPanel, ACalibrationBringsItsOwn) {
     ASSERT_TRUE(driver.wait_for_job());
     EXPECT_EQ(driver.state().checks->job, "Calibrate");
     EXPECT_TRUE(driver.state().checks_are_current()) << "they are of the values that were found";
-    EXPECT_EQ(commands::step_status(driver.state(), commands::Step::fit).checks, commands::CheckState::red);
-    driver.click("step/fit");
+    EXPECT_EQ(commands::task_status(driver.state(), commands::Task::fit).checks, commands::CheckState::red);
+    driver.click("task/fit");
     EXPECT_TRUE(driver.has("fit/checks"));
 }
 
 TEST(TimeStepState, FollowsTheStepThatIsSet) {
     Driver driver;
     driver.open_beam();
-    driver.click("step/run");
+    driver.click("task/run");
     EXPECT_TRUE(driver.has("model/frequency_error"));
     EXPECT_TRUE(driver.has("model/interval"));
     const auto state_at = [&](double h_s) {

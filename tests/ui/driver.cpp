@@ -105,10 +105,10 @@ bool Driver::wait_for_job(int seconds) {
 ui::platform::Rectangle Driver::item(const std::string& name) {
     auto found = window->items().find(name);
     // As a person would, look through the steps.
-    for (std::size_t i = 0; i < ui::commands::all_steps.size() && !found &&
-                            has(std::string("step/") + ui::commands::step_id(ui::commands::all_steps[i]));
+    for (std::size_t i = 0; i < ui::commands::all_tasks.size() && !found &&
+                            has(std::string("task/") + ui::commands::task_id(ui::commands::all_tasks[i]));
          ++i) {
-        click(std::string("step/") + ui::commands::step_id(ui::commands::all_steps[i]));
+        click(std::string("task/") + ui::commands::task_id(ui::commands::all_tasks[i]));
         found = window->items().find(name);
     }
     EXPECT_TRUE(found) << "no item " << name << " is shown";

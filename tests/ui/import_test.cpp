@@ -11,7 +11,7 @@ using test::Driver;
 void read(Driver& driver, const std::string& file) {
     driver.workbench->execute(commands::ReadRecording{file});
     ASSERT_TRUE(driver.wait_for_job());
-    driver.window->show_step(commands::Step::measure);
+    driver.window->show_task(commands::Task::measure);
     driver.settle();
 }
 
@@ -56,7 +56,7 @@ TEST(Import, MarkersAreChosenInTheTable) {
     driver.click("import/marker/label 0/tip_top");
     EXPECT_EQ(driver.state().import->choices.markers[0].name, "tip_top");
     EXPECT_TRUE(driver.state().import->choices.markers[2].name.empty());
-    driver.click("import/give_up");
+    driver.click("import/cancel");
     EXPECT_FALSE(driver.state().import);
     EXPECT_TRUE(driver.has("measure/import"));
 }

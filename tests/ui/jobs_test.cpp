@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "commands/settings_difference.hpp"
-#include "panels/job_words.hpp"
+#include "panels/job_text.hpp"
 #include "ui/driver.hpp"
 
 namespace myo::ui {
@@ -259,20 +259,20 @@ TEST(Jobs, TellWhatTheyCountAndTheTimeLeft) {
     job.elapsed_s = 30.0;
     job.remaining_s = 70.0;
     job.remaining_of = commands::TimeLeft::at_most;
-    EXPECT_EQ(panels::counted_words(job), "12 of 40 evaluations");
-    EXPECT_EQ(panels::time_words(job), "at most 1 min 10 s left");
-    EXPECT_EQ(panels::bar_words(job), "30 %");
+    EXPECT_EQ(panels::counted_text(job), "12 of 40 evaluations");
+    EXPECT_EQ(panels::time_text(job), "at most 1 min 10 s left");
+    EXPECT_EQ(panels::bar_text(job), "30 %");
     job.remaining_of = commands::TimeLeft::of_stage;
-    EXPECT_EQ(panels::time_words(job), "1 min 10 s left of this stage");
+    EXPECT_EQ(panels::time_text(job), "1 min 10 s left of this stage");
     // TetGen does not say how far it is, nor does a stage that is only named.
     job.remaining_s.reset();
     for (const ProgressEvent& event :
          {ProgressEvent{"tetrahedral mesh", 6.0, 0.0, "s", ""}, {"significance", 1.0, 1.0, "stage", ""}}) {
         job.progress = event;
-        EXPECT_EQ(panels::counted_words(job), "");
-        EXPECT_EQ(panels::bar_words(job), "working");
+        EXPECT_EQ(panels::counted_text(job), "");
+        EXPECT_EQ(panels::bar_text(job), "working");
         EXPECT_EQ(job.fraction(), 0.0);
-        EXPECT_EQ(panels::time_words(job), "30 s so far");
+        EXPECT_EQ(panels::time_text(job), "30 s so far");
     }
 }
 
@@ -319,7 +319,7 @@ TEST(Jobs, ASearchShowsItsBestSoFarAndLeavesEditsAlone) {
     EXPECT_EQ(driver.state().shown_run(), driver.state().search->best);
     EXPECT_FALSE(driver.state().run);
     EXPECT_TRUE(driver.state().playing);
-    driver.click("step/fit");
+    driver.click("task/fit");
     EXPECT_TRUE(driver.has("search/rms"));
     EXPECT_TRUE(driver.has("search/gradient"));
     set_youngs_modulus(driver, 4.4e5);
@@ -334,9 +334,9 @@ TEST(Jobs, ASearchShowsItsBestSoFarAndLeavesEditsAlone) {
 TEST(Jobs, OptimisesTheSignalOfAMuscle) {
     Driver driver;
     driver.open_beam();
-    driver.click("step/fibres");
+    driver.click("task/fibres");
     driver.click("fibres/add");
-    driver.click("step/fit");
+    driver.click("task/fit");
     driver.click("fit/optimize");
     ASSERT_TRUE(driver.wait_for_job());
     ASSERT_TRUE(driver.state().found) << driver.state().log.back().text;

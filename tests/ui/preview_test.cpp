@@ -46,7 +46,7 @@ TEST_F(Preview, FollowsEveryEditAndLeavesTheResultsAlone) {
     const auto run = state().run;
     const std::size_t records = state().history.size();
     driver.workbench->execute(commands::SetTime{1.5});
-    driver.click("step/material");
+    driver.click("task/material");
     driver.click("preview/on");
     ASSERT_TRUE(state().preview.on);
     EXPECT_FALSE(state().previewing()) << "the run is of these settings, nothing is to be previewed";
@@ -73,7 +73,7 @@ TEST_F(Preview, FollowsEveryEditAndLeavesTheResultsAlone) {
     // No result of it: the whole run is what a report, the history and the steps know.
     EXPECT_EQ(state().run, run);
     EXPECT_EQ(state().history.size(), records);
-    EXPECT_EQ(commands::step_status(state(), commands::Step::run).state, commands::StepState::stale);
+    EXPECT_EQ(commands::task_status(state(), commands::Task::run).state, commands::TaskState::stale);
     EXPECT_TRUE(driver.has("timeline/preview"));
 
     driver.click("preview/on");
@@ -110,7 +110,7 @@ TEST_F(Preview, IsGivenUpForANewerEdit) {
 }
 
 TEST_F(Preview, WaitsForJobsAndGoesWithTheTrial) {
-    driver.click("step/run");
+    driver.click("task/run");
     driver.click("preview/on");
     ASSERT_NO_FATAL_FAILURE(wait_for_preview());
     const auto first = state().preview.run;

@@ -262,7 +262,7 @@ TEST(Palette, FindsACommandByWordsInAnyOrder) {
     ASSERT_TRUE(driver.has("palette/text"));
     driver.type("tasks diagnose");
     driver.key(ImGuiKey_Enter);
-    EXPECT_EQ(driver.window->step(), commands::Step::diagnose);
+    EXPECT_EQ(driver.window->task(), commands::Task::diagnose);
     EXPECT_FALSE(driver.has("palette/text"));
 }
 

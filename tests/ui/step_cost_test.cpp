@@ -11,7 +11,7 @@ using test::Driver;
 TEST(StepCost, IsForetoldFromTheBenchmarkAndThenFromRuns) {
     Driver driver;
     driver.open_beam();
-    driver.click("step/mesh");
+    driver.click("task/mesh");
     EXPECT_TRUE(driver.has("body/step_cost"));
     const std::vector<commands::StepCost>& costs = driver.state().preferences.step_costs;
     EXPECT_TRUE(costs.empty());

@@ -34,10 +34,10 @@ TEST(Tooltips, EveryParameterHasOneThatFitsLargeLetters) {
     driver.open_beam();
     driver.workbench->execute(commands::SetTheme{platform::ThemeName::dark, 2.0f});
     driver.settle();
-    driver.window->show_step(commands::Step::mesh);
+    driver.window->show_task(commands::Task::mesh);
     driver.settle();
     for (const char* name : {"body/element", "body/edge_length"}) expect_explained(driver, name);
-    driver.window->show_step(commands::Step::material);
+    driver.window->show_task(commands::Task::material);
     driver.settle();
     for (const char* name :
          {"model/material", "model/youngs_modulus", "model/poissons_ratio", "model/density", "model/damping"})
@@ -45,7 +45,7 @@ TEST(Tooltips, EveryParameterHasOneThatFitsLargeLetters) {
     commands::Settings settings = driver.state().settings;
     settings.integrator = "generalized_alpha";
     driver.workbench->execute(commands::ChangeSettings{settings, "scheme", false});
-    driver.window->show_step(commands::Step::run);
+    driver.window->show_task(commands::Task::run);
     driver.settle();
     for (const char* name : {"model/integrator", "model/spectral_radius", "model/time_step", "model/velocity_force"})
         expect_explained(driver, name);
@@ -82,7 +82,7 @@ TEST(Tooltips, CurvesOfASearchAndNumbersOfAVerdictAreExplained) {
     driver.settle();
     driver.click("diagnose/diagnose");
     ASSERT_TRUE(driver.wait_for_job());
-    driver.window->show_step(commands::Step::diagnose);
+    driver.window->show_task(commands::Task::diagnose);
     driver.settle();
     for (const char* name : {"verdict/confidence", "verdict/noise"}) expect_explained(driver, name);
 }

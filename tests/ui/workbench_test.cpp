@@ -212,7 +212,7 @@ TEST(Workbench, TheEdgeLengthCanBeTyped) {
 TEST(Workbench, ShowsTheNumericalDampingOfImplicitEuler) {
     Driver driver;
     driver.open_beam();
-    driver.click("step/run");
+    driver.click("task/run");
     EXPECT_FALSE(driver.has("model/numerical_damping"));
     driver.click("model/integrator");
     driver.click("model/integrator/implicit_euler");
@@ -223,7 +223,7 @@ TEST(Workbench, ShowsTheNumericalDampingOfImplicitEuler) {
 TEST(Workbench, SetsTheStepByItsSliderAndShowsTheMeasuredDampingOverIt) {
     Driver driver;
     driver.open_beam();
-    driver.click("step/run");
+    driver.click("task/run");
     EXPECT_FALSE(driver.has("model/damping_curve"));
     driver.click("model/integrator");
     driver.click("model/integrator/implicit_euler");
@@ -237,7 +237,7 @@ TEST(Workbench, SetsTheStepByItsSliderAndShowsTheMeasuredDampingOverIt) {
 TEST(Workbench, ShowsHowMuchVelocityForceTheStepBears) {
     Driver driver;
     driver.open_beam();
-    driver.click("step/run");
+    driver.click("task/run");
     EXPECT_FALSE(driver.has("model/velocity_force/stable"));
     driver.click("model/integrator");
     driver.click("model/integrator/implicit_euler");
@@ -285,7 +285,7 @@ TEST(Workbench, WarnsOfAVelocityForceThatMakesTheMotionGrow) {
 TEST(Workbench, OffersTheSpectralRadiusOfGeneralisedAlphaOnly) {
     Driver driver;
     driver.open_beam();
-    driver.click("step/run");
+    driver.click("task/run");
     EXPECT_FALSE(driver.has("model/spectral_radius"));
     driver.click("model/integrator");
     driver.click("model/integrator/generalized_alpha");

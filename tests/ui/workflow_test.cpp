@@ -8,59 +8,59 @@ namespace {
 
 using test::Driver;
 
-commands::StepState state_of(const Driver& driver, commands::Step step) {
-    return commands::step_status(driver.state(), step).state;
+commands::TaskState state_of(const Driver& driver, commands::Task task) {
+    return commands::task_status(driver.state(), task).state;
 }
 
 TEST(Workflow, StepsSayWhatIsMissingStaleAndDone) {
     Driver driver;
-    EXPECT_EQ(state_of(driver, commands::Step::body), commands::StepState::missing);
-    EXPECT_EQ(state_of(driver, commands::Step::run), commands::StepState::missing);
-    EXPECT_EQ(commands::next_step(driver.state()), commands::Step::body);
+    EXPECT_EQ(state_of(driver, commands::Task::body), commands::TaskState::missing);
+    EXPECT_EQ(state_of(driver, commands::Task::run), commands::TaskState::missing);
+    EXPECT_EQ(commands::next_task(driver.state()), commands::Task::body);
     driver.open_beam();
-    EXPECT_EQ(state_of(driver, commands::Step::body), commands::StepState::done);
-    EXPECT_EQ(state_of(driver, commands::Step::mesh), commands::StepState::done);
-    EXPECT_EQ(state_of(driver, commands::Step::fibres), commands::StepState::ready);
-    EXPECT_EQ(state_of(driver, commands::Step::run), commands::StepState::ready);
-    EXPECT_EQ(state_of(driver, commands::Step::report), commands::StepState::missing);
+    EXPECT_EQ(state_of(driver, commands::Task::body), commands::TaskState::done);
+    EXPECT_EQ(state_of(driver, commands::Task::mesh), commands::TaskState::done);
+    EXPECT_EQ(state_of(driver, commands::Task::fibres), commands::TaskState::ready);
+    EXPECT_EQ(state_of(driver, commands::Task::run), commands::TaskState::ready);
+    EXPECT_EQ(state_of(driver, commands::Task::report), commands::TaskState::missing);
     driver.click("run/calibrate");
     ASSERT_TRUE(driver.wait_for_job());
-    for (const commands::Step step : {commands::Step::run, commands::Step::measure, commands::Step::fit})
-        EXPECT_EQ(state_of(driver, step), commands::StepState::done) << commands::step_id(step);
+    for (const commands::Task task : {commands::Task::run, commands::Task::measure, commands::Task::fit})
+        EXPECT_EQ(state_of(driver, task), commands::TaskState::done) << commands::task_id(task);
     driver.workbench->execute(commands::Diagnose{});
     ASSERT_TRUE(driver.wait_for_job());
-    EXPECT_EQ(state_of(driver, commands::Step::diagnose), commands::StepState::done);
+    EXPECT_EQ(state_of(driver, commands::Task::diagnose), commands::TaskState::done);
     driver.click("diagnose/add");
-    EXPECT_EQ(state_of(driver, commands::Step::diagnose), commands::StepState::done)
+    EXPECT_EQ(state_of(driver, commands::Task::diagnose), commands::TaskState::done)
         << "an effect it found is no reason to ask again";
-    EXPECT_EQ(state_of(driver, commands::Step::run), commands::StepState::stale);
+    EXPECT_EQ(state_of(driver, commands::Task::run), commands::TaskState::stale);
     commands::Settings finer = driver.state().settings;
     finer.resolution_m *= 0.5;
     driver.workbench->execute(commands::ChangeSettings{finer, "test", false});
-    for (const commands::Step step : {commands::Step::mesh, commands::Step::run, commands::Step::measure,
-                                      commands::Step::fit, commands::Step::diagnose, commands::Step::report})
-        EXPECT_EQ(state_of(driver, step), commands::StepState::stale) << commands::step_id(step);
-    EXPECT_EQ(commands::next_step(driver.state()), commands::Step::mesh);
+    for (const commands::Task task : {commands::Task::mesh, commands::Task::run, commands::Task::measure,
+                                      commands::Task::fit, commands::Task::diagnose, commands::Task::report})
+        EXPECT_EQ(state_of(driver, task), commands::TaskState::stale) << commands::task_id(task);
+    EXPECT_EQ(commands::next_task(driver.state()), commands::Task::mesh);
 }
 
 TEST(Workflow, EachStepShowsItsPanelsAndWhatBelongsToItBelow) {
     Driver driver;
     driver.open_beam();
-    for (const auto& [step, panel, below] : {std::tuple{"mesh", "body/element", ""},
+    for (const auto& [task, panel, below] : {std::tuple{"mesh", "body/element", ""},
                                              {"material", "model/density", ""},
                                              {"fibres", "fibres/add", "signals"},
                                              {"run", "model/time_step", ""},
                                              {"measure", "measure/marker/middle", "markers"},
                                              {"fit", "fit/calibrate", "search"},
                                              {"diagnose", "panel/verdict", "diagnose"}}) {
-        driver.click(std::string("step/") + step);
-        EXPECT_TRUE(driver.has(panel)) << step;
-        EXPECT_TRUE(driver.has("step/next")) << step;
+        driver.click(std::string("task/") + task);
+        EXPECT_TRUE(driver.has(panel)) << task;
+        EXPECT_TRUE(driver.has("task/next")) << task;
         if (*below) {
-            EXPECT_TRUE(driver.has(std::string("panel/") + below)) << step;
+            EXPECT_TRUE(driver.has(std::string("panel/") + below)) << task;
         }
     }
-    driver.click("step/fibres");
+    driver.click("task/fibres");
     EXPECT_FALSE(driver.has("model/density"));
 }
 
@@ -69,7 +69,7 @@ TEST(Workflow, WritesAReport) {
     driver.open_beam();
     driver.click("run/run");
     ASSERT_TRUE(driver.wait_for_job());
-    driver.click("step/report");
+    driver.click("task/report");
     const auto folder = std::filesystem::temp_directory_path() / "myoloop_report_test";
     std::filesystem::remove_all(folder);
     driver.click("report/folder");

@@ -77,7 +77,7 @@ TEST(BundledExample, LacksNothing) {
     Driver driver(backend::make_core_backend(), 1280, 800);
     driver.window->open(std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/silicone_beam");
     ASSERT_TRUE(driver.wait_for_job(60));
-    driver.click("step/diagnose");
+    driver.click("task/diagnose");
     driver.click("diagnose/diagnose");
     ASSERT_TRUE(driver.wait_for_job(300));
     ASSERT_TRUE(driver.state().diagnosis && driver.state().diagnosis->complete) << driver.state().log.back().text;
@@ -85,8 +85,8 @@ TEST(BundledExample, LacksNothing) {
         << driver.state().diagnosis->headline;
     for (const ui::commands::DiagnosisTrial& trial : driver.state().diagnosis->trials)
         EXPECT_LT(trial.before_m, 1.3 * driver.state().diagnosis->noise_m) << trial.name;
-    EXPECT_EQ(ui::commands::step_status(driver.state(), ui::commands::Step::diagnose).state,
-              ui::commands::StepState::done);
+    EXPECT_EQ(ui::commands::task_status(driver.state(), ui::commands::Task::diagnose).state,
+              ui::commands::TaskState::done);
 }
 
 /// Cancels a calibration of the bundled example on a coarse mesh once it has done this many evaluations.

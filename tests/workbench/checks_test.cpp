@@ -100,7 +100,7 @@ TEST(CoreChecks, AStepThatAPersonMadeTooLongIsRedAndTheProgramsOwnIsNot) {
     const ui::commands::CheckRow* const residual = row_of(driver.state(), "residual");
     ASSERT_TRUE(residual);
     EXPECT_NE(residual->state, ui::commands::CheckState::green);
-    EXPECT_EQ(residual->step, "fit");
+    EXPECT_EQ(residual->task, "fit");
 
     ui::commands::Settings settings = driver.state().settings;
     settings.time_step_s = 2.5e-3;

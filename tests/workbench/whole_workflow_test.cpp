@@ -20,8 +20,8 @@ protected:
     Driver driver{backend::make_core_backend(), 1400, 900};
 
     const ui::commands::WorkbenchState& state() const { return driver.state(); }
-    ui::commands::StepState step(ui::commands::Step which) const {
-        return ui::commands::step_status(state(), which).state;
+    ui::commands::TaskState task(ui::commands::Task which) const {
+        return ui::commands::task_status(state(), which).state;
     }
 
     void wait(int seconds) {
@@ -77,29 +77,29 @@ std::filesystem::path tilted_beam_in(const test::Folder& folder) {
 TEST_F(Person, GoesTheWholeWay) {
     const test::Folder folder("whole_workflow");
     // Open an example.
-    ASSERT_EQ(step(ui::commands::Step::mesh), ui::commands::StepState::missing);
+    ASSERT_EQ(task(ui::commands::Task::mesh), ui::commands::TaskState::missing);
     const std::filesystem::path beam = tilted_beam_in(folder);
     driver.click("start/open");
     choose(beam);
     ASSERT_NO_FATAL_FAILURE(wait(60));
     ASSERT_TRUE(state().body);
-    EXPECT_EQ(step(ui::commands::Step::mesh), ui::commands::StepState::done);
+    EXPECT_EQ(task(ui::commands::Task::mesh), ui::commands::TaskState::done);
     const Eigen::Index cells = state().body->mesh.cell_count();
 
     // Remesh, coarser.
-    driver.click("step/mesh");
+    driver.click("task/mesh");
     const ui::platform::Rectangle slider = driver.item("body/resolution");
     driver.click_at({slider.lowest.x + 0.63f * slider.width(), slider.center().y});
-    EXPECT_EQ(step(ui::commands::Step::mesh), ui::commands::StepState::stale);
+    EXPECT_EQ(task(ui::commands::Task::mesh), ui::commands::TaskState::stale);
     driver.click("body/build");
     ASSERT_NO_FATAL_FAILURE(wait(60));
-    EXPECT_EQ(step(ui::commands::Step::mesh), ui::commands::StepState::done);
+    EXPECT_EQ(task(ui::commands::Task::mesh), ui::commands::TaskState::done);
     EXPECT_LT(state().body->mesh.cell_count(), cells);
 
     // Paint three strokes, take one back and do it again.
-    driver.click("step/fibres");
+    driver.click("task/fibres");
     driver.click("fibres/add");
-    EXPECT_EQ(step(ui::commands::Step::fibres), ui::commands::StepState::ready);
+    EXPECT_EQ(task(ui::commands::Task::fibres), ui::commands::TaskState::ready);
     driver.click("fibres/tool/paint");
     std::vector<double> volumes;
     std::vector<ui::platform::Image> pictures{view()};
@@ -111,7 +111,7 @@ TEST_F(Person, GoesTheWholeWay) {
     }
     EXPECT_TRUE(std::is_sorted(volumes.begin(), volumes.end()));
     EXPECT_GT(volumes.back(), volumes.front());
-    EXPECT_EQ(step(ui::commands::Step::fibres), ui::commands::StepState::done);
+    EXPECT_EQ(task(ui::commands::Task::fibres), ui::commands::TaskState::done);
     driver.key(ImGuiKey_Z, {.ctrl = true});
     EXPECT_NEAR(painted_cm3(), volumes[1], 1e-9);
     EXPECT_LT(differing(view(), pictures[2]), 2e-4);
@@ -124,11 +124,11 @@ TEST_F(Person, GoesTheWholeWay) {
     driver.key(ui::platform::key_r, {.ctrl = true});
     ASSERT_NO_FATAL_FAILURE(wait(120));
     ASSERT_TRUE(state().run_is_current());
-    EXPECT_EQ(step(ui::commands::Step::run), ui::commands::StepState::done);
+    EXPECT_EQ(task(ui::commands::Task::run), ui::commands::TaskState::done);
     const ui::platform::Rectangle track = driver.item("timeline/track");
     driver.click_at({track.lowest.x + 0.5f * track.width(), track.center().y});
     EXPECT_GT((driver.window->scene().positions - state().body->mesh.nodes).colwise().norm().maxCoeff(), 1e-3);
-    driver.click("step/measure");
+    driver.click("task/measure");
     EXPECT_TRUE(driver.has("measure/marker/tip_left"));
 
     // Another recording of the same motion, by cameras that stood elsewhere, is to be predicted.
@@ -148,7 +148,7 @@ TEST_F(Person, GoesTheWholeWay) {
     EXPECT_NEAR(painted_cm3(), volumes[2], 1e-9) << "the muscle is still there";
 
     // Calibrate and change one's mind.
-    driver.click("step/fit");
+    driver.click("task/fit");
     const ui::commands::Settings before = state().settings;
     driver.click("fit/calibrate");
     ASSERT_TRUE(state().busy());
@@ -177,10 +177,10 @@ TEST_F(Person, GoesTheWholeWay) {
     EXPECT_GT(state().settings.muscles[0].signal->times_s.size(), 3u);
 
     // Without the muscle, ask what the model lacks, and add it.
-    driver.click("step/fibres");
+    driver.click("task/fibres");
     driver.click("fibres/remove");
     ASSERT_TRUE(state().settings.muscles.empty());
-    driver.click("step/diagnose");
+    driver.click("task/diagnose");
     driver.click("diagnose/diagnose");
     ASSERT_TRUE(state().diagnosing());
     ASSERT_NO_FATAL_FAILURE(wait(300));
@@ -194,7 +194,7 @@ TEST_F(Person, GoesTheWholeWay) {
     // About the beam's own axis; about the others, half a degree more or less is not seen.
     EXPECT_NEAR(std::get<double>(parameters.at("tilt_deg")) * std::get<Eigen::VectorXd>(parameters.at("axis"))[0], -3.0,
                 0.5);
-    driver.click("step/material");
+    driver.click("task/material");
     EXPECT_TRUE(driver.has("model/effect/gravity_tilt"));
 
     // Save and open again, in another window.
@@ -225,8 +225,8 @@ TEST_F(Person, GoesTheWholeWay) {
     EXPECT_EQ(state().project, folder.path() / "model.myoloop");
     ASSERT_EQ(state().settings.effects.size(), 1u);
     EXPECT_NEAR(state().settings.youngs_modulus_Pa, state().saved_settings.youngs_modulus_Pa, 0.0);
-    EXPECT_EQ(step(ui::commands::Step::mesh), ui::commands::StepState::done);
-    EXPECT_EQ(step(ui::commands::Step::run), ui::commands::StepState::ready);
+    EXPECT_EQ(task(ui::commands::Task::mesh), ui::commands::TaskState::done);
+    EXPECT_EQ(task(ui::commands::Task::run), ui::commands::TaskState::ready);
     driver.key(ui::platform::key_r, {.ctrl = true});
     ASSERT_NO_FATAL_FAILURE(wait(120));
     EXPECT_LT(differing(in_the_swing(), before_saving), 1e-3) << "the same model moves in the same way";
@@ -238,7 +238,7 @@ TEST_F(Person, PaintsTheMusclesOfAFishTailAndFindsTheirSignal) {
     from_menu("file", "examples");
     driver.click("menu/example/fish_tail");
     ASSERT_NO_FATAL_FAILURE(wait(60));
-    driver.click("step/mesh");
+    driver.click("task/mesh");
     driver.click("body/element");
     driver.click("body/element/hex8");
     type_into("body/edge_length", "5");
@@ -246,7 +246,7 @@ TEST_F(Person, PaintsTheMusclesOfAFishTailAndFindsTheirSignal) {
     driver.click("body/build");
     ASSERT_NO_FATAL_FAILURE(wait(60));
 
-    driver.click("step/fibres");
+    driver.click("task/fibres");
     driver.click("fibres/add");
     driver.click("fibres/tool/paint");
     type_into("fibres/radius", "30");
@@ -269,7 +269,7 @@ TEST_F(Person, PaintsTheMusclesOfAFishTailAndFindsTheirSignal) {
     driver.click("run/run");
     ASSERT_NO_FATAL_FAILURE(wait(120));
     RecordProperty("rms_at_rest_um", static_cast<int>(1e6 * state().run->rms_m));
-    driver.click("step/fit");
+    driver.click("task/fit");
     type_into("fit/evaluations", "12");
     driver.click("fit/optimize");
     const auto start = std::chrono::steady_clock::now();
@@ -282,7 +282,7 @@ TEST_F(Person, PaintsTheMusclesOfAFishTailAndFindsTheirSignal) {
     RecordProperty("rms_after_um", static_cast<int>(1e6 * state().found->rms_after_m));
     EXPECT_LT(state().found->rms_after_m, 0.25 * state().found->rms_before_m);
     EXPECT_TRUE(state().run_is_current());
-    driver.click("step/measure");
+    driver.click("task/measure");
     EXPECT_TRUE(driver.has("measure/marker/fin_top"));
 }
 

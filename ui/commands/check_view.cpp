@@ -31,11 +31,11 @@ CheckState worst_state(const CheckRows& rows) {
     return worst;
 }
 
-std::string count_words(const CheckRows& rows) {
+std::string count_text(const CheckRows& rows) {
     return counted(rows, {CheckState::green, CheckState::amber, CheckState::red});
 }
 
-std::string doubt_words(const CheckRows& rows) {
+std::string doubt_text(const CheckRows& rows) {
     if (worst_state(rows) == CheckState::green) return "all green";
     CheckRows doubts;
     std::copy_if(rows.begin(), rows.end(), std::back_inserter(doubts),

@@ -25,7 +25,7 @@ struct CheckRow {
     std::string source;     // where the threshold comes from
     std::string sentence;   // the finding in words
     std::string way_out;    // what the user can do; empty if all is well
-    std::string step;       // id of the task where it can be corrected: "mesh"
+    std::string task;       // id of the task where it can be corrected: "mesh"
     bool told = false;      // already reported by a warning with file and line
 };
 using CheckRows = std::vector<CheckRow>;
@@ -33,9 +33,9 @@ using CheckRows = std::vector<CheckRow>;
 /// The most severe state of the rows; green if there are none.
 CheckState worst_state(const CheckRows& rows);
 /// Counts of all states: "11 green, 1 amber, 1 red".
-std::string count_words(const CheckRows& rows);
+std::string count_text(const CheckRows& rows);
 /// Counts of the states that need attention: "1 red, 2 amber"; otherwise "all green".
-std::string doubt_words(const CheckRows& rows);
+std::string doubt_text(const CheckRows& rows);
 
 /// The checks of one job, with the settings that it used or found.
 struct CheckReport {

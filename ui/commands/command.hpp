@@ -194,7 +194,7 @@ struct UsePreferences {
 /// Removes all messages.
 struct ClearLog {};
 /// Appends a message of the window itself to the log.
-struct Tell {
+struct LogMessage {
     LogLevel level = LogLevel::information;
     std::string text;
 };
@@ -219,7 +219,7 @@ struct AlignImport {};
 /// Adds the imported recording as a trial.
 struct AddRecording {};
 /// Closes the import without adding a trial.
-struct GiveUpImport {};
+struct CancelImport {};
 /// Writes pages and tables of the results into a folder.
 struct WriteReport {
     std::filesystem::path folder;
@@ -231,7 +231,7 @@ using Command = std::variant<
     Optimize, Diagnose, ChooseCandidate, AddEffect, ChooseMuscle, Paint, ImportSignal, ExportSignal, ChangeBrush,
     Cancel, Pause, Unqueue, RestoreRecord, CompareRecord, ForgetRecord, Save, SaveAs, AskWhereToSave, AnswerUnsaved,
     OfferRecovery, Recover, DiscardRecovery, Quit, AnswerStop, ChooseTrial, ChooseMarker, SetTime, Play, SetSpeed,
-    ChangeView, SetDampingFrequency, SetTheme, SetLayout, Bookmark, UsePreferences, ClearLog, Tell, WriteReport,
-    ReadRecording, ChangeImport, ChooseLabel, ProposeMarkers, AlignImport, AddRecording, GiveUpImport>;
+    ChangeView, SetDampingFrequency, SetTheme, SetLayout, Bookmark, UsePreferences, ClearLog, LogMessage, WriteReport,
+    ReadRecording, ChangeImport, ChooseLabel, ProposeMarkers, AlignImport, AddRecording, CancelImport>;
 
 }  // namespace myo::ui::commands

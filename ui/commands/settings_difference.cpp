@@ -108,7 +108,7 @@ void add_effects(const std::vector<const Settings*>& of, Rows& rows) {
     }
 }
 
-std::string signal_words(const Muscle& muscle) {
+std::string signal_text(const Muscle& muscle) {
     if (!muscle.follows.empty()) return plot::plain_label(muscle.ratio, 3) + " \xc3\x97 " + muscle.follows;
     if (!muscle.signal || muscle.signal->values.empty()) return "as recorded";
     const auto [least, most] = std::minmax_element(muscle.signal->values.begin(), muscle.signal->values.end());
@@ -139,7 +139,7 @@ void add_muscles(const std::vector<const Settings*>& of, Rows& rows) {
         add(
             "stiffness", [](const Muscle& m) { return plot::plain_label(1e-3 * m.stiffness_Pa, 6) + " kPa"; },
             [](const Muscle& a, const Muscle& b) { return a.stiffness_Pa == b.stiffness_Pa; });
-        add("signal", signal_words, [](const Muscle& a, const Muscle& b) {
+        add("signal", signal_text, [](const Muscle& a, const Muscle& b) {
             return a.follows == b.follows && (a.follows.empty() ? a.signal == b.signal : a.ratio == b.ratio);
         });
     }

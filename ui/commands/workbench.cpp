@@ -75,7 +75,7 @@ void Workbench::advance(double seconds) {
             state_.job.reset();
             if (*completion) (*completion)();
             if (!job_) begin_next();
-            if (!task_) state_.asks_to_stop = false;  // the user who was asked sees the result first
+            if (!request_) state_.asks_to_stop = false;  // the user who was asked sees the result first
         }
         if (job_) state_.job = job_->view();
     }

@@ -47,7 +47,7 @@ public:
 
 private:
     /// A requested job, waiting or running.
-    struct Task {
+    struct Request {
         int id = 0;  // unique in the session
         std::string name;
         std::string clock;                   // local time of its start
@@ -110,7 +110,7 @@ private:
     void on(const ProposeMarkers&);
     void on(const AlignImport&);
     void on(const AddRecording&);
-    void on(const GiveUpImport&);
+    void on(const CancelImport&);
     // workbench_settings.cpp
     void on(const ChangeSettings& command);
     void on(const Undo&);
@@ -128,18 +128,18 @@ private:
     void on(const Bookmark& command);
     void on(const UsePreferences& command);
     void on(const ClearLog&);
-    void on(const Tell& command);
+    void on(const LogMessage& command);
 
-    // Jobs: workbench_jobs.cpp. A request (Task) consists of one or more jobs, such as meshing and then simulating.
+    // Jobs: workbench_jobs.cpp. A request (Request) consists of one or more jobs, such as meshing and then simulating.
     /// Starts a request, or appends it to the queue while another one runs.
     void request(const std::string& name, std::function<void()> begin);
     /// Starts a request on the UI thread.
-    void begin(Task task);
+    void begin(Request request);
     /// Starts the next request in the queue, if any.
     void begin_next();
     /// Starts the next job of the current request on its own thread.
     void start(const std::string& name, Job::Work work, JobKind kind = {});
-    /// Calls `then` once task_->on holds the body for the current request; meshes it first if the settings require
+    /// Calls `then` once request_->on holds the body for the current request; meshes it first if the settings require
     /// another mesh.
     void with_body(std::function<void()> then);
     /// Whether anything is open; otherwise logs a hint.
@@ -192,7 +192,7 @@ private:
     /// as possible.
     void want_preview();
     /// Cancels the running preview; its result will be ignored.
-    void give_up_preview();
+    void cancel_preview();
     /// Cancels the preview and removes its run from the view.
     void stop_preview();
     /// Starts a preview if one is wanted and nothing else is running.
@@ -244,8 +244,8 @@ private:
     WorkbenchState state_;
     UndoStack<Settings> undo_;
     PlacedPaint placed_;
-    std::deque<Task> queue_;
-    std::optional<Task> task_;                                  // the running request
+    std::deque<Request> queue_;
+    std::optional<Request> request_;                            // the running request
     int next_id_ = 1;                                           // id of the next request
     std::shared_ptr<LiveValue<DiagnosisView>> live_diagnosis_;  // from the running diagnosis; null: none runs
     std::shared_ptr<LiveValue<SearchView>> live_search_;        // from the running search; null: none runs

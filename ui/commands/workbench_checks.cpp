@@ -16,9 +16,10 @@ bool says(const CheckRows& rows, const std::string& sentence) {
 }  // namespace
 
 void Workbench::show_checks(const CheckRows& rows, const Settings& settings) {
-    if (rows.empty() || !task_) return;
+    if (rows.empty() || !request_) return;
     const std::shared_ptr<const CheckReport> before = std::exchange(
-        state_.checks, std::make_shared<const CheckReport>(CheckReport{task_->name, task_->clock, settings, rows}));
+        state_.checks,
+        std::make_shared<const CheckReport>(CheckReport{request_->name, request_->clock, settings, rows}));
     for (const CheckRow& row : rows) {
         // A finding that was logged before is not repeated after every job.
         if (row.state == CheckState::green || row.told || (before && says(before->rows, row.sentence))) continue;
@@ -28,7 +29,7 @@ void Workbench::show_checks(const CheckRows& rows, const Settings& settings) {
 
 void Workbench::log_done(const std::string& text, const CheckRows& rows) {
     const bool trusted = worst_state(rows) == CheckState::green;
-    log(trusted ? LogLevel::done : LogLevel::warning, text + (trusted ? "" : " Checks: " + doubt_words(rows) + "."));
+    log(trusted ? LogLevel::done : LogLevel::warning, text + (trusted ? "" : " Checks: " + doubt_text(rows) + "."));
 }
 
 void Workbench::take_step(double time_step_s) {

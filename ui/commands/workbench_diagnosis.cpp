@@ -19,12 +19,12 @@ void Workbench::on(const Diagnose&) {
             // Shown from the start, so that the panel follows the intermediate results of this diagnosis only.
             state_.diagnosis.reset();
             state_.candidate.clear();
-            state_.diagnosis_settings = task_->settings;
+            state_.diagnosis_settings = request_->settings;
             live_diagnosis_ = std::make_shared<LiveValue<DiagnosisView>>();
             start(diagnose_job,
                   // The thread owns copies and shared pointers only, so that edits during the diagnosis do not affect
                   // it.
-                  [this, settings = task_->settings, scene = task_->scene, body = task_->on.body,
+                  [this, settings = request_->settings, scene = request_->scene, body = request_->on.body,
                    live = live_diagnosis_](const Progress& progress) -> Job::Completion {
                       const auto show = [live](std::shared_ptr<const DiagnosisView> view) {
                           live->set(std::move(view));
@@ -58,10 +58,10 @@ void Workbench::show_diagnosis(DiagnosisView diagnosis) {
                      plot::value_label(100.0 * d.confidence, 2) + " %.",
                  d.checks);
     for (const std::string& note : d.notes) log(LogLevel::information, note);
-    show_checks(d.checks, task_->settings);
+    show_checks(d.checks, request_->settings);
     JobRecord record;
     record.seconds = d.seconds;
-    record.settings = task_->settings;
+    record.settings = request_->settings;
     record.diagnosis = state_.diagnosis;
     if (!d.checks.empty()) record.checks = state_.checks;
     end_task(d.stopped ? JobOutcome::stopped : JobOutcome::done, d.stopped ? "stopped without a verdict" : d.headline,

@@ -23,7 +23,7 @@ void Workbench::on(const Drop& command) {
     const auto recording = std::find_if(files.begin(), files.end(), is_recording);
     const auto body = std::find_if_not(files.begin(), files.end(), is_recording);
     if (body != files.end()) {
-        if (task_) return open(*body, std::nullopt);  // open() logs why not; the recording is dropped with it
+        if (request_) return open(*body, std::nullopt);  // open() logs why not; the recording is dropped with it
         // The recording needs the body, which is opened on another thread, so it waits until that is done.
         dropped_with_body_.reset();
         if (recording != files.end()) dropped_with_body_ = *recording;

@@ -13,10 +13,10 @@ void Workbench::read_recording(const std::filesystem::path& path, const ReadingO
         if (!state_.scene) log(LogLevel::warning, "Open an experiment or a mesh first: the recording needs a body.");
         return state_.scene != nullptr;
     };
-    if (!task_ && !has_body()) return;
+    if (!request_ && !has_body()) return;
     request("Read " + path.filename().string(), [this, path, reading, has_body] {
         if (!has_body()) return;  // the file that was being opened could not be read
-        start(task_->name, [this, path, reading](const Progress& progress) -> Job::Completion {
+        start(request_->name, [this, path, reading](const Progress& progress) -> Job::Completion {
             auto file = std::make_shared<Result<RecordingFile>>(backend_->read_recording(path, reading));
             const bool cancelled = progress.cancelled();
             return [this, file, cancelled] {
@@ -105,7 +105,7 @@ void Workbench::on(const AddRecording&) {
     const auto scene = state_.scene;
     const Settings settings = state_.settings;
     request("Add " + import.choices.trial, [this, import, scene, settings] {
-        start(task_->name, [this, import, scene, settings](const Progress& progress) -> Job::Completion {
+        start(request_->name, [this, import, scene, settings](const Progress& progress) -> Job::Completion {
             auto place = std::make_shared<Result<std::filesystem::path>>(
                 Error{"cancelled before anything was written", ""});
             if (!progress.cancelled()) *place = backend_->add_recording(*scene, settings, import.file, import.choices);
@@ -124,7 +124,7 @@ void Workbench::on(const AddRecording&) {
                 show_scene(std::move(**made), std::nullopt);
                 state_.project = project;
                 set_settings(kept);
-                if (task_) task_->settings = state_.settings;
+                if (request_) request_->settings = state_.settings;
                 for (std::size_t t = 0; t < state_.scene->trials.size(); ++t)
                     if (state_.scene->trials[t].name == import.choices.trial) choose_trial(static_cast<int>(t));
                 remember_recent(state_.scene->path);
@@ -135,7 +135,7 @@ void Workbench::on(const AddRecording&) {
     });
 }
 
-void Workbench::on(const GiveUpImport&) {
+void Workbench::on(const CancelImport&) {
     state_.import.reset();
     execute(SetTime{state_.time_s});
 }

@@ -56,27 +56,27 @@ bool Workbench::may_compute() {
 }
 
 void Workbench::request(const std::string& name, std::function<void()> begin_work) {
-    Task task{next_id_++, name, "", state_.settings, state_.scene, std::move(begin_work), {}};
-    if (!task_) return begin(std::move(task));
-    log(LogLevel::information, name + " waits until " + task_->name + " has ended.");
-    queue_.push_back(std::move(task));
+    Request request{next_id_++, name, "", state_.settings, state_.scene, std::move(begin_work), {}};
+    if (!request_) return begin(std::move(request));
+    log(LogLevel::information, name + " waits until " + request_->name + " has ended.");
+    queue_.push_back(std::move(request));
     update_queue();
 }
 
-void Workbench::begin(Task task) {
-    task.clock = clock_now();
-    task_ = std::move(task);
-    // The function may replace task_, and with it itself: keep a copy.
-    const std::function<void()> work = task_->begin;
+void Workbench::begin(Request request) {
+    request.clock = clock_now();
+    request_ = std::move(request);
+    // The function may replace request_, and with it itself: keep a copy.
+    const std::function<void()> work = request_->begin;
     work();
     // The request may have ended without starting a job.
     if (!job_) begin_next();
 }
 
 void Workbench::begin_next() {
-    task_.reset();
+    request_.reset();
     if (queue_.empty()) return;
-    Task next = std::move(queue_.front());
+    Request next = std::move(queue_.front());
     queue_.pop_front();
     update_queue();
     begin(std::move(next));
@@ -84,7 +84,7 @@ void Workbench::begin_next() {
 
 void Workbench::update_queue() {
     state_.queue.clear();
-    for (const Task& task : queue_) state_.queue.push_back({task.id, task.name});
+    for (const Request& request : queue_) state_.queue.push_back({request.id, request.name});
 }
 
 void Workbench::start(const std::string& name, Job::Work work, JobKind kind) {
@@ -96,7 +96,7 @@ void Workbench::start(const std::string& name, Job::Work work, JobKind kind) {
     };
     if (preview_job_ && !preview_given_up_) {
         // A job gets all processor cores; the preview continues after it.
-        give_up_preview();
+        cancel_preview();
         state_.preview.working = true;
     }
     job_ = std::make_unique<Job>(name, std::move(work), failed, wake_, kind);
@@ -104,22 +104,22 @@ void Workbench::start(const std::string& name, Job::Work work, JobKind kind) {
 }
 
 void Workbench::with_body(std::function<void()> then) {
-    if (!state_.body || !same_mesh(task_->settings, state_.body_settings)) return build_mesh(std::move(then));
-    task_->on = {state_.body, state_.ground, state_.body_settings};
+    if (!state_.body || !same_mesh(request_->settings, state_.body_settings)) return build_mesh(std::move(then));
+    request_->on = {state_.body, state_.ground, state_.body_settings};
     then();
 }
 
 void Workbench::end_task(JobOutcome outcome, const std::string& summary, JobRecord with) {
-    if (!task_) return;
-    with.id = task_->id;
-    with.name = task_->name;
-    with.clock = task_->clock;
+    if (!request_) return;
+    with.id = request_->id;
+    with.name = request_->name;
+    with.clock = request_->clock;
     with.outcome = outcome;
     with.summary = summary;
     // Searches and runs have set the settings that belong to their results.
-    if (!with.run && !with.diagnosis) with.settings = task_->settings;
+    if (!with.run && !with.diagnosis) with.settings = request_->settings;
     // Another body may be shown by now, so the one of the request is stored.
-    with.on = task_->on.body ? task_->on : PlacedBody{state_.body, state_.ground, state_.body_settings};
+    with.on = request_->on.body ? request_->on : PlacedBody{state_.body, state_.ground, state_.body_settings};
     state_.history.push_back(std::move(with));
     save_memory(state_.history);
 }
@@ -160,7 +160,7 @@ void Workbench::on(const Pause& c) {
 }
 
 void Workbench::on(const Unqueue& c) {
-    std::erase_if(queue_, [&](const Task& task) { return task.id == c.id; });
+    std::erase_if(queue_, [&](const Request& request) { return request.id == c.id; });
     update_queue();
 }
 

@@ -21,12 +21,12 @@ void Workbench::on(const ChangePreview& asked) {
 
 void Workbench::want_preview() {
     if (!state_.preview.on) return;
-    give_up_preview();
+    cancel_preview();
     state_.preview.working = true;
     begin_preview();
 }
 
-void Workbench::give_up_preview() {
+void Workbench::cancel_preview() {
     if (!preview_job_) return;
     preview_job_->cancel();
     // The thread ends at its next check of the flag; advance_preview() then discards the result.
@@ -34,7 +34,7 @@ void Workbench::give_up_preview() {
 }
 
 void Workbench::stop_preview() {
-    give_up_preview();
+    cancel_preview();
     state_.preview.working = false;
     state_.preview.run.reset();
     state_.preview.problem.clear();
@@ -43,7 +43,7 @@ void Workbench::stop_preview() {
 
 void Workbench::begin_preview() {
     // Only one preview at a time, and none while a job needs the processor.
-    if (!state_.preview.working || preview_job_ || task_) return;
+    if (!state_.preview.working || preview_job_ || request_) return;
     const bool possible = state_.scene_trial() && state_.mesh_is_current();
     // A complete run with these settings is better than a preview.
     if (!possible || state_.run_is_current()) return stop_preview();

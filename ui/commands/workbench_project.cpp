@@ -90,7 +90,7 @@ void Workbench::quit() {
         state_.pending = PendingAction{true, {}, {}};
         return;
     }
-    if (task_ && !state_.asks_to_stop) {
+    if (request_ && !state_.asks_to_stop) {
         state_.asks_to_stop = true;
         return;
     }
@@ -150,7 +150,7 @@ void Workbench::on(const Recover& command) {
     dropped_with_body_.reset();
     recovered_ = command.file;
     request("Recover", [this, file = command.file] {
-        start(task_->name, [this, file](const Progress& progress) -> Job::Completion {
+        start(request_->name, [this, file](const Progress& progress) -> Job::Completion {
             auto project = std::make_shared<Result<Project>>(backend_->read_project(file));
             auto scene = std::make_shared<Result<Scene>>(Error{"not read", ""});
             if (*project)

@@ -15,8 +15,8 @@ void Workbench::open(const std::filesystem::path& given, std::optional<double> m
         after_recovery_ = PendingAction{false, path, metres_per_unit};
         return;
     }
-    if (task_) {
-        log(LogLevel::warning, "\"" + task_->name + "\" is still running. Cancel it before another file is opened.");
+    if (request_) {
+        log(LogLevel::warning, "\"" + request_->name + "\" is still running. Cancel it before another file is opened.");
         return;
     }
     // Questions that must be answered before the file is opened. The answers call open() again.
@@ -29,7 +29,7 @@ void Workbench::open(const std::filesystem::path& given, std::optional<double> m
         return;
     }
     request("Open " + path.filename().string(), [this, path, metres_per_unit] {
-        start(task_->name, [this, path, metres_per_unit](const Progress& progress) -> Job::Completion {
+        start(request_->name, [this, path, metres_per_unit](const Progress& progress) -> Job::Completion {
             auto project = std::make_shared<std::optional<Project>>();
             auto scene = std::make_shared<Result<Scene>>(Error{"not read", ""});
             if (is_project(path)) {
@@ -70,7 +70,7 @@ void Workbench::show_scene(Scene scene, std::optional<double> metres_per_unit) {
     check_stability();
     state_.scene = std::make_shared<Scene>(std::move(scene));
     // The request that opened the scene continues with meshing, for which it needs the new scene and settings.
-    if (task_) task_->scene = state_.scene, task_->settings = state_.settings;
+    if (request_) request_->scene = state_.scene, request_->settings = state_.settings;
     state_.body.reset();
     state_.ground.reset();
     state_.run.reset();
@@ -122,15 +122,15 @@ void Workbench::show_project(const std::filesystem::path& file, Project project,
     state_.view = project.view;
     set_settings(project.settings);
     state_.saved_settings = autosaved_ = state_.settings;
-    if (task_) task_->settings = state_.settings;
+    if (request_) request_->settings = state_.settings;
     for (std::size_t t = 0; t < state_.scene->trials.size(); ++t)
         if (state_.scene->trials[t].name == project.trial) choose_trial(static_cast<int>(t));
 }
 
 void Workbench::build_mesh(std::function<void()> then) {
-    const Settings settings = task_->settings;
+    const Settings settings = request_->settings;
     // Preparing the body for painting takes long on large meshes, so it belongs to the same job.
-    const auto scene = task_->scene;
+    const auto scene = request_->scene;
     start("Mesh", [this, settings, scene, then = std::move(then)](const Progress& progress) -> Job::Completion {
         auto body = std::make_shared<Result<MeshedBody>>(backend_->mesh(*scene, settings, progress));
         const std::shared_ptr<const PaintGround> ground = *body ? paint_ground(scene->surface, (*body)->mesh, progress)
@@ -147,8 +147,8 @@ void Workbench::build_mesh(std::function<void()> then) {
                 end_task(JobOutcome::failed, body->error().text());
                 return;
             }
-            task_->on = {std::make_shared<const MeshedBody>(std::move(**body)), ground, settings};
-            show_body(task_->on);
+            request_->on = {std::make_shared<const MeshedBody>(std::move(**body)), ground, settings};
+            show_body(request_->on);
             for (const ReportLine& line : state_.body->report) {
                 if (line.warning) log(LogLevel::warning, line.label + ": " + line.value);
             }
@@ -156,7 +156,7 @@ void Workbench::build_mesh(std::function<void()> then) {
             // record.
             if (then)
                 then();
-            else if (task_->name == "Mesh")
+            else if (request_->name == "Mesh")
                 end_task(JobOutcome::done,
                          std::to_string(state_.body->mesh.cell_count()) + " " + to_string(settings.element));
         };

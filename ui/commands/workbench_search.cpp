@@ -21,9 +21,9 @@ void Workbench::show_run(std::shared_ptr<const RunResult> result, const Settings
 void Workbench::on(const Run&) {
     if (!may_compute()) return;
     const auto simulate = [this] {
-        start(task_->name,
-              [this, settings = task_->settings, scene = task_->scene,
-               body = task_->on.body](const Progress& progress) -> Job::Completion {
+        start(request_->name,
+              [this, settings = request_->settings, scene = request_->scene,
+               body = request_->on.body](const Progress& progress) -> Job::Completion {
                   auto result = std::make_shared<Result<RunResult>>(
                       backend_->simulate(*scene, *body, settings, std::nullopt, progress));
                   const bool cancelled = progress.cancelled();
@@ -39,9 +39,9 @@ void Workbench::on(const Run&) {
                           // Only complete runs are timed: an aborted one has a wrong ratio of time to steps.
                           if ((*result)->problem.empty() && (*result)->steps > 0.0)
                               remember(state_.preferences.step_costs,
-                                       {settings.element, task_->on.body->dofs, seconds / (*result)->steps});
+                                       {settings.element, request_->on.body->dofs, seconds / (*result)->steps});
                           state_.found.reset();
-                          show_body(task_->on);
+                          show_body(request_->on);
                           // The run may have shortened the step. The record holds the step that was used.
                           Settings used = settings;
                           if ((*result)->time_step_s > 0.0) {
@@ -68,11 +68,11 @@ void Workbench::on(const Run&) {
 
 void Workbench::search(const std::string& verb, Search find) {
     state_.search.reset();
-    state_.search_body = task_->on.body;
+    state_.search_body = request_->on.body;
     // A new mailbox for each search: results of an earlier search cannot arrive in this one.
     live_search_ = std::make_shared<LiveValue<SearchView>>();
     const auto live = live_search_;
-    start(task_->name,
+    start(request_->name,
           [this, verb, find = std::move(find), live](const Progress& progress) -> Job::Completion {
               const auto show = [live](std::shared_ptr<const SearchView> view) { live->set(std::move(view)); };
               auto result = std::make_shared<Result<SearchResult>>(find(progress, show));
@@ -84,9 +84,9 @@ void Workbench::search(const std::string& verb, Search find) {
                   if (*result) return show_found(verb, std::move(**result));
                   if (cancelled)
                       log(LogLevel::information,
-                          task_->name + " cancelled without values; the settings are unchanged.");
+                          request_->name + " cancelled without values; the settings are unchanged.");
                   else
-                      log_failure(result->error(), task_->name + " failed");
+                      log_failure(result->error(), request_->name + " failed");
                   end_task(cancelled ? JobOutcome::stopped : JobOutcome::failed,
                            cancelled ? "cancelled" : result->error().text());
               };
@@ -103,8 +103,8 @@ void Workbench::on(const Calibrate&) {
     }
     request("Calibrate", [this] {
         with_body([this] {
-            search("Calibrated", [this, settings = task_->settings, scene = task_->scene, body = task_->on.body](
-                                     const Progress& progress, const Backend::LiveSearch& live) {
+            search("Calibrated", [this, settings = request_->settings, scene = request_->scene,
+                                  body = request_->on.body](const Progress& progress, const Backend::LiveSearch& live) {
                 return backend_->calibrate(*scene, *body, settings, progress, live);
             });
         });
@@ -125,8 +125,8 @@ void Workbench::on(const Optimize&) {
     request_of.trial = trial->name;
     request("Optimise", [this, request_of] {
         with_body([this, request_of] {
-            search("Optimised", [this, request_of, settings = task_->settings, scene = task_->scene,
-                                 body = task_->on.body](const Progress& progress, const Backend::LiveSearch& live) {
+            search("Optimised", [this, request_of, settings = request_->settings, scene = request_->scene,
+                                 body = request_->on.body](const Progress& progress, const Backend::LiveSearch& live) {
                 return backend_->optimize(*scene, *body, settings, request_of, progress, live);
             });
         });
@@ -134,11 +134,11 @@ void Workbench::on(const Optimize&) {
 }
 
 void Workbench::show_found(const std::string& verb, SearchResult result) {
-    show_body(task_->on);
+    show_body(request_->on);
     state_.found = std::make_shared<SearchResult>(std::move(result));
     const SearchResult& found = *state_.found;
     // Settings that were edited during the search are not overwritten.
-    const bool untouched = state_.settings == task_->settings;
+    const bool untouched = state_.settings == request_->settings;
     if (untouched) {
         undo_.record(state_.settings, verb, false);
         state_.can_undo = true;
@@ -152,7 +152,7 @@ void Workbench::show_found(const std::string& verb, SearchResult result) {
                                plot::millimetres(found.rms_after_m) + " after, " + std::to_string(found.evaluations) +
                                (found.evaluations == 1 ? " evaluation." : " evaluations.");
     if (found.stopped)
-        log(LogLevel::warning, task_->name + " stopped; the best values so far are kept: " + errors);
+        log(LogLevel::warning, request_->name + " stopped; the best values so far are kept: " + errors);
     else
         log_done(verb + ": " + errors, found.run.checks);
     if (!untouched)

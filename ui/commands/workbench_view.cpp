@@ -62,6 +62,6 @@ void Workbench::on(const UsePreferences& c) {
 
 void Workbench::on(const ClearLog&) { state_.log.clear(); }
 
-void Workbench::on(const Tell& c) { log(c.level, c.text); }
+void Workbench::on(const LogMessage& c) { log(c.level, c.text); }
 
 }  // namespace myo::ui::commands

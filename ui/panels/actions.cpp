@@ -105,7 +105,7 @@ void add_edit_actions(std::vector<Action>& all) {
             brush.tool = brush.tool == tool ? commands::BrushTool::none : tool;
             context.emit(commands::ChangeBrush{brush});
             // The brush settings are in the task Fibres, so that task is shown.
-            if (brush.tool != commands::BrushTool::none) context.window.step = commands::Step::fibres;
+            if (brush.tool != commands::BrushTool::none) context.window.task = commands::Task::fibres;
         };
     };
     const auto has_muscle = [](const commands::WorkbenchState& s) { return s.chosen_muscle() != nullptr; };
@@ -136,7 +136,7 @@ void add_view_actions(std::vector<Action>& all) {
                    "View",
                    "Show the whole motion",
                    {platform::key_f, false, false, "F"},
-                   [](PanelContext&, viewport::ViewportState& view) { view.fit_requested = true; },
+                   [](PanelContext&, viewport::ViewportState& view) { view.zoom_to_data_requested = true; },
                    with_scene()});
     // Directions and shortcuts are those of the buttons in the view.
     struct Look {
@@ -158,7 +158,7 @@ void add_view_actions(std::vector<Action>& all) {
                        {look.key, false, false, look.keys},
                        [look](PanelContext&, viewport::ViewportState& view) {
                            view.camera = viewport::turn_to_or_round(view.camera, look.view);
-                           view.fit_requested = true;
+                           view.zoom_to_data_requested = true;
                        },
                        with_scene(),
                        {},
@@ -297,12 +297,12 @@ void add_run_actions(std::vector<Action>& all) {
 
 /// The tasks of the left column. They have no menu and are found through the palette.
 void add_step_actions(std::vector<Action>& all) {
-    for (const commands::Step step : commands::all_steps)
-        all.push_back({std::string("step.") + commands::step_id(step),
+    for (const commands::Task task : commands::all_tasks)
+        all.push_back({std::string("task.") + commands::task_id(task),
                        "Tasks",
-                       commands::step_title(step),
+                       commands::task_title(task),
                        {},
-                       [step](PanelContext& context, viewport::ViewportState&) { context.window.step = step; }});
+                       [task](PanelContext& context, viewport::ViewportState&) { context.window.task = task; }});
 }
 
 /// Menu Help.

@@ -14,7 +14,7 @@ public:
     std::string name() const override { return "body"; }
     std::string title() const override { return "Body"; }
     PanelPlace place() const override { return PanelPlace::side; }
-    std::optional<commands::Step> step() const override { return commands::Step::body; }
+    std::optional<commands::Task> task() const override { return commands::Task::body; }
     void draw(PanelContext& context) override;
 
 private:

@@ -19,15 +19,15 @@ struct Mark {
 
 /// Three cases: no checks yet, checks of earlier settings, or checks of the present settings.
 Mark mark_of(const commands::WorkbenchState& state, const platform::Theme& theme) {
-    if (!state.checks) return {platform::icon::shield, theme.muted, "no checks yet", no_checks_words};
+    if (!state.checks) return {platform::icon::shield, theme.muted, "no checks yet", no_checks_text};
     const commands::CheckReport& report = *state.checks;
-    const std::string counted = commands::count_words(report.rows) + "\nof " + report.job + ", started " + report.clock;
+    const std::string counted = commands::count_text(report.rows) + "\nof " + report.job + ", started " + report.clock;
     // Outdated checks get a neutral colour: they say nothing about the present settings.
     if (!state.checks_are_current())
-        return {platform::icon::stale, theme.muted, "checks: " + commands::doubt_words(report.rows) + ", outdated",
-                counted + "\n" + stale_checks_words};
+        return {platform::icon::stale, theme.muted, "checks: " + commands::doubt_text(report.rows) + ", outdated",
+                counted + "\n" + stale_checks_text};
     const commands::CheckState worst = commands::worst_state(report.rows);
-    return {check_icon(worst), check_color(theme, worst), "checks: " + commands::doubt_words(report.rows), counted};
+    return {check_icon(worst), check_color(theme, worst), "checks: " + commands::doubt_text(report.rows), counted};
 }
 
 /// Makes the last item a link to the panel of checks.
@@ -56,10 +56,10 @@ void check_text(const platform::Theme& theme, commands::CheckState state, const 
 
 void checks_line(PanelContext& context, const commands::CheckRows& rows, const std::string& item) {
     if (rows.empty()) return;
-    check_text(context.theme, commands::worst_state(rows), "Checks: " + commands::doubt_words(rows));
+    check_text(context.theme, commands::worst_state(rows), "Checks: " + commands::doubt_text(rows));
     context.items.mark(item);
     // The line names only what needs attention; the tooltip counts all states.
-    tooltip(context.theme, commands::count_words(rows) + "\nClick to show the findings.");
+    tooltip(context.theme, commands::count_text(rows) + "\nClick to show the findings.");
     go_to_checks(context);
 }
 

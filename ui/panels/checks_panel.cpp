@@ -67,7 +67,7 @@ std::string ChecksPanel::title() const { return std::string(platform::icon::shie
 /// Before anything is open the panel explains what will appear.
 void ChecksPanel::draw(PanelContext& context) {
     if (!context.state.checks) {
-        muted_text(context.theme, no_checks_words);
+        muted_text(context.theme, no_checks_text);
         context.items.mark("checks/empty");
         return;
     }
@@ -96,7 +96,7 @@ void ChecksPanel::draw_head(PanelContext& context) {
     if (context.state.checks_are_current()) return;
     ImGui::TextColored(theme.warning, "%s", platform::icon::stale);
     ImGui::SameLine(0.0f, 8.0f * theme.scale);
-    wrapped_text(stale_checks_words);
+    wrapped_text(stale_checks_text);
     context.items.mark("checks/stale");
 }
 

@@ -5,11 +5,11 @@
 namespace myo::ui::panels {
 
 inline constexpr const char* checks_panel_name = "checks";  // panel name
-inline constexpr const char* no_checks_words =
+inline constexpr const char* no_checks_text =
     "Checks appear once an experiment is open: whether its units, support, mesh, time step, start and recordings can "
     "be trusted, and after a run, a calibration or a diagnosis what that brought.";
 inline constexpr const char*
-    stale_checks_words = "The settings changed since: these are the checks of earlier settings.";
+    stale_checks_text = "The settings changed since: these are the checks of earlier settings.";
 
 /// Results of the checks of the experiment and the newest job, most severe first, each with what the user can do.
 ///

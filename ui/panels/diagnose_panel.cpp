@@ -9,7 +9,7 @@
 
 #include "base/letter_case.hpp"
 #include "panels/check_marks.hpp"
-#include "panels/job_words.hpp"
+#include "panels/job_text.hpp"
 #include "panels/tables.hpp"
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
@@ -32,14 +32,14 @@ ImVec4 verdict_color(const platform::Theme& theme, const commands::DiagnosisView
 }
 
 /// Progress of the diagnosis: its present part, what is counted, and the times.
-std::string stage_words(const commands::JobView& job) {
+std::string stage_text(const commands::JobView& job) {
     std::string words = job.progress.task.empty() ? "Starting" : job.progress.task;
     // The parts of a diagnosis have lower-case names.
     words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
-    if (const std::string counted = counted_words(job); !counted.empty()) words += ", " + counted;
+    if (const std::string counted = counted_text(job); !counted.empty()) words += ", " + counted;
     if (!job.progress.message.empty()) words += " \xc2\xb7 " + job.progress.message;
     std::replace(words.begin(), words.end(), '_', ' ');  // ids of effects contain underscores
-    if (job.remaining_s) words += " \xc2\xb7 " + time_words(job);
+    if (job.remaining_s) words += " \xc2\xb7 " + time_text(job);
     return words + " \xc2\xb7 " + duration_label(job.elapsed_s) + " so far";
 }
 
@@ -54,7 +54,7 @@ bool is_in_model(const commands::WorkbenchState& state, const commands::Diagnosi
 }
 
 /// Fitted value as far as the cell has room; the tooltip shows all of it.
-std::string value_words(const commands::DiagnosisRow& row, float width) {
+std::string value_text(const commands::DiagnosisRow& row, float width) {
     const bool fits = ImGui::CalcTextSize(row.value.c_str()).x <= width;
     return row.one_number || (!fits && !row.brief.empty()) ? row.brief : row.value;
 }
@@ -160,12 +160,12 @@ void DiagnosePanel::draw_head(PanelContext& context) {
         ImGui::EndDisabled();
         ImGui::SameLine(0.0f, 12.0f * s);
         const commands::JobView& job = *state.job;
-        ImGui::ProgressBar(static_cast<float>(job.fraction()), {160.0f * s, 0.0f}, bar_words(job).c_str());
+        ImGui::ProgressBar(static_cast<float>(job.fraction()), {160.0f * s, 0.0f}, bar_text(job).c_str());
         context.items.mark("diagnose/progress");
         ImGui::SameLine(0.0f, 12.0f * s);
         ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted(
-            elided(job.cancelling ? "Stopping" : stage_words(job), ImGui::GetContentRegionAvail().x).c_str());
+            elided(job.cancelling ? "Stopping" : stage_text(job), ImGui::GetContentRegionAvail().x).c_str());
         return;
     }
     const std::string label = std::string(platform::icon::stethoscope) + "  Diagnose";
@@ -281,7 +281,7 @@ void DiagnosePanel::draw_ranking(PanelContext& context) {
         text_cell(theme, row.name + sign, row.chosen ? verdict_color(theme, d) : color);
         ImGui::TableNextColumn();
         const float room = ImGui::GetContentRegionAvail().x;
-        ImGui::TextColored(color, "%s", elided(value_words(row, room), room).c_str());
+        ImGui::TextColored(color, "%s", elided(value_text(row, room), room).c_str());
         context.items.add("diagnose/value/" + row.key, {ImGui::GetItemRectMin(), ImGui::GetItemRectMax()});
         number_cell(theme, percent(row.explained), &color);
         number_cell(theme, plot::value_label(row.held_out, 3), &color);

@@ -15,7 +15,7 @@ public:
     std::string name() const override { return "diagnose"; }
     std::string title() const override;
     PanelPlace place() const override { return PanelPlace::strip; }
-    std::optional<commands::Step> step() const override { return commands::Step::diagnose; }
+    std::optional<commands::Task> task() const override { return commands::Task::diagnose; }
     void draw(PanelContext& context) override;
 
 private:

@@ -13,7 +13,7 @@ public:
     std::string name() const override { return "fibres"; }
     std::string title() const override { return "Fibres"; }
     PanelPlace place() const override { return PanelPlace::side; }
-    std::optional<commands::Step> step() const override { return commands::Step::fibres; }
+    std::optional<commands::Task> task() const override { return commands::Task::fibres; }
     void draw(PanelContext& context) override;
 
 private:

@@ -99,7 +99,7 @@ void FileBrowser::choose(PanelContext& context, const fs::path& path) {
     dialog.chosen(context, path);
 }
 
-void FileBrowser::give_up(PanelContext& context) {
+void FileBrowser::cancel(PanelContext& context) {
     const FileDialog dialog = *dialog_;
     dialog_.reset();
     ImGui::CloseCurrentPopup();
@@ -245,7 +245,7 @@ void FileBrowser::draw_foot(PanelContext& context) {
     const bool pressed = primary_button(theme, replaces ? "Replace" : dialog_->button, {width, 0.0f});
     context.items.mark("browser/open");
     ImGui::EndDisabled();
-    if (cancelled) return give_up(context);
+    if (cancelled) return cancel(context);
     if (!pressed && !(entered && has_choice)) return;
     const auto entry = std::find_if(entries_.begin(), entries_.end(),
                                     [&](const FolderEntry& e) { return e.name == selected_; });

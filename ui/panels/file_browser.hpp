@@ -64,7 +64,7 @@ private:
     /// Closes the dialog and calls the callback.
     void choose(PanelContext& context, const std::filesystem::path& path);
     /// Closes the dialog and reports that the user cancelled.
-    void give_up(PanelContext& context);
+    void cancel(PanelContext& context);
 
     std::optional<FileDialog> dialog_;           // empty: closed
     bool just_opened_ = false;                   // the popup has to be opened in the next draw()

@@ -86,8 +86,9 @@ FileDialog table_dialog(std::string title, const std::string& name, std::string 
     dialog.chosen = [table = std::move(table)](PanelContext& context, const std::filesystem::path& path) {
         // Writing a table is short, so it happens here and not in a job.
         const Result<void> written = write_file(path, table);
-        context.emit(written ? commands::Tell{commands::LogLevel::done, "Wrote " + path.string()}
-                             : commands::Tell{commands::LogLevel::failure, "Cannot save: " + written.error().text()});
+        context.emit(written
+                         ? commands::LogMessage{commands::LogLevel::done, "Wrote " + path.string()}
+                         : commands::LogMessage{commands::LogLevel::failure, "Cannot save: " + written.error().text()});
     };
     return dialog;
 }

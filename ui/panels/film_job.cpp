@@ -40,7 +40,7 @@ float picture_scale(const viewport::ViewSize& view, const viewport::ViewSize& pi
 
 /// Everything that can fail is created before the first image: renderer, canvas and writer.
 Result<void> FilmJob::begin(const PictureRequest& request, FilmedView filmed) {
-    give_up();
+    cancel();
     request_ = request;
     // 0 stands for the size of the view at this moment.
     if (request_.width <= 0) request_.width = filmed.view.size().width, request_.height = filmed.view.size().height;
@@ -69,7 +69,7 @@ Result<void> FilmJob::begin(const PictureRequest& request, FilmedView filmed) {
     return {};
 }
 
-void FilmJob::give_up() {
+void FilmJob::cancel() {
     writer_.reset();
     filmed_.reset();
     renderer_.reset();
@@ -95,7 +95,7 @@ Result<bool> FilmJob::add(const commands::Backend& backend) {
     // A failure ends the job as the last image does; its output is removed by the writer.
     const bool last = added && done_ == picture_count(request_);
     if (last && writer_) added = writer_->finish();
-    if (last || !added) give_up();
+    if (last || !added) cancel();
     if (!added) return added.error();
     return last;
 }

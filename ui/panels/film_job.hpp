@@ -41,7 +41,7 @@ public:
     /// true after the last image. Errors: the image cannot be rendered or written; the job has ended then.
     Result<bool> add(const commands::Backend& backend);
     /// Cancels the job; unfinished output is removed.
-    void give_up();
+    void cancel();
     /// The request that is being carried out.
     const PictureRequest& request() const { return request_; }
 

@@ -14,7 +14,7 @@ public:
     std::string name() const override { return "fit"; }
     std::string title() const override { return "Fit"; }
     PanelPlace place() const override { return PanelPlace::side; }
-    std::optional<commands::Step> step() const override { return commands::Step::fit; }
+    std::optional<commands::Task> task() const override { return commands::Task::fit; }
     void draw(PanelContext& context) override;
 
 private:

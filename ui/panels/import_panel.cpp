@@ -321,8 +321,8 @@ void draw_import_controls(PanelContext& context) {
     ImGui::EndDisabled();
     context.items.mark("import/add");
     ImGui::SameLine();
-    if (ImGui::Button("Cancel", {width, 0.0f})) context.emit(commands::GiveUpImport{});
-    context.items.mark("import/give_up");
+    if (ImGui::Button("Cancel", {width, 0.0f})) context.emit(commands::CancelImport{});
+    context.items.mark("import/cancel");
 }
 
 }  // namespace myo::ui::panels

@@ -15,7 +15,7 @@ public:
     std::string name() const override { return "import"; }
     std::string title() const override { return "Import a recording"; }
     PanelPlace place() const override { return PanelPlace::side; }
-    std::optional<commands::Step> step() const override { return commands::Step::measure; }
+    std::optional<commands::Task> task() const override { return commands::Task::measure; }
     bool offered(const commands::WorkbenchState& state) const override { return state.import != nullptr; }
     void draw(PanelContext& context) override;
 

@@ -6,7 +6,7 @@
 
 #include "panels/check_marks.hpp"
 #include "panels/job_comparison.hpp"
-#include "panels/job_words.hpp"
+#include "panels/job_text.hpp"
 #include "panels/tables.hpp"
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
@@ -34,10 +34,10 @@ ImVec4 record_color(const platform::Theme& theme, const commands::JobRecord& rec
 }
 
 /// "rms error 1.32 mm; checks: 1 amber".
-std::string result_words(const commands::JobRecord& record) {
+std::string result_text(const commands::JobRecord& record) {
     if (state_of(record) == commands::CheckState::green) return record.summary;
     return record.summary + (record.summary.empty() ? "" : "; ") +
-           "checks: " + commands::doubt_words(record.checks->rows);
+           "checks: " + commands::doubt_text(record.checks->rows);
 }
 
 // Icon buttons in narrow rows need a tooltip, so all buttons get one.
@@ -56,11 +56,11 @@ void running_row(PanelContext& context, const commands::JobView& job, bool wide)
     text_cell(theme, job.name, theme.text);
     if (wide) text_cell(theme, "", theme.muted), number_cell(theme, duration_label(job.elapsed_s));
     ImGui::TableNextColumn();
-    const std::string counted = counted_words(job),
-                      told = (counted.empty() ? "" : counted + " \xc2\xb7 ") + time_words(job);
+    const std::string counted = counted_text(job),
+                      told = (counted.empty() ? "" : counted + " \xc2\xb7 ") + time_text(job);
     // The bar contains as much of the text as fits; its tooltip has all of it.
     const float room = ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetStyle().ItemSpacing.x;
-    const std::string inside = ImGui::CalcTextSize(told.c_str()).x <= room ? told : elided(time_words(job), room);
+    const std::string inside = ImGui::CalcTextSize(told.c_str()).x <= room ? told : elided(time_text(job), room);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0f, 0.0f));  // aligned with the text of the other cells
     ImGui::ProgressBar(static_cast<float>(job.fraction()), {-1.0f, ImGui::GetTextLineHeight()}, inside.c_str());
     ImGui::PopStyleVar();
@@ -112,7 +112,7 @@ void record_row(PanelContext& context, const commands::JobRecord& record, bool w
         text_cell(theme, record.clock, theme.muted), number_cell(theme, time);
     else
         tooltip(theme, "Started " + record.clock + (time.empty() ? "" : ", took " + time));
-    text_cell(theme, result_words(record), theme.text);
+    text_cell(theme, result_text(record), theme.text);
     context.items.mark("jobs/record/" + id);
     ImGui::TableNextColumn();
     if (record.run) {

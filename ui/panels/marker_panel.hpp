@@ -18,7 +18,7 @@ public:
     std::string name() const override { return "markers"; }
     std::string title() const override;
     PanelPlace place() const override { return PanelPlace::strip; }
-    std::optional<commands::Step> step() const override { return commands::Step::measure; }
+    std::optional<commands::Task> task() const override { return commands::Task::measure; }
     void draw(PanelContext& context) override;
 
 private:

@@ -13,7 +13,7 @@ public:
     std::string name() const override { return "material"; }
     std::string title() const override { return "Material & support"; }
     PanelPlace place() const override { return PanelPlace::side; }
-    std::optional<commands::Step> step() const override { return commands::Step::material; }
+    std::optional<commands::Task> task() const override { return commands::Task::material; }
     void draw(PanelContext& context) override;
 
 private:

@@ -14,7 +14,7 @@ public:
     std::string name() const override { return "mesh"; }
     std::string title() const override { return "Mesh"; }
     PanelPlace place() const override { return PanelPlace::side; }
-    std::optional<commands::Step> step() const override { return commands::Step::mesh; }
+    std::optional<commands::Task> task() const override { return commands::Task::mesh; }
     void draw(PanelContext& context) override;
 
 private:

@@ -43,7 +43,7 @@ struct WindowPart {
 /// executed at its end.
 struct WindowRequests {
     std::optional<FileDialog> file;         // dialog to open
-    std::optional<commands::Step> step;     // task to show
+    std::optional<commands::Task> task;     // task to show
     std::string panel;                      // name of a panel to show
     std::optional<PictureRequest> picture;  // image or video of the 3D view to write
     std::optional<WindowPart> part;         // part of the window to write, without dialogs in front
@@ -89,7 +89,7 @@ public:
     virtual PanelPlace place() const = 0;
     /// Panels at the side: the task under which they are shown. Panels below the view: the task that brings them to the
     /// front, if any.
-    virtual std::optional<commands::Step> step() const { return std::nullopt; }
+    virtual std::optional<commands::Task> task() const { return std::nullopt; }
     /// Whether the panel is available in this state. It disappears otherwise.
     virtual bool offered(const commands::WorkbenchState&) const { return true; }
     /// Draws the panel into the current ImGui window. Called on the UI thread, only if offered() is true.

@@ -57,7 +57,7 @@ void ReportPanel::draw(PanelContext& context) {
                          const commands::CheckRows& checks = {}) {
         const commands::CheckState worst = commands::worst_state(checks);
         const std::string doubts = worst == commands::CheckState::green ? ""
-                                                                        : ", checks: " + commands::doubt_words(checks);
+                                                                        : ", checks: " + commands::doubt_text(checks);
         notice(theme, there ? commands::log_level(worst) : commands::LogLevel::information,
                file + ": " + what + doubts);
     };

@@ -15,7 +15,7 @@ public:
     std::string name() const override { return "report"; }
     std::string title() const override { return "Report"; }
     PanelPlace place() const override { return PanelPlace::side; }
-    std::optional<commands::Step> step() const override { return commands::Step::report; }
+    std::optional<commands::Task> task() const override { return commands::Task::report; }
     void draw(PanelContext& context) override;
 
 private:

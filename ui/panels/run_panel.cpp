@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "panels/check_marks.hpp"
-#include "panels/job_words.hpp"
+#include "panels/job_text.hpp"
 #include "panels/measure_panel.hpp"
 #include "panels/tables.hpp"
 #include "panels/widgets.hpp"
@@ -46,11 +46,11 @@ void draw_progress(PanelContext& context) {
     if (!state.queue.empty()) name += ", " + std::to_string(state.queue.size()) + " waiting";
     ImGui::TextUnformatted(name.c_str());
     ImGui::SameLine();
-    right_aligned(time_words(job));
-    ImGui::ProgressBar(static_cast<float>(job.fraction()), {-1.0f, 0.0f}, bar_words(job).c_str());
+    right_aligned(time_text(job));
+    ImGui::ProgressBar(static_cast<float>(job.fraction()), {-1.0f, 0.0f}, bar_text(job).c_str());
     context.items.mark("run/progress");
     // Count and message of the job in one line, separated by a dot if both exist.
-    const std::string counted = counted_words(job);
+    const std::string counted = counted_text(job);
     const std::string between = counted.empty() || job.progress.message.empty() ? "" : " \xc2\xb7 ";
     const std::string text = counted + between + job.progress.message;
     muted_text(theme, text.empty() ? " "

@@ -12,7 +12,7 @@ public:
     std::string name() const override { return "run"; }
     std::string title() const override { return "Result"; }
     PanelPlace place() const override { return PanelPlace::side; }
-    std::optional<commands::Step> step() const override { return commands::Step::run; }
+    std::optional<commands::Task> task() const override { return commands::Task::run; }
     void draw(PanelContext& context) override;
 
 private:

@@ -13,7 +13,7 @@ public:
     std::string name() const override { return "search"; }
     std::string title() const override;
     PanelPlace place() const override { return PanelPlace::strip; }
-    std::optional<commands::Step> step() const override { return commands::Step::fit; }
+    std::optional<commands::Task> task() const override { return commands::Task::fit; }
     void draw(PanelContext& context) override;
 
 private:

@@ -17,7 +17,7 @@ public:
     std::string name() const override { return "signals"; }
     std::string title() const override;
     PanelPlace place() const override { return PanelPlace::strip; }
-    std::optional<commands::Step> step() const override { return commands::Step::fibres; }
+    std::optional<commands::Task> task() const override { return commands::Task::fibres; }
     void draw(PanelContext& context) override;
 
 private:

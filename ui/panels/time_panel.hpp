@@ -14,7 +14,7 @@ public:
     std::string name() const override { return "time"; }
     std::string title() const override { return "Time step"; }
     PanelPlace place() const override { return PanelPlace::side; }
-    std::optional<commands::Step> step() const override { return commands::Step::run; }
+    std::optional<commands::Task> task() const override { return commands::Task::run; }
     void draw(PanelContext& context) override;
 
 private:

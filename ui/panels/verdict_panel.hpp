@@ -13,7 +13,7 @@ public:
     std::string name() const override { return "verdict"; }
     std::string title() const override { return "Verdict"; }
     PanelPlace place() const override { return PanelPlace::side; }
-    std::optional<commands::Step> step() const override { return commands::Step::diagnose; }
+    std::optional<commands::Task> task() const override { return commands::Task::diagnose; }
     void draw(PanelContext& context) override;
 };
 

@@ -14,7 +14,7 @@
 #include "panels/questions.hpp"
 #include "panels/run_panel.hpp"
 #include "panels/start_page.hpp"
-#include "panels/step_rail.hpp"
+#include "panels/task_rail.hpp"
 #include "panels/timeline.hpp"
 #include "panels/view_options.hpp"
 #include "panels/widgets.hpp"
@@ -62,10 +62,10 @@ Result<WorkbenchWindow> WorkbenchWindow::make(commands::Workbench& workbench) {
     return window;
 }
 
-void WorkbenchWindow::show_step(commands::Step step) {
-    step_ = step;
+void WorkbenchWindow::show_task(commands::Task task) {
+    task_ = task;
     for (const auto& panel : panels_)
-        if (panel->place() == PanelPlace::strip && panel->step() == step) strip_panel_ = panel->name();
+        if (panel->place() == PanelPlace::strip && panel->task() == task) strip_panel_ = panel->name();
     wake();
 }
 
@@ -76,7 +76,7 @@ bool WorkbenchWindow::show_panel(const std::string& name) {
         if (panel->place() == PanelPlace::strip)
             strip_panel_ = name;
         else
-            step_ = *panel->step();
+            task_ = *panel->task();
         wake();
         return true;
     }
@@ -101,19 +101,19 @@ void WorkbenchWindow::draw_side(PanelContext& context) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 8.0f * context.theme.scale));
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0f, 2.0f * context.theme.scale));
     begin_part("##steps", layout_.steps, ImGuiWindowFlags_NoScrollbar);
-    draw_step_rail(context, step_, layout_.narrow);
+    draw_task_rail(context, task_, layout_.narrow);
     ImGui::End();
     ImGui::PopStyleVar(2);
     begin_part("##side", layout_.rail, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     // The foot's height is known from the last frame only.
     const ImVec2 padding = ImGui::GetStyle().WindowPadding;
     // The buttons that start and stop jobs stay visible at the foot; everything else scrolls above them.
-    ImGui::BeginChild((std::string("##scrolling ") + commands::step_id(step_)).c_str(),
+    ImGui::BeginChild((std::string("##scrolling ") + commands::task_id(task_)).c_str(),
                       {0.0f, -(foot_height_ + padding.y)});
-    draw_step_head(context, step_);
+    draw_task_head(context, task_);
     bool first = true;
     for (const auto& panel : panels_) {
-        if (panel->place() != PanelPlace::side || panel->step() != step_ || !panel->offered(context.state)) continue;
+        if (panel->place() != PanelPlace::side || panel->task() != task_ || !panel->offered(context.state)) continue;
         if (!first) ImGui::Dummy({0.0f, 6.0f * context.theme.scale});
         first = false;
         heading(context.theme, panel->title());
@@ -124,7 +124,7 @@ void WorkbenchWindow::draw_side(PanelContext& context) {
     }
     ImGui::EndChild();
     const float foot_top = ImGui::GetCursorPosY();
-    if (context.state.import && step_ == commands::Step::measure && !context.state.busy())
+    if (context.state.import && task_ == commands::Task::measure && !context.state.busy())
         draw_import_controls(context);
     else
         draw_run_controls(context);
@@ -274,11 +274,11 @@ void WorkbenchWindow::update_scene() {
         motion_ = commands::summarize_motion(state);
         // Until the user moves the camera, the whole motion stays visible. Edits that are previewed are an exception:
         // the camera must not move with every one.
-        if (viewport_.untouched && !(state.previewing() && scene_key_.run)) viewport_.fit_requested = true;
+        if (viewport_.untouched && !(state.previewing() && scene_key_.run)) viewport_.zoom_to_data_requested = true;
     }
     // A new import shows its panels.
     if (key.import && !scene_key_.import) {
-        show_step(commands::Step::measure);
+        show_task(commands::Task::measure);
         show_panel("recording");
     }
     // After the summary, which contains the whole body.
@@ -315,8 +315,8 @@ void WorkbenchWindow::draw_parts(PanelContext& context) {
     draw_about(context, about_);
     picture_dialog_.draw(context);
     if (film_.runs() && film_.draw(context)) {
-        film_.give_up();
-        context.emit(commands::Tell{commands::LogLevel::information, "No pictures were written."});
+        film_.cancel();
+        context.emit(commands::LogMessage{commands::LogLevel::information, "No pictures were written."});
     }
     ImGui::End();
     react_to_keys(context);
@@ -328,7 +328,7 @@ void WorkbenchWindow::follow(WindowRequests& requests) {
     if (!requests.file && state.asks_where_to_save && !asked_where_) requests.file = save_dialog(state);
     asked_where_ = state.asks_where_to_save;
     if (requests.file) browser_.open(std::move(*requests.file));
-    if (requests.step) show_step(*requests.step);
+    if (requests.task) show_task(*requests.task);
     if (!requests.panel.empty()) show_panel(requests.panel);
     if (requests.palette) palette_.open();
     if (requests.about) about_ = true;

@@ -56,9 +56,9 @@ public:
     /// Opens a file or folder, as the command line asks.
     void open(const std::filesystem::path& path) { workbench_->execute(commands::Open{path, std::nullopt}); }
     /// Shows a task in the side panel, and its panel below the view.
-    void show_step(commands::Step step);
+    void show_task(commands::Task task);
     /// The task that is shown in the side panel.
-    commands::Step step() const { return step_; }
+    commands::Task task() const { return task_; }
     /// Shows a panel by its name. Returns false if there is no such panel.
     bool show_panel(const std::string& name);
     // The rest of the interface serves tests, and the program's window with its callbacks.
@@ -131,7 +131,7 @@ private:
     viewport::SceneRenderer renderer_;
     platform::FramePacer pacer_;
     std::vector<std::unique_ptr<Panel>> panels_;  // all panels, also those that are not shown
-    commands::Step step_ = commands::Step::body;  // shown in the side panel
+    commands::Task task_ = commands::Task::body;  // shown in the side panel
     FileBrowser browser_;
     Palette palette_;
     bool about_ = false;        // the dialog is open

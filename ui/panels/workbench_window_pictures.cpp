@@ -22,7 +22,8 @@ void WorkbenchWindow::begin_pictures() {
     const Result<void> begun = film_.begin(
         request, {workbench_->state(), motion_, viewport_, distances_.distances(), interface_.theme()});
     if (!begun)
-        workbench_->execute(commands::Tell{commands::LogLevel::failure, cannot_write(request) + begun.error().text()});
+        workbench_->execute(
+            commands::LogMessage{commands::LogLevel::failure, cannot_write(request) + begun.error().text()});
 }
 
 /// One image per frame, with a message after the last one.
@@ -33,9 +34,10 @@ void WorkbenchWindow::add_picture() {
     const std::string written = request.moves ? std::to_string(film_.done()) + " pictures written to "
                                               : "Picture written to ";
     if (!last)
-        workbench_->execute(commands::Tell{commands::LogLevel::failure, cannot_write(request) + last.error().text()});
+        workbench_->execute(
+            commands::LogMessage{commands::LogLevel::failure, cannot_write(request) + last.error().text()});
     else if (*last)
-        workbench_->execute(commands::Tell{commands::LogLevel::done, written + request.path.string() + "."});
+        workbench_->execute(commands::LogMessage{commands::LogLevel::done, written + request.path.string() + "."});
 }
 
 /// The part is read from the framebuffer, so it looks exactly as in the window.
@@ -44,8 +46,9 @@ void WorkbenchWindow::write_part(int width, int height) {
     const Result<void> written = platform::write_png(
         platform::cropped(platform::read_frame(width, height), part.pixels), part.path);
     workbench_->execute(
-        written ? commands::Tell{commands::LogLevel::done, "Picture written to " + part.path.string() + "."}
-                : commands::Tell{commands::LogLevel::failure, "Cannot write the picture: " + written.error().text()});
+        written
+            ? commands::LogMessage{commands::LogLevel::done, "Picture written to " + part.path.string() + "."}
+            : commands::LogMessage{commands::LogLevel::failure, "Cannot write the picture: " + written.error().text()});
 }
 
 }  // namespace myo::ui::panels

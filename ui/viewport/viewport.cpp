@@ -62,7 +62,7 @@ void draw_buttons(const platform::Theme& theme, platform::ItemRectangles& items,
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
     };
     if (ImGui::Button(platform::icon::expand)) {
-        state.fit_requested = true;
+        state.zoom_to_data_requested = true;
         state.untouched = true;
     }
     items.mark("view/fit");
@@ -71,7 +71,7 @@ void draw_buttons(const platform::Theme& theme, platform::ItemRectangles& items,
         ImGui::SameLine();
         if (ImGui::Button(button.label)) {
             state.camera = turn_to_or_round(state.camera, button.view);
-            state.fit_requested = true;
+            state.zoom_to_data_requested = true;
         }
         items.mark(button.name);
         tip(button.tip);
@@ -103,9 +103,9 @@ void draw_viewport(const DrawnScene& scene, const platform::Theme& theme, platfo
     ImGui::SetItemAllowOverlap();
     react_to_mouse(state, ImGui::IsItemHovered(), ImGui::IsItemActive(), takes);
     draw_buttons(theme, items, state);
-    if (state.fit_requested) {
+    if (state.zoom_to_data_requested) {
         state.camera = fit(state.camera, state.size(), scene.reach);
-        state.fit_requested = false;
+        state.zoom_to_data_requested = false;
     }
     draw_view_overlay(list, state.pixels, state.camera, scene, theme, labels);
 }

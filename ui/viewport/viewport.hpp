@@ -13,7 +13,7 @@ namespace myo::ui::viewport {
 /// State of a 3D view between frames, and what the user did to it in this frame.
 struct ViewportState {
     Camera camera;
-    bool fit_requested = true;                        // zoom to the whole scene in the next frame
+    bool zoom_to_data_requested = true;               // zoom to the whole scene in the next frame
     bool untouched = true;                            // the user has not moved the camera since the last zoom to data
     bool moving = false;                              // the camera moved in this frame: render without multisampling
     bool hovered = false;                             // the mouse is over the view, with no other item in front

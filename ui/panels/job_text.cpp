@@ -1,4 +1,4 @@
-#include "panels/job_words.hpp"
+#include "panels/job_text.hpp"
 
 #include "panels/widgets.hpp"
 #include "plot/ticks.hpp"
@@ -11,14 +11,14 @@ std::string count_label(double count) { return count < 1000.0 ? plot::plain_labe
 
 }  // namespace
 
-std::string counted_words(const commands::JobView& job) {
+std::string counted_text(const commands::JobView& job) {
     const ProgressEvent& progress = job.progress;
     if (!job.counts() || progress.unit.empty()) return "";
     return count_label(progress.done) + " of " + count_label(progress.total) + " " + progress.unit;
 }
 
 /// A cancelled or paused job has no remaining time.
-std::string time_words(const commands::JobView& job) {
+std::string time_text(const commands::JobView& job) {
     if (job.cancelling) return "stopping";
     if (job.paused) return "paused";
     if (!job.remaining_s) return duration_label(job.elapsed_s) + " so far";
@@ -27,7 +27,7 @@ std::string time_words(const commands::JobView& job) {
     return job.remaining_of == commands::TimeLeft::of_stage ? left + " of this stage" : left;
 }
 
-std::string bar_words(const commands::JobView& job) {
+std::string bar_text(const commands::JobView& job) {
     return job.counts() ? plot::value_label(100.0 * job.fraction(), 2) + " %" : "working";
 }
 

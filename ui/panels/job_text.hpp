@@ -9,14 +9,14 @@
 namespace myo::ui::panels {
 
 /// Progress as a count: "12 of 40 evaluations". Empty if nothing is counted.
-std::string counted_words(const commands::JobView& job);
+std::string counted_text(const commands::JobView& job);
 
 /// Remaining time: "40 s left", "at most 40 s left"; for a job in several parts only that of the present part; the time
 /// so far if no estimate exists; "paused" or "stopping".
 /// "paused" or "stopping".
-std::string time_words(const commands::JobView& job);
+std::string time_text(const commands::JobView& job);
 
 /// Text in the progress bar: "35 %", or "working" if the total is unknown.
-std::string bar_words(const commands::JobView& job);
+std::string bar_text(const commands::JobView& job);
 
 }  // namespace myo::ui::panels
