@@ -10,36 +10,29 @@
 #include "material/tensors.hpp"
 #include "model/assumed_strain_points.hpp"
 #include "model/assumed_strain_stiffness.hpp"
-#include "model/point_bulk.hpp"
+#include "model/elastic_points.hpp"
 #include "model/point_kinematics.hpp"
 
 namespace myo::model {
 
-/// Entry i of a per-cell field. `field` points to the start of a pack's data.
-inline Pack entry(const double* field, int i) { return load_pack(field + i * pack_width); }
-
-/// Input of evaluate_pack(). A null pointer means a factor of 1, or an absent part.
+/// Input of add_response(). A null pointer means a factor of 1, or an absent part.
 struct PackInput {
-    const material::Material* material = nullptr;  // constitutive law
-    bool elastic = false, viscous = false;         // parts to evaluate
-    Pack poissons_ratio = 0.0;                     // for the bending of cells with assumed strain
-    Pack mu = 0.0, kappa = 0.0;                    // [Pa] moduli
-    const double* elastic_factors = nullptr;       // scale mu and kappa, per point; null: 1
-    PointBulk point_bulk;                          // bulk modulus at the points of cells with a mean volume
-    Pack viscous_mu = 0.0;                         // damping times mu [Pa s]; requires `rate_history`
-    const double* viscous_factors = nullptr;       // scale viscous_mu, per point; null: 1
-    double rate_factor = 0.0;                      // [1/s] strain rate = rate_factor * strain + rate_history
-    const double* rate_history = nullptr;          // [1/s] strains_per_cell packs
-    const double* pressure = nullptr;  // U' for the geometric stiffness, volumes_per_cell packs; null: current
+    bool elastic = false, viscous = false;    // parts to evaluate
+    PackElasticity elasticity;                // required if elastic
+    Pack poissons_ratio = 0.0;                // for the bending of cells with assumed strain
+    Pack viscous_mu = 0.0;                    // damping times mu [Pa s]; requires `rate_history`
+    const double* viscous_factors = nullptr;  // scale viscous_mu, per point; null: 1
+    double rate_factor = 0.0;                 // [1/s] strain rate = rate_factor * strain + rate_history
+    const double* rate_history = nullptr;     // [1/s] strains_per_cell packs
+    const double* pressure = nullptr;         // U' for the geometric stiffness, volumes_per_cell packs; null: current
 
-    Pack elastic_factor(int q) const { return elastic_factors ? entry(elastic_factors, q) : Pack(1.0); }
     Pack viscous_factor(int q) const { return viscous_factors ? entry(viscous_factors, q) : Pack(1.0); }
 };
 
-/// Result of evaluate_pack().
+/// Result of add_response().
 template <int N>
 struct PackOutput {
-    Pack energy;                      // [J]
+    Pack energy = 0.0;                // [J]
     PackNodes<N> gradient;            // dW/dx [N]
     PackMatrix<N> hessian;            // d2W/dx2 [N/m]; unchanged unless requested
     material::LawResponse<Pack> law;  // workspace: of the last point. Kept here to avoid clearing one per pack
@@ -97,43 +90,39 @@ void add_viscous_response(const material::Matrix3<Pack>& F, const Pack& viscous_
     }
 }
 
-/// Energy of the mean volume of a pack's cells (mean dilatation), for elements and laws with a volumetric split. W = V
-/// U(theta) with theta the volume average over the points.
+/// Forces and stiffness of the mean volume of a pack's cells: W = V U(theta) with theta the average over the points,
+/// see ElasticPoints.
 template <bool WithHessian, class Geometry>
 class MeanVolume {
 public:
     static constexpr int N = Geometry::nodes, Q = Geometry::points;
 
-    MeanVolume(const PointKinematics<Geometry>& points, const Pack& volume)
-        : inverse_volume_(1.0 / volume), volume_(volume), gradient_(points) {}
+    explicit MeanVolume(const PointKinematics<Geometry>& points) : gradient_(points) {}
 
-    /// Adds point q.
-    /// @param factor  scale of kappa at this point
-    /// @param theta   volume measure and its derivatives with respect to F
-    void add(int q, const Pack& weight, const Pack& factor, const material::TensorFunctionOf<Pack>& theta) {
-        theta_ += weight * inverse_volume_ * theta.value;
-        factor_ += weight * inverse_volume_ * factor;
-        gradient_.add(q, theta.gradient * weight);
-        if constexpr (WithHessian) hessian_[static_cast<std::size_t>(q)] = theta.hessian;
+    /// Adds the derivatives of theta with respect to F at a point.
+    void add(const PointState& point) {
+        gradient_.add(point.q, point.law.volume.gradient * point.weight);
+        if constexpr (WithHessian) hessian_[static_cast<std::size_t>(point.q)] = point.law.volume.hessian;
     }
 
     /// Adds energy, gradient and Hessian to the output. Call after the last add().
-    void finish(const PointKinematics<Geometry>& points, const PackInput& in, PackOutput<N>& out) const {
-        const material::ScalarFunctionOf<Pack> U = in.material->bulk(
-            theta_, (in.kappa - in.point_bulk.of(in.mu, in.kappa)) * factor_);
-        out.energy += volume_ * U.value;
+    /// @param U         energy density at the average of theta
+    /// @param pressure  U' in the geometric part of the Hessian
+    void finish(const PointKinematics<Geometry>& points, const material::ScalarFunctionOf<Pack>& U,
+                const Pack& pressure, PackOutput<N>& out) const {
+        const Pack volume = points.geometry().volume;
+        out.energy += volume * U.value;
         PackNodes<N> gradient = PackNodes<N>::Constant(Pack(0.0));
         gradient_.add_to(gradient);
         out.gradient += gradient * U.first;
         if constexpr (WithHessian) {
             // Hessian of V U(theta): U' times the second derivative of theta, plus a rank-one term U'' d theta x d
             // theta.
-            const Pack p = in.pressure ? load_pack(in.pressure) : U.first;
             for (std::size_t q = 0; q < Q; ++q)
-                add_pulled_back<N>(hessian_[q], points.geometry().gradient[q], p * points.weight(static_cast<int>(q)),
-                                   out.hessian);
+                add_pulled_back<N>(hessian_[q], points.geometry().gradient[q],
+                                   pressure * points.weight(static_cast<int>(q)), out.hessian);
             // The rank-one part couples all nodes of a cell, so it is added after the loop over points.
-            const Pack stiffness = U.second * inverse_volume_;
+            const Pack stiffness = U.second * (1.0 / volume);
             for (int b = 0; b < N; ++b)
                 for (int a = b; a < N; ++a) {
                     material::Matrix3<Pack>& block = out.hessian[static_cast<std::size_t>(lower_block<N>(a, b))];
@@ -144,7 +133,6 @@ public:
     }
 
 private:
-    Pack inverse_volume_, volume_, theta_ = 0.0, factor_ = 0.0;
     StressSum<Geometry> gradient_;
     std::array<material::Matrix9<Pack>, WithHessian ? Q : 1> hessian_;
 };
@@ -163,60 +151,46 @@ void add_bulk_response(const material::ScalarFunctionOf<Pack>& U, const Pack& p,
         });
 }
 
-/// Energy, gradient and optionally Hessian of one pack of cells at the nodal positions x [m].
+/// Adds energy, gradient and optionally Hessian of one pack of cells.
 ///
 /// An inverted cell gives non-finite values where the law is undefined.
 template <bool WithHessian, class Geometry>
-void evaluate_pack(const PackedCells<Geometry>& cells, int pack, const PackNodes<Geometry::nodes>& x,
-                   const PackInput& in, PackOutput<Geometry::nodes>& out) {
-    constexpr int Q = Geometry::points;
-    /// Cells with assumed strain have no volumetric locking, hence no mean volume.
+void add_response(const PackedCells<Geometry>& cells, int pack, const PointKinematics<Geometry>& points,
+                  const PackInput& in, PackOutput<Geometry::nodes>& out) {
     constexpr bool has_mean_volume = requires(const Geometry& g) { g.weight; };
-    const Geometry& geometry = cells.geometry(pack);
-    const PointKinematics<Geometry> points(geometry, cells.surroundings_of(pack), x, in.poissons_ratio);
     StressSum<Geometry> stress(points);
-    out.energy = 0.0;
-    out.gradient.setConstant(Pack(0.0));
-    if constexpr (WithHessian)
-        for (material::Matrix3<Pack>& block : out.hessian) block.setConstant(Pack(0.0));
     std::optional<StiffnessSum<Geometry>> stiffness;
     if constexpr (WithHessian) stiffness.emplace(points, out.hessian);
-    /// Laws without a split cannot exchange their volume measure; they are evaluated as a whole.
-    const bool split = in.elastic && in.material->has_split();
-    const bool mean = has_mean_volume && cells.mean_volume && split;
+    std::optional<ElasticPoints<Geometry>> elastic;
+    if (in.elastic) elastic.emplace(cells, pack, in.elasticity);
+    const bool mean = elastic && elastic->mean();
     std::optional<MeanVolume<WithHessian, Geometry>> volume;
-    if (mean) volume.emplace(points, geometry.volume);
-    // Part of the bulk modulus that stays at the points in cells with a mean volume.
-    const Pack point_kappa = mean ? in.point_bulk.of(in.mu, in.kappa) : in.kappa;
-    const bool point_bulk = split && (!mean || !cells.point_bulk_over_mu.empty());
+    if (mean) volume.emplace(points);
 
     material::LawResponse<Pack>& law = out.law;
-    for (int q = 0; q < Q; ++q) {
+    for (int q = 0; q < Geometry::points; ++q) {
         const Pack weight = points.weight(q);
         const material::Matrix3<Pack> F = points.gradient(q);
         material::Matrix3<Pack> P = zero_tensor();
         Pack pressure_change = 0.0;  // of the geometric stiffness, relative to the current pressure
         material::Matrix9<Pack> A;
         Pack density = 0.0;
-        if (in.elastic) {
-            const Pack factor = in.elastic_factor(q);
+        if (elastic && !WithHessian && !mean) {
             // Fast path: the law evaluates energy and stress in one call if no split is needed.
-            if (!WithHessian && !mean) {
-                in.material->respond_whole(F, in.mu * factor, in.kappa * factor, density, P);
-            } else {
-                in.material->respond(F, in.mu * factor, in.kappa * factor, WithHessian, law);
-                density = law.distortion.value;
-                P = law.distortion.gradient;
-                if constexpr (WithHessian) A = law.distortion.hessian;
-                if constexpr (has_mean_volume)
-                    if (mean) volume->add(q, weight, factor, law.volume);
-                if (point_bulk) {
-                    const material::ScalarFunctionOf<Pack> U = in.material->bulk(law.volume.value,
-                                                                                 point_kappa * factor);
-                    const Pack p = in.pressure && !mean ? entry(in.pressure, q) : U.first;
-                    pressure_change = p - U.first;
-                    add_bulk_response<WithHessian>(U, p, law.volume, density, P, A);
-                }
+            const Pack factor = in.elasticity.factor(q);
+            in.elasticity.law->respond_whole(F, in.elasticity.mu * factor, in.elasticity.kappa * factor, density, P);
+        } else if (elastic) {
+            const PointState point = elastic->respond(q, weight, F, WithHessian, law);
+            density = law.distortion.value;
+            P = law.distortion.gradient;
+            if constexpr (WithHessian) A = law.distortion.hessian;
+            if constexpr (has_mean_volume)
+                if (mean) volume->add(point);
+            if (elastic->at_points()) {
+                const material::ScalarFunctionOf<Pack> U = elastic->bulk_at(point);
+                const Pack p = in.pressure && !mean ? entry(in.pressure, q) : U.first;
+                pressure_change = p - U.first;
+                add_bulk_response<WithHessian>(U, p, law.volume, density, P, A);
             }
         } else if constexpr (WithHessian) {
             A.setConstant(Pack(0.0));
@@ -228,14 +202,29 @@ void evaluate_pack(const PackedCells<Geometry>& cells, int pack, const PackNodes
         stress.add(q, P * weight);
         // P enters the curvature of F(x). It must contain the same pressure as the geometric part of A.
         if constexpr (WithHessian) {
-            if (split) P += law.volume.gradient * pressure_change;
+            if (elastic && elastic->split()) P += law.volume.gradient * pressure_change;
             stiffness->add(q, A * weight, P * weight);
         }
     }
     stress.add_to(out.gradient);
     if constexpr (WithHessian) stiffness->finish();
     if constexpr (has_mean_volume)
-        if (mean) volume->finish(points, in, out);
+        if (mean) {
+            const material::ScalarFunctionOf<Pack> U = elastic->bulk_of_mean();
+            volume->finish(points, U, in.pressure ? load_pack(in.pressure) : U.first, out);
+        }
+}
+
+/// Energy, gradient and optionally Hessian of one pack of cells at the nodal positions x [m].
+template <bool WithHessian, class Geometry>
+void evaluate_pack(const PackedCells<Geometry>& cells, int pack, const PackNodes<Geometry::nodes>& x,
+                   const PackInput& in, PackOutput<Geometry::nodes>& out) {
+    const PointKinematics<Geometry> points(cells.geometry(pack), cells.surroundings_of(pack), x, in.poissons_ratio);
+    out.energy = 0.0;
+    out.gradient.setConstant(Pack(0.0));
+    if constexpr (WithHessian)
+        for (material::Matrix3<Pack>& block : out.hessian) block.setConstant(Pack(0.0));
+    add_response<WithHessian>(cells, pack, points, in, out);
 }
 
 }  // namespace myo::model

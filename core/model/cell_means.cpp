@@ -39,49 +39,34 @@ double largest_stretch(const Matrix3d& F) {
 template <class Geometry>
 void add_integrals(const PackedCells<Geometry>& cells, int pack, const Model& model, const Matrix3Xd& x,
                    std::vector<CellIntegrals>& result) {
-    const material::Material& law = *model.material;
     const auto xe = nodes_of_pack(cells, pack, x);
     const PointKinematics<Geometry> points = points_of(cells, pack, model, xe);
-    const Pack mu = pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].mu; });
-    const Pack kappa = pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].kappa; });
-    const double* factors = factors_of(cells, pack, model.point_factors);
-    // Same split of the bulk modulus between points and mean volume as in evaluate_pack().
-    const bool mean = cells.mean_volume && law.has_split();
-    const Pack volume = cells.geometry(pack).volume,
-               point_kappa = mean ? point_bulk(cells, pack, model.moduli).of(mu, kappa) : kappa;
+    const PackElasticity elasticity = elasticity_of(cells, pack, model);
+    ElasticPoints<Geometry> elastic(cells, pack, elasticity);
     material::Matrix3<Pack> kirchhoff = zero_tensor(),
                             mean_part = zero_tensor();  // integrals of P F' and of d theta/dF F'
-    Pack mean_theta = 0.0, mean_factor = 0.0, now = 0.0;
-    material::LawResponse<Pack> response;
-    for (int q = 0; q < Geometry::points; ++q) {
-        const Pack weight = points.weight(q), factor = factors ? entry(factors, q) : Pack(1.0);
-        const material::Matrix3<Pack> F = points.gradient(q), F_transposed = F.transpose();
-        law.respond(F, mu * factor, kappa * factor, false, response);
-        material::Matrix3<Pack> P = response.distortion.gradient;
-        if (law.has_split())
-            P += response.volume.gradient * law.bulk(response.volume.value, point_kappa * factor).first;
-        if (mean) {
-            mean_theta += weight / volume * response.volume.value;
-            mean_factor += weight / volume * factor;
-            mean_part += product(response.volume.gradient, F_transposed) * weight;
-        }
-        kirchhoff += product(P, F_transposed) * weight;
+    Pack now = 0.0;
+    elastic.visit(points, [&](const PointState& point) {
+        const material::Matrix3<Pack> F_transposed = point.F.transpose();
+        kirchhoff += product(elastic.stress_at(point), F_transposed) * point.weight;
+        if (elastic.mean()) mean_part += product(point.law.volume.gradient, F_transposed) * point.weight;
         // J from the first column of F and its cofactors.
+        const material::Matrix3<Pack>& F = point.F;
         const material::Matrix3<Pack> C = material::cofactor(F);
-        now += weight * (F(0, 0) * C(0, 0) + F(1, 0) * C(1, 0) + F(2, 0) * C(2, 0));
+        now += point.weight * (F(0, 0) * C(0, 0) + F(1, 0) * C(1, 0) + F(2, 0) * C(2, 0));
         for (int lane = 0; lane < cells.lanes_used(pack); ++lane)
             result[static_cast<std::size_t>(pack * pack_width + lane)]
-                .stretch += static_cast<double>(weight[static_cast<std::size_t>(lane)]) *
+                .stretch += static_cast<double>(point.weight[static_cast<std::size_t>(lane)]) *
                             largest_stretch(material::lane_of(F, lane));
-    }
+    });
     // The mean pressure acts on all points of a cell, so it is known only after the loop.
-    if (mean) kirchhoff += mean_part * law.bulk(mean_theta, (kappa - point_kappa) * mean_factor).first;
+    if (elastic.mean()) kirchhoff += mean_part * elastic.bulk_of_mean().first;
     for (int lane = 0; lane < cells.lanes_used(pack); ++lane) {
         const auto l = static_cast<std::size_t>(lane);
         CellIntegrals& cell = result[static_cast<std::size_t>(pack * pack_width + lane)];
         cell.kirchhoff = material::lane_of(kirchhoff, lane);
         cell.volume = now[l];
-        cell.rest_volume = volume[l];
+        cell.rest_volume = cells.geometry(pack).volume[l];
     }
 }
 

@@ -23,22 +23,6 @@ struct ForceColumnsPolicy {
 };
 constexpr ForceColumnsPolicy force_columns_policy;
 
-/// Adds the viscous forces of a given strain rate.
-template <class Geometry>
-void add_viscous(const PointKinematics<Geometry>& points, const Pack& viscous_mu, const double* factors,
-                 const double* rate, PackNodes<Geometry::nodes>& gradient) {
-    StressSum<Geometry> stress(points);
-    Pack unused = 0.0;
-    material::Matrix9<Pack> no_tangent;
-    for (int q = 0; q < Geometry::points; ++q) {
-        material::Matrix3<Pack> P = zero_tensor();
-        add_viscous_response<false>(points.gradient(q), factors ? viscous_mu * entry(factors, q) : viscous_mu, 0.0,
-                                    rate, q, unused, P, no_tangent);
-        stress.add(q, P * points.weight(q));
-    }
-    stress.add_to(gradient);
-}
-
 /// Lanes value(cell) of a pack; 0 for lanes past the last cell.
 template <class Cells, class Value>
 Pack lanes_of(const Cells& cells, int pack, const Value& value) {
@@ -46,6 +30,19 @@ Pack lanes_of(const Cells& cells, int pack, const Value& value) {
         const int cell = pack * pack_width + static_cast<int>(lane);
         return cell < cells.cell_count ? value(static_cast<std::size_t>(cell)) : 0.0;
     });
+}
+
+/// Viscous forces of given strain rates.
+/// @param rates  [1/s] strain_count entries
+template <class Geometry>
+PackInput viscous_input(const PackedCells<Geometry>& cells, int pack, const Model& model, const Pack& viscous_mu,
+                        const double* rates) {
+    PackInput in;
+    in.viscous = true;
+    in.viscous_mu = viscous_mu;
+    in.viscous_factors = factors_of(cells, pack, model.point_factors);
+    in.rate_history = rates + pack * cells.strains_per_cell() * pack_width;
+    return in;
 }
 
 /// Forces for unit mu, unit kappa and unit viscous modulus, at the nodes of each pack.
@@ -61,29 +58,22 @@ UnitForces unit_forces_of(const PackedCells<Geometry>& cells, const Model& model
         PackOutput<N> out;
         for (int pack = first; pack < end; ++pack) {
             const auto xe = nodes_of_pack(cells, pack, x);
+            const PointKinematics<Geometry> points = points_of(cells, pack, model, xe);
             const auto keep = [&](std::vector<Pack>& field, const PackInput& in) {
-                evaluate_pack<false>(cells, pack, xe, in, out);
+                out.gradient.setConstant(Pack(0.0));
+                add_response<false>(cells, pack, points, in, out);
                 std::copy(out.gradient.data(), out.gradient.data() + 3 * N, field.begin() + pack * 3 * N);
             };
             PackInput elastic;
-            elastic.material = model.material.get();
             elastic.elastic = true;
-            elastic.poissons_ratio = poissons_ratio_of(cells, pack, model);
-            elastic.elastic_factors = factors_of(cells, pack, elastic_factors);
-            elastic.point_bulk = point_bulk(cells, pack, model.moduli);
-            elastic.mu = 1.0;
+            elastic.elasticity = {model.material.get(), 1.0, 0.0, point_bulk(cells, pack, model.moduli),
+                                  factors_of(cells, pack, elastic_factors)};
             keep(forces.mu, elastic);
             // Unit bulk modulus with zero shear modulus.
-            std::swap(elastic.mu, elastic.kappa);
+            std::swap(elastic.elasticity.mu, elastic.elasticity.kappa);
             keep(forces.kappa, elastic);
             if (rate.size() == 0) continue;
-            PackInput viscous;
-            viscous.viscous = true;
-            viscous.poissons_ratio = elastic.poissons_ratio;
-            viscous.viscous_mu = 1.0;
-            viscous.viscous_factors = factors_of(cells, pack, model.point_factors);
-            viscous.rate_history = rate.data() + pack * cells.strains_per_cell() * pack_width;
-            keep(forces.viscous, viscous);
+            keep(forces.viscous, viscous_input(cells, pack, model, 1.0, rate.data()));
         }
     });
     return forces;
@@ -97,41 +87,26 @@ std::array<PackNodes<Geometry::nodes>, Geometry::points> point_forces_of(const P
     constexpr int N = Geometry::nodes, Q = Geometry::points;
     const auto xe = nodes_of_pack(cells, pack, x);
     const PointKinematics<Geometry> points = points_of(cells, pack, model, xe);
-    const Pack mu = pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].mu; });
-    const Pack kappa = pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].kappa; });
-    const double* factors = factors_of(cells, pack, model.point_factors);
-    const bool mean = cells.mean_volume && model.material->has_split();
-    const Pack point_kappa = mean ? point_bulk(cells, pack, model.moduli).of(mu, kappa) : kappa;
+    const PackElasticity elasticity = elasticity_of(cells, pack, model);
+    ElasticPoints<Geometry> elastic(cells, pack, elasticity);
     std::array<PackNodes<N>, Q> forces;
-    std::array<material::LawResponse<Pack>, Q> laws;
+    std::array<Pack, Q> mean_factors;  // shares of the points in the bulk modulus of the mean volume
     PackNodes<N> mean_gradient = PackNodes<N>::Constant(Pack(0.0));
-    Pack theta = 0.0;
-    for (std::size_t q = 0; q < Q; ++q) {
-        const int point = static_cast<int>(q);
-        const Pack factor = factors ? entry(factors, point) : Pack(1.0), weight = points.weight(point);
-        material::LawResponse<Pack>& law = laws[q];
-        model.material->respond(points.gradient(point), mu * factor, kappa * factor, false, law);
-        material::Matrix3<Pack> P = law.distortion.gradient;
-        if (model.material->has_split())
-            P += law.volume.gradient * model.material->bulk(law.volume.value, point_kappa * factor).first;
+    elastic.visit(points, [&](const PointState& point) {
+        const auto q = static_cast<std::size_t>(point.q);
         StressSum<Geometry> stress(points);
-        stress.add(point, P * weight);
+        stress.add(point.q, elastic.stress_at(point) * point.weight);
         forces[q].setConstant(Pack(0.0));
         stress.add_to(forces[q]);
-        if (!mean) continue;
-        theta += weight / cells.geometry(pack).volume * law.volume.value;
+        if (!elastic.mean()) return;
+        mean_factors[q] = point.factor * point.share;
         // Gradient of the mean volume, needed for the part of the pressure that acts on all points.
         StressSum<Geometry> of_theta(points);
-        of_theta.add(point, law.volume.gradient * weight);
+        of_theta.add(point.q, point.law.volume.gradient * point.weight);
         of_theta.add_to(mean_gradient);
-    }
-    if (mean)  // the cell's bulk modulus is the average over its points
-        for (std::size_t q = 0; q < Q; ++q) {
-            const int point = static_cast<int>(q);
-            const Pack factor = factors ? entry(factors, point) : Pack(1.0),
-                       share = points.weight(point) / cells.geometry(pack).volume;
-            forces[q] += mean_gradient * model.material->bulk(theta, (kappa - point_kappa) * factor * share).first;
-        }
+    });
+    if (elastic.mean())
+        for (std::size_t q = 0; q < Q; ++q) forces[q] += mean_gradient * elastic.bulk_of_mean(mean_factors[q]).first;
     return forces;
 }
 
@@ -182,9 +157,9 @@ NodalColumns gradients_of(const PackedCells<Geometry>& cells, const Model& model
                         add_weighted<N>(forces.viscous, pack,
                                         lanes_of(cells, pack, [&](std::size_t c) { return own.viscous[c].mu; }), out);
                     if (points)
-                        add_viscous(*points, viscous_mu, factors_of(cells, pack, model.point_factors),
-                                    changes.rates.col(start + k).data() + pack * cells.strains_per_cell() * pack_width,
-                                    out.gradient);
+                        add_response<false>(
+                            cells, pack, *points,
+                            viscous_input(cells, pack, model, viscous_mu, changes.rates.col(start + k).data()), out);
                     if (of_points) {
                         const double* const d = changes.softening.col(start + k).data() +
                                                 pack * Geometry::points * pack_width;

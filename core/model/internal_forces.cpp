@@ -37,15 +37,14 @@ template <class Cells>
 PackInput pack_input(const Model& model, const Cells& cells, const InternalInput& input, int pack) {
     const Stiffness& stiffness = *input.stiffness;
     PackInput in;
-    in.material = stiffness.law ? stiffness.law.get() : model.material.get();
     in.elastic = !stiffness.elastic.empty();
     in.viscous = !stiffness.viscous.empty() && input.rate.history != nullptr;
     in.poissons_ratio = poissons_ratio_of(cells, pack, model);
     if (in.elastic) {
-        in.mu = pack_of(cells, pack, [&](std::size_t c) { return stiffness.elastic[c].mu; });
-        in.kappa = pack_of(cells, pack, [&](std::size_t c) { return stiffness.elastic[c].kappa; });
-        in.point_bulk = point_bulk(cells, pack, model.moduli);
-        in.elastic_factors = factors_of(cells, pack, stiffness.elastic_factors);
+        in.elasticity = {stiffness.law ? stiffness.law.get() : model.material.get(),
+                         pack_of(cells, pack, [&](std::size_t c) { return stiffness.elastic[c].mu; }),
+                         pack_of(cells, pack, [&](std::size_t c) { return stiffness.elastic[c].kappa; }),
+                         point_bulk(cells, pack, model.moduli), factors_of(cells, pack, stiffness.elastic_factors)};
     }
     if (in.viscous) {
         in.viscous_mu = pack_of(cells, pack, [&](std::size_t c) { return stiffness.viscous[c].mu; });
@@ -171,7 +170,6 @@ void add_cells(const PackedCells<Geometry>& cells, const Model& model, const Mat
 template <class Geometry>
 VectorXd pack_pressures(const PackedCells<Geometry>& cells, const Model& model, const Stiffness& stiffness,
                         const Matrix3Xd& x, const Matrix3Xd* dx) {
-    constexpr int Q = Geometry::points;
     const int per_cell = cells.volumes_per_cell();
     VectorXd pressure = VectorXd::Zero(cells.pack_count() * per_cell * pack_width);
     if (!model.material->has_split()) return pressure;
@@ -184,24 +182,22 @@ VectorXd pack_pressures(const PackedCells<Geometry>& cells, const Model& model, 
         const PointKinematics<Geometry> points(cells.geometry(pack), cells.surroundings_of(pack), xe,
                                                in.poissons_ratio);
         const auto motion = points.along(de);
-        const Pack kappa = cells.mean_volume ? in.kappa - in.point_bulk.of(in.mu, in.kappa) : in.kappa;
-        material::LawResponse<Pack> law;
-        Pack theta = 0.0, d_theta = 0.0, factor = 0.0;
-        for (int q = 0; q < Q; ++q) {
-            model.material->respond(points.gradient(q), in.mu, in.kappa, false, law);
-            // Mean volume: one theta per cell, averaged over the points. Otherwise theta per point.
-            const Pack share = cells.mean_volume ? points.weight(q) / cells.geometry(pack).volume : Pack(1.0);
-            if (!cells.mean_volume) theta = d_theta = factor = 0.0;
-            theta += share * law.volume.value;
-            factor += share * in.elastic_factor(q);
-            if (dx) d_theta += share * material::double_dot(law.volume.gradient, points.tangent(q, motion));
-            // With a mean volume the pressure is known after the last point.
-            if (cells.mean_volume && q + 1 < Q) continue;
-            const material::ScalarFunctionOf<Pack> U = model.material->bulk(theta, kappa * factor);
+        const auto write = [&](int entry_of_cell, const material::ScalarFunctionOf<Pack>& U, const Pack& d_theta) {
             const Pack p = U.first + U.second * d_theta;
-            p.copy_to(pressure.data() + (pack * per_cell + (cells.mean_volume ? 0 : q)) * pack_width,
+            p.copy_to(pressure.data() + (pack * per_cell + entry_of_cell) * pack_width,
                       std::experimental::element_aligned);
-        }
+        };
+        ElasticPoints<Geometry> elastic(cells, pack, in.elasticity);
+        Pack mean_d_theta = 0.0;
+        elastic.visit(points, [&](const PointState& point) {
+            const Pack d_theta = dx ? material::double_dot(point.law.volume.gradient, points.tangent(point.q, motion))
+                                    : Pack(0.0);
+            if (elastic.mean())
+                mean_d_theta += point.share * d_theta;
+            else
+                write(point.q, elastic.bulk_at(point), d_theta);
+        });
+        if (elastic.mean()) write(0, elastic.bulk_of_mean(), mean_d_theta);
     });
     return pressure;
 }

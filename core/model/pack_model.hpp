@@ -1,6 +1,7 @@
 #pragma once
 
 #include "material/moduli.hpp"
+#include "model/elastic_points.hpp"
 #include "model/model.hpp"
 #include "model/packed_cells.hpp"
 #include "model/point_kinematics.hpp"
@@ -21,6 +22,14 @@ Pack poissons_ratio_of(const PackedCells<Geometry>& cells, int pack, const Model
 template <class Geometry>
 const double* factors_of(const PackedCells<Geometry>&, int pack, const Eigen::VectorXd& factors) {
     return factors.size() > 0 ? factors.data() + pack * Geometry::points * pack_width : nullptr;
+}
+
+/// Law, moduli and factors of the model itself for the cells of a pack.
+template <class Geometry>
+PackElasticity elasticity_of(const PackedCells<Geometry>& cells, int pack, const Model& model) {
+    return {model.material.get(), pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].mu; }),
+            pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].kappa; }),
+            point_bulk(cells, pack, model.moduli), factors_of(cells, pack, model.point_factors)};
 }
 
 /// Kinematics of the points of a pack at nodal positions x [m].

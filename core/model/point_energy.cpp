@@ -14,18 +14,15 @@ Eigen::VectorXd densities_of(const PackedCells<Geometry>& cells, const Model& mo
     constexpr int Q = Geometry::points;
     Eigen::VectorXd result(cells.pack_count() * Q * pack_width);
     parallel_ranges(cells.pack_count(), 24, [&](int first, int end) {
-        material::LawResponse<Pack> law;
         for (int pack = first; pack < end; ++pack) {
             const auto xe = nodes_of_pack(cells, pack, x);
             const PointKinematics<Geometry> points = points_of(cells, pack, model, xe);
-            const Pack mu = pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].mu; });
-            const double* factors = factors_of(cells, pack, model.point_factors);
-            for (int q = 0; q < Q; ++q) {
-                model.material->respond(points.gradient(q), factors ? mu * entry(factors, q) : mu, Pack(0.0), false,
-                                        law);
-                law.distortion.value.copy_to(result.data() + (pack * Q + q) * pack_width,
-                                             std::experimental::element_aligned);
-            }
+            PackElasticity elasticity = elasticity_of(cells, pack, model);
+            elasticity.kappa = 0.0;
+            ElasticPoints<Geometry>(cells, pack, elasticity).visit(points, [&](const PointState& point) {
+                point.law.distortion.value.copy_to(result.data() + (pack * Q + point.q) * pack_width,
+                                                   std::experimental::element_aligned);
+            });
         }
     });
     return result;

@@ -20,49 +20,38 @@ struct PackWork {
 template <class Geometry>
 PackWork pack_work(const PackedCells<Geometry>& cells, int pack, const Model& model, const Matrix3Xd& x,
                    const Matrix3Xd& p, const StrainRate& rate) {
-    const material::Material& material = *model.material;
-    const PointBulk bulk = point_bulk(cells, pack, model.moduli);
     const auto xe = nodes_of_pack(cells, pack, x), pe = nodes_of_pack(cells, pack, p);
     const PointKinematics<Geometry> points = points_of(cells, pack, model, xe);
     const auto motion = points.along(pe);
     const double* history = rate.history ? rate.history->data() + pack * cells.strains_per_cell() * pack_width
                                          : nullptr;
-    const double* factors = factors_of(cells, pack, model.point_factors);
-    const Pack one = 1.0, zero = 0.0;  // the work is linear in the moduli
-    const bool split = material.has_split();
+    // The work is linear in the moduli: the response for unit mu and zero kappa is its derivative by mu.
+    const PointBulk bulk = point_bulk(cells, pack, model.moduli);
+    const PackElasticity unit{model.material.get(), 1.0, 0.0, bulk, factors_of(cells, pack, model.point_factors)};
+    ElasticPoints<Geometry> elastic(cells, pack, unit);
     PackWork work;
-    Pack theta = 0.0, d_theta = 0.0, mean_factor = 0.0;  // means over the cell
-    material::LawResponse<Pack> law;
-    for (int q = 0; q < Geometry::points; ++q) {
-        const Pack factor = factors ? entry(factors, q) : one, weight = points.weight(q);
-        const material::Matrix3<Pack> F = points.gradient(q), dF = points.tangent(q, motion);
-        // Unit shear modulus and zero bulk modulus: the response is the derivative by mu.
-        material.respond(F, factor, zero, false, law);
-        work.mu += weight * material::double_dot(law.distortion.gradient, dF);
+    Pack mean_change = 0.0;
+    elastic.visit(points, [&](const PointState& point) {
+        const material::Matrix3<Pack> dF = points.tangent(point.q, motion);
+        work.mu += point.weight * material::double_dot(point.law.distortion.gradient, dF);
         // Laws without a split have no bulk function: their derivative by kappa is the volume gradient itself.
-        const Pack change = material::double_dot(law.volume.gradient, dF);
-        if (!split) {
-            work.kappa += weight * factor * change;
-        } else if (!cells.mean_volume) {
-            work.kappa += weight * material.bulk(law.volume.value, factor).first * change;
-        } else {
-            const Pack share = weight / cells.geometry(pack).volume;
-            theta += share * law.volume.value;
-            d_theta += share * change;
-            mean_factor += share * factor;
-            if (!cells.point_bulk_over_mu.empty()) {
-                const Pack at_point = weight * material.bulk(law.volume.value, factor).first * change;
-                work.mu += bulk.of_mu * at_point;
-                work.kappa += bulk.of_kappa * at_point;
-            }
+        const Pack change = material::double_dot(point.law.volume.gradient, dF);
+        if (elastic.mean()) mean_change += point.share * change;
+        if (!elastic.split()) {
+            work.kappa += point.weight * point.factor * change;
+        } else if (elastic.at_points()) {
+            const Pack at_point = point.weight * unit.law->bulk(point.law.volume.value, point.factor).first * change;
+            work.mu += (elastic.mean() ? bulk.of_mu : Pack(0.0)) * at_point;
+            work.kappa += (elastic.mean() ? bulk.of_kappa : Pack(1.0)) * at_point;
         }
         if (history)
-            work.viscous += 2.0 * weight * factor *
-                            double_dot(deviator(strain_rate(F, rate.factor, history, q)), green_strain_tangent(F, dF));
-    }
+            work.viscous += 2.0 * point.weight * point.factor *
+                            double_dot(deviator(strain_rate(point.F, rate.factor, history, point.q)),
+                                       green_strain_tangent(point.F, dF));
+    });
     // The mean volume carries kappa minus the part that acts at the points.
-    if (split && cells.mean_volume) {
-        const Pack mean = cells.geometry(pack).volume * material.bulk(theta, mean_factor).first * d_theta;
+    if (elastic.mean()) {
+        const Pack mean = cells.geometry(pack).volume * elastic.unit_bulk_of_mean().first * mean_change;
         work.kappa += (1.0 - bulk.of_kappa) * mean;
         work.mu -= bulk.of_mu * mean;
     }
