@@ -4,7 +4,7 @@
 
 namespace myo {
 
-/// Axis-aligned box; the project file's key `box_m` reads into it.
+/// Axis-aligned box; the keys `box_m` of experiment.toml are read into it.
 struct Box {
     Eigen::Vector3d lowest = Eigen::Vector3d::Zero();   // [m] corner with the smallest coordinates
     Eigen::Vector3d highest = Eigen::Vector3d::Zero();  // [m] corner with the largest coordinates

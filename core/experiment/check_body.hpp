@@ -6,11 +6,12 @@
 
 namespace myo::experiment {
 
-/// Closed surface of the declared body: the box, or the STL scaled, rotated and with coincident vertices merged.
+/// Closed surface of the declared body: the box, or the surface file scaled, rotated and with coincident vertices
+/// merged.
 ///
 /// @return   vertices [m], mesh frame; triangles oriented outward
-/// Errors: an STL that cannot be read, is open or is oriented inward; a body larger than 10 m or smaller than 1 mm.
-/// Each error carries the key and either the line of the key or the place in the STL.
+/// Errors: a surface file that cannot be read, is open or is oriented inward; a body larger than 10 m or smaller than
+/// 1 mm. Each error carries the key and either the line of the key or the place in the surface file.
 Result<mesh::SurfaceMesh> read_body_surface(const Experiment& experiment);
 
 /// Error for a clamp box that contains the whole body, so that no degree of freedom remains.

@@ -20,7 +20,7 @@
 
 namespace myo::experiment {
 
-/// The declarations of an experiment folder, value for value (schema experiment/1). SI units, mesh frame.
+// The declarations of an experiment folder, value for value (schema experiment/1). SI units, mesh frame.
 
 /// Rectangular block with edges along the axes of the mesh frame.
 struct BoxGeometry {
@@ -28,7 +28,7 @@ struct BoxGeometry {
     Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();  // lowest corner [m]
 };
 
-/// Closed triangle surface read from an STL file; vertices are scaled first, then rotated.
+/// Closed triangle surface, kind = "stl": an STL, OBJ, PLY or VTP file; vertices are scaled first, then rotated.
 struct StlGeometry {
     std::filesystem::path file;                              // absolute, or relative to the folder of the experiment
     double metres_per_unit = 1.0;                            // 1 (unit "m") or 1e-3 (unit "mm")

@@ -15,7 +15,7 @@ namespace myo::experiment {
 /// @param folder     directory of the experiment, or the path of a TOML file
 /// @param overrides  keys and values from the command line (`--set key=value`), see override_toml(); errors in them are
 ///                   located at "--set"
-/// Errors: every error that can be detected without the traces and the triangles of an STL; for those see
+/// Errors: every error that can be detected without the traces and the triangles of a surface file; for those see
 /// read_trial.hpp and check_body.hpp. `where` is file and line, `what` begins with the key: "trial[1].load[0].box_m:
 /// lowest corner is above the highest (z 0.03 > 0.01)".
 Result<Experiment> read_experiment(const std::filesystem::path& folder,

@@ -14,7 +14,7 @@ namespace myo::experiment {
 // toml::TomlFailure (key, sentence, line) on the first error. Conditions on two tables are checked by
 // check_declarations() after all tables have been read.
 
-/// [geometry]: a box or an STL file; the file is not opened.
+/// [geometry]: a box or a surface file; the file is not opened.
 std::variant<BoxGeometry, StlGeometry> read_geometry(const toml::TomlReader& document,
                                                      const std::filesystem::path& folder);
 /// [material]: constitutive law, moduli and the parameters to fit.
