@@ -8,7 +8,7 @@
 
 namespace myo::app {
 
-/// A subcommand of the program: a file command_<name>.cpp and a line in commands.cpp.
+/// A subcommand of the program: a file command_<name>.cpp, a declaration below and an entry in commands.cpp.
 struct Subcommand {
     std::string name;
     std::string summary;  // one line of the help

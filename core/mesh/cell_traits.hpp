@@ -12,8 +12,7 @@ namespace myo::mesh {
 
 enum class CellShape { hexahedron, tetrahedron };
 
-/// Topology, node orders and file codes of a cell type. A new cell is one entry of the table in cell_traits.cpp, and
-/// its shape functions (fem/shape_functions.hpp).
+/// Topology, node orders and file codes of a cell type. What else a new cell takes is listed in CONTRIBUTING.md.
 ///
 /// Nodes are numbered as in VTK: corners first, then mid-side nodes.
 struct CellTraits {
@@ -40,8 +39,9 @@ const std::vector<CellTraits>& all_cell_traits();
 
 /// Cell type with a given name; empty if unknown.
 std::optional<CellType> find_cell_type(const std::string& name);
-/// Names of all cell types, and with the type that they mean.
+/// Names of all cell types.
 std::vector<std::string> cell_type_names();
+/// Names of all cell types, each with its type.
 std::vector<std::pair<std::string, CellType>> named_cell_types();
 
 }  // namespace myo::mesh

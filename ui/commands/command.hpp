@@ -9,8 +9,8 @@
 #include "commands/workbench_state.hpp"
 
 // Requests of the user. Panels emit these values during a frame; Workbench executes them after the frame, so that all
-// panels of a frame see the same state. A new command is a struct here, an entry in Command and a line in
-// Workbench::execute().
+// panels of a frame see the same state. A new command is a struct here, an alternative of Command and a function
+// Workbench::on() in the file of its topic.
 
 namespace myo::ui::commands {
 
