@@ -20,7 +20,8 @@ namespace myo::app {
 enum class StepChoice {
     before,         // before the command runs
     in_run,         // by the run, from the vibrations that it shows
-    half_interval,  // half a sampling interval at first: a search adapts it; for a single run a choice costs too much
+    half_interval,  // not chosen: half a sampling interval. A search adapts it later; a single run keeps it, because a
+                    // choice takes several runs
 };
 
 /// Parsed call of a command on an experiment folder.

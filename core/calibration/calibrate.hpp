@@ -25,7 +25,7 @@ struct CalibrationStep {
 
 /// Which parameters are fitted and how many starts and evaluations are allowed.
 struct CalibrationSettings {
-    /// Material parameters to fit (youngs_modulus, damping); empty: material.calibrate of the experiment.
+    /// Material parameters to fit (youngs_modulus, damping, those of the law); empty: material.calibrate.
     std::vector<std::string> names;
     std::map<std::string, double> from;  // first start by parameter name, SI; absent: declared value
     int starts = 1;                      // the first is `from`, the others are random, see calibrate()

@@ -96,10 +96,11 @@ struct RunObserver {
 /// Simulates a model from its start state.
 ///
 /// Steps have length h. They are shortened to end at jumps of loads and signals, and halved once or twice if a stage
-/// solve fails or if an unresolved step gains energy that no load supplied. The trace contains all of them. Every run
-/// starts with virgin cells, softened by its start state only. Two start states need one implicit Euler step first,
-/// which uses no initial force: one without a finite energy (inverted cells), and one of a viscous body whose initial
-/// velocities would strain a cell by more than half within the step.
+/// solve fails or if an unresolved step gains energy that no load supplied. The trace contains all of them.
+///
+/// Every run starts with virgin cells: only its start state softens them. The first step is one of implicit Euler,
+/// which uses no initial force, in two cases: the start state has no finite energy (inverted cells), or the body is
+/// viscous and its initial velocities would strain a cell by more than half within the step.
 ///
 /// @param progress  reports simulated time; cancelling ends the run
 /// @param observer  callbacks; any may be empty

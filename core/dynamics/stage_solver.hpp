@@ -27,7 +27,8 @@ public:
     /// Stiffness of the cells, softening included.
     const model::Stiffness& stiffness() const { return constants_.stiffness; }
 
-    /// Sets the cancel flag. A cancelled solve returns not_converged at its next evaluation or factorisation.
+    /// Sets the progress whose cancellation ends a solve: it returns not_converged at its next evaluation or
+    /// factorisation.
     void heed(const Progress& progress) { heeded_ = progress.with_sink({}); }
 
     /// Multiplies the elastic moduli at the quadrature points by `factors`; empty: virgin moduli, as initially.

@@ -26,9 +26,9 @@ struct SensitiveTrace {
 
 /// Simulates a model together with the exact derivatives of the discrete motion (forward sensitivities).
 ///
-/// Each stage costs one Hessian and one linear solve per parameter. The stage recursions are those of the run itself,
-/// which is linear apart from the stage solves. Parameters share the loops over cells, the mass and the factor, so that
-/// many parameters cost a fraction of as many runs.
+/// Each stage costs one Hessian and one linear solve per parameter. Apart from the stage solves a step is linear in the
+/// state, so the formulas of the run also serve its derivative. Parameters share the loops over cells, the mass and the
+/// factor, so that many parameters cost a fraction of as many runs.
 ///
 /// @param nodes  nodes whose derivatives are stored
 /// Errors: those of simulate(), in trace.status.

@@ -15,7 +15,7 @@ struct RecordingFramePolicy {
 inline constexpr RecordingFramePolicy recording_frame_policy;
 
 /// Whether a recording was made without regard to t = 0 or the mesh frame, so that it contains samples before the start
-/// (last section of the schema). Otherwise file time equals trial time.
+/// (assets/manual/experiment.md, section 4). Otherwise file time equals trial time.
 bool is_foreign_recording(const experiment::Experiment& experiment, const experiment::TrialDeclaration& declaration);
 
 /// Transforms a recording into the mesh frame and trial time.

@@ -34,7 +34,7 @@ struct SetupSettings {
     /// in the first vibration of faster bodies, which would otherwise creep instead of oscillating.
     double assumed_damping_s = 0.003, max_assumed_damping_ratio = 0.09;
     bool as_published = false;  // derived from published_settings()
-    bool fine_element = false;  // also without a declared effect that needs it, for trying effects
+    bool fine_element = false;  // fem::fine_element() even if no declared effect needs it, for trying others
     int threads = 1;            // trials that run in parallel
 
     dynamics::TimeScheme scheme() const { return {integrator, spectral_radius}; }
@@ -56,7 +56,7 @@ struct PreparedTrial {
     measurement::Recording measured;
     Eigen::Index first_sample = 0;             // first compared sample (t >= 0)
     double start_s = 0.0;                      // file time of t = 0
-    bool start_found = false;                  // detected in the data, so the exact time may be calibrated
+    bool start_found = false;                  // start detected in the data, so that a fit may shift it
     std::string start_message;                 // how the start was determined
     std::vector<Eigen::Vector3d> reference_m;  // displacement comparison: mean before the start [m], mesh frame
     std::optional<double> registration_rms_m;  // residual of rest-pose registration [m]
