@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "base/text.hpp"
@@ -12,15 +11,10 @@
 namespace myo::backend {
 namespace {
 
-/// Task of the window in which a finding can be remedied; "run" for checks not listed.
-std::string task_of(const std::string& check, bool as_declared) {
-    if (check == "residual" && as_declared) return "fit";
-    static const std::map<std::string, std::string> steps{
-        {"units", "material"}, {"time_unit", "measure"}, {"mesh", "mesh"},      {"markers", "mesh"},
-        {"support", "body"},   {"pose", "body"},         {"signals", "fibres"}, {"recordings", "measure"},
-        {"start", "measure"},  {"bounds", "fit"},        {"influence", "fit"},  {"residual", "diagnose"}};
-    const auto known = steps.find(check);
-    return known != steps.end() ? known->second : "run";
+/// Task of the window in which a finding can be remedied. The residual of a declared model asks for a fit first.
+std::string task_of(const check::Check* check, bool as_declared) {
+    if (check == nullptr) return "run";
+    return check->id == "residual" && as_declared ? "fit" : check->task;
 }
 
 /// Value with a prefix of suitable size and typographic powers: "320 kPa", "1070 kg/m³".
@@ -55,8 +49,7 @@ ui::commands::CheckRows check_rows(const std::vector<check::Finding>& findings, 
         const check::Check* const check = check::find_check(finding.check);
         rows.push_back({finding.check, check != nullptr ? check->question : finding.check, shown_state(finding.level),
                         finding.subject, figure_text(finding, finding.figure), figure_text(finding, finding.threshold),
-                        finding.source, finding.sentence, finding.way_out, task_of(finding.check, as_declared),
-                        finding.told});
+                        finding.source, finding.sentence, finding.way_out, task_of(check, as_declared), finding.told});
     }
     std::stable_sort(rows.begin(), rows.end(), [](const ui::commands::CheckRow& a, const ui::commands::CheckRow& b) {
         return a.state > b.state;

@@ -7,35 +7,37 @@
 
 namespace myo::check {
 
-// Columns: id, question, when, source of the threshold, function, whether a violation can explain a residual.
+// Columns: id, task that remedies it, question, when, source of the threshold, function, whether a violation can
+// explain a residual.
 const std::vector<Check>& check_catalogue() {
     static const std::vector<Check> checks{
-        {"units", "Are the numbers in SI units?", CheckTime::before,
+        {"units", "material", "Are the numbers in SI units?", CheckTime::before,
          "materials from gels and foams to plastics and metals", check_units, true},
-        {"time_unit", "Are the recordings' times in seconds?", CheckTime::before,
+        {"time_unit", "measure", "Are the recordings' times in seconds?", CheckTime::before,
          "no body left to itself swings slower than its first vibration; cameras", check_time_unit, true},
-        {"mesh", "Is the mesh fine enough to bend and to twist?", CheckTime::before,
+        {"mesh", "mesh", "Is the mesh fine enough to bend and to twist?", CheckTime::before,
          "errors of coarse meshes relative to fine ones", check_mesh, true},
-        {"markers", "Is the mesh fine enough for the markers?", CheckTime::before, "strains are linear within a cell",
-         check_markers},
-        {"support", "Does the support hold the body?", CheckTime::before, "a body held on a line turns about it",
-         check_support, true},
-        {"pose", "Is the pose under gravity stable?", CheckTime::before,
+        {"markers", "mesh", "Is the mesh fine enough for the markers?", CheckTime::before,
+         "strains are linear within a cell", check_markers},
+        {"support", "body", "Does the support hold the body?", CheckTime::before,
+         "a body held on a line turns about it", check_support, true},
+        {"pose", "body", "Is the pose under gravity stable?", CheckTime::before,
          "linear buckling: the squared frequency falls to 0 in proportion to the load", check_pose, true},
-        {"signals", "Do the signals meet their trials?", CheckTime::before,
+        {"signals", "fibres", "Do the signals meet their trials?", CheckTime::before,
          "a signal in another clock or unit of time misses the trial", check_signals, true},
-        {"recordings", "Are the trials to predict others than those to fit?", CheckTime::before,
+        {"recordings", "measure", "Are the trials to predict others than those to fit?", CheckTime::before,
          "what was fitted is no test", check_recordings},
-        {"step", "Is the time step short enough?", CheckTime::both,
+        {"step", "run", "Is the time step short enough?", CheckTime::both,
          "a modulus fitted on a vibration errs by twice the error of its frequency", check_step, true},
-        {"start", "Does the model begin where the recording begins?", CheckTime::both,
+        {"start", "measure", "Does the model begin where the recording begins?", CheckTime::both,
          "5 noise levels and a twentieth of the motion", check_start, true},
-        {"inside_out", "Do the cells keep their orientation?", CheckTime::after, "a Jacobian below 0 is no deformation",
-         check_inside_out, true},
-        {"bounds", "Did the fit end within its bounds?", CheckTime::after, "the declared ranges", check_bounds, true},
-        {"influence", "Do the data determine what is fitted?", CheckTime::after, "singular values of the Jacobian",
-         check_influence},
-        {"residual", "Does the model explain the recordings?", CheckTime::after, "the noise of the markers",
+        {"inside_out", "run", "Do the cells keep their orientation?", CheckTime::after,
+         "a Jacobian below 0 is no deformation", check_inside_out, true},
+        {"bounds", "fit", "Did the fit end within its bounds?", CheckTime::after, "the declared ranges", check_bounds,
+         true},
+        {"influence", "fit", "Do the data determine what is fitted?", CheckTime::after,
+         "singular values of the Jacobian", check_influence},
+        {"residual", "diagnose", "Does the model explain the recordings?", CheckTime::after, "the noise of the markers",
          check_residual},
     };
     return checks;

@@ -13,6 +13,7 @@ enum class CheckTime { before, after, both };
 /// A check of one assumption of the model, numerical or experimental.
 struct Check {
     std::string id;        // in files, and on the command line
+    std::string task;      // id of the workbench's task in which a finding is remedied: "mesh", "measure"
     std::string question;  // "Is the time step short enough?"
     CheckTime time = CheckTime::before;
     std::string source;  // of its threshold
