@@ -5,8 +5,8 @@
 #include <limits>
 #include <map>
 
-#include "fem/shape_functions.hpp"
 #include "material/catalogue.hpp"
+#include "mesh/cell_hex8.hpp"
 #include "mesh/region.hpp"
 
 #include "mesh/surface_check.hpp"
@@ -37,7 +37,7 @@ measurement::MarkerBinding tracked_point(const mesh::VolumeMesh& mesh, const std
                 best = 2.0 * (inside - box.lowest).cwiseQuotient(box.size()) - Vector3d::Ones();
             }
         }
-        const auto weights = fem::Hex8::values(best);
+        const auto weights = mesh::Hex8::values(best);
         for (Eigen::Index a = 0; a < mesh.cells.rows(); ++a)
             share[mesh.cells(a, cell)] += weights(a) / static_cast<double>(points.size());
     }

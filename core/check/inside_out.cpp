@@ -5,7 +5,7 @@
 
 #include "base/text.hpp"
 #include "check/checks.hpp"
-#include "fem/cell_shapes.hpp"
+#include "mesh/cells.hpp"
 
 namespace myo::check {
 namespace {
@@ -30,8 +30,8 @@ bool turned(const mesh::VolumeMesh& mesh, Eigen::Index cell, const Matrix3Xd& x,
 
 /// Number of cells with a non-positive Jacobian determinant at a corner.
 int turned_cells(const mesh::VolumeMesh& mesh, const Matrix3Xd& x) {
-    return fem::with_shape(mesh.type, [&]<class Shape>(Shape shape) {
-        const Matrix3Xd corners = fem::reference_corners(shape);
+    return mesh::with_cell(mesh.type, [&]<class Shape>(Shape) {
+        const Matrix3Xd corners = Shape::reference_corners();
         int count = 0;
         for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) count += turned<Shape>(mesh, c, x, corners);
         return count;

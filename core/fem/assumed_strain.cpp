@@ -3,8 +3,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
-#include "fem/quadrature.hpp"
-#include "fem/shape_functions.hpp"
+#include "mesh/cell_hex8.hpp"
 
 namespace myo::fem {
 namespace {
@@ -15,7 +14,7 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 /// Hourglass shapes eta zeta, zeta xi, xi eta, xi eta zeta at the corners.
 Eigen::Matrix<double, 8, 4> hourglass_shapes() {
-    const auto& s = Hex8::corners();
+    const auto& s = mesh::Hex8::corners();
     Eigen::Matrix<double, 8, 4> h;
     for (int k = 0; k < 3; ++k) h.col(k) = s.col((k + 1) % 3).cwiseProduct(s.col((k + 2) % 3));
     h.col(3) = h.col(0).cwiseProduct(s.col(0));
@@ -48,8 +47,8 @@ AssumedStrainGeometry geometry_of(const Eigen::Matrix<double, 3, 8>& X) {
     AssumedStrainGeometry result;
     result.gradient.setZero();
     // G averages dN/dX over the cell with 2 x 2 x 2 Gauss points, exact for the volume of a trilinear hexahedron.
-    for (const QuadraturePoint& point : hex_gauss(2)) {
-        const Eigen::Matrix<double, 8, 3> D = Hex8::derivatives(point.xi);
+    for (const mesh::QuadraturePoint& point : mesh::hex_gauss(2)) {
+        const Eigen::Matrix<double, 8, 3> D = mesh::Hex8::derivatives(point.xi);
         const Matrix3d jacobian = X * D;
         const double weight = point.weight * jacobian.determinant();
         result.gradient += weight * D * jacobian.inverse();
@@ -58,7 +57,7 @@ AssumedStrainGeometry geometry_of(const Eigen::Matrix<double, 3, 8>& X) {
     result.gradient /= result.volume;
     // Removing G X h makes gamma orthogonal to linear displacement fields (Flanagan-Belytschko projection).
     result.gamma = 0.125 * (shapes - result.gradient * (X * shapes));
-    result.edges = X * Hex8::derivatives(Vector3d::Zero());
+    result.edges = X * mesh::Hex8::derivatives(Vector3d::Zero());
     for (std::size_t k = 0; k < 3; ++k) {
         const auto i = static_cast<Eigen::Index>((k + 1) % 3), j = static_cast<Eigen::Index>((k + 2) % 3);
         result.planes[k] = plane_of(result.edges.col(i), result.edges.col(j));

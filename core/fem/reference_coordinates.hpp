@@ -3,8 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
-#include "fem/cell_shapes.hpp"
-#include "mesh/volume_mesh.hpp"
+#include "mesh/cells.hpp"
 
 namespace myo::fem {
 
@@ -15,7 +14,7 @@ namespace myo::fem {
 /// Errors: none. Without convergence in 30 iterations the last iterate is returned.
 template <class Shape>
 Eigen::Vector3d reference_coordinates(const Eigen::Matrix3Xd& X, const Eigen::Vector3d& point_m) {
-    Eigen::Vector3d xi = reference_centroid(Shape{});
+    Eigen::Vector3d xi = Shape::reference_centroid();
     for (int iteration = 0; iteration < 30; ++iteration) {
         const Eigen::Vector3d error = point_m - X * Shape::values(xi);
         const Eigen::Vector3d step = (X * Shape::derivatives(xi)).inverse() * error;
@@ -28,7 +27,7 @@ Eigen::Vector3d reference_coordinates(const Eigen::Matrix3Xd& X, const Eigen::Ve
 /// Reference coordinates of a point in a cell of a mesh.
 inline Eigen::Vector3d reference_coordinates(const mesh::VolumeMesh& mesh, int cell, const Eigen::Vector3d& point_m) {
     const Eigen::Matrix3Xd X = mesh.nodes(Eigen::all, mesh.cells.col(cell));
-    return with_shape(mesh.type, [&]<class Shape>(Shape) { return reference_coordinates<Shape>(X, point_m); });
+    return mesh::with_cell(mesh.type, [&]<class Shape>(Shape) { return reference_coordinates<Shape>(X, point_m); });
 }
 
 }  // namespace myo::fem

@@ -7,8 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "fem/cell_shapes.hpp"
-#include "mesh/cell_topology.hpp"
+#include "mesh/cells.hpp"
 
 namespace myo::fibre {
 namespace {
@@ -22,13 +21,6 @@ struct CellPartsPolicy {
 };
 constexpr CellPartsPolicy cell_parts_policy;
 
-template <class Shape>
-Eigen::Matrix<double, 3, Shape::nodes> cell_nodes(const mesh::VolumeMesh& mesh, int cell) {
-    Eigen::Matrix<double, 3, Shape::nodes> X;
-    for (int a = 0; a < Shape::nodes; ++a) X.col(a) = mesh.nodes.col(mesh.cells(a, cell));
-    return X;
-}
-
 /// Volume of a part in reference coordinates.
 double reference_volume(const CellPart& part) {
     Matrix3d edges;
@@ -41,7 +33,7 @@ double reference_volume(const CellPart& part) {
 
 CellPart whole_cell(mesh::CellType type) {
     CellPart part;
-    part.corners = fem::with_shape(type, [](auto shape) { return fem::reference_corners(shape); });
+    part.corners = mesh::with_cell(type, [](auto shape) { return decltype(shape)::reference_corners(); });
     return part;
 }
 
@@ -71,9 +63,9 @@ std::vector<CellPart> cut_in_eight(const CellPart& part) {
 }
 
 PartPlace place_of(const mesh::VolumeMesh& mesh, int cell, const CellPart& part) {
-    return fem::with_shape(mesh.type, [&](auto shape) {
+    return mesh::with_cell(mesh.type, [&](auto shape) {
         using Shape = decltype(shape);
-        const auto X = cell_nodes<Shape>(mesh, cell);
+        const auto X = mesh::cell_nodes<Shape>(mesh, cell);
         const Vector3d xi = part.centre();
         PartPlace place;
         place.centre_m = X * Shape::values(xi);
@@ -92,10 +84,10 @@ PartPlace place_of(const mesh::VolumeMesh& mesh, int cell, const CellPart& part)
 
 void add_fibre_point(const mesh::VolumeMesh& mesh, int cell, const Vector3d& xi, double volume_m3,
                      const Vector3d& direction, FibreGroup& group) {
-    fem::with_shape(mesh.type, [&](auto shape) {
+    mesh::with_cell(mesh.type, [&](auto shape) {
         using Shape = decltype(shape);
         const Eigen::Matrix<double, Shape::nodes, 3> D = Shape::derivatives(xi);
-        const Matrix3d jacobian = cell_nodes<Shape>(mesh, cell) * D;
+        const Matrix3d jacobian = mesh::cell_nodes<Shape>(mesh, cell) * D;
         const Eigen::Matrix<double, Shape::nodes, 3> gradient = D * jacobian.inverse();
         group.points.push_back({cell, gradient * direction, volume_m3});
         group.gradients.emplace_back(gradient);
@@ -104,10 +96,10 @@ void add_fibre_point(const mesh::VolumeMesh& mesh, int cell, const Vector3d& xi,
 
 void add_whole_cell(const mesh::VolumeMesh& mesh, int cell, double share,
                     const std::function<Vector3d(const Vector3d&)>& direction, FibreGroup& group) {
-    fem::with_shape(mesh.type, [&](auto shape) {
+    mesh::with_cell(mesh.type, [&](auto shape) {
         using Shape = decltype(shape);
-        const auto X = cell_nodes<Shape>(mesh, cell);
-        for (const fem::QuadraturePoint& point : fem::strain_rule(shape)) {
+        const auto X = mesh::cell_nodes<Shape>(mesh, cell);
+        for (const mesh::QuadraturePoint& point : Shape::strain_rule()) {
             const double volume = point.weight * (X * Shape::derivatives(point.xi)).determinant();
             add_fibre_point(mesh, cell, point.xi, share * volume, direction(X * Shape::values(point.xi)), group);
         }

@@ -4,10 +4,9 @@
 
 #include <algorithm>
 
-#include "fem/quadrature.hpp"
 #include "fem/reference_coordinates.hpp"
-#include "fem/shape_functions.hpp"
 #include "fibre/cell_parts.hpp"
+#include "mesh/cell_hex8.hpp"
 #include "mesh/region.hpp"
 
 namespace myo::fibre {
@@ -18,7 +17,7 @@ bool axis_aligned(const mesh::VolumeMesh& mesh, int cell, Box& box) {
     box = {mesh.nodes.col(mesh.cells(0, cell)), mesh.nodes.col(mesh.cells(6, cell))};
     const Eigen::Vector3d size = box.size();
     for (int a = 0; a < 8; ++a) {
-        const Eigen::Vector3d xi = 0.5 * (fem::Hex8::corners().row(a).transpose() + Eigen::Vector3d::Ones());
+        const Eigen::Vector3d xi = 0.5 * (mesh::Hex8::corners().row(a).transpose() + Eigen::Vector3d::Ones());
         const Eigen::Vector3d expected = box.lowest + xi.cwiseProduct(size);
         if ((mesh.nodes.col(mesh.cells(a, cell)) - expected).norm() > 1e-9 * size.norm()) return false;
     }
@@ -36,7 +35,7 @@ void add_box_cell(const mesh::VolumeMesh& mesh, int cell, const Box& cell_box, c
                                      .matrix();
     const Eigen::Vector3d part = high - low;
     if (part.minCoeff() <= 1e-9) return;
-    for (fem::QuadraturePoint point : fem::hex_gauss(2)) {
+    for (mesh::QuadraturePoint point : mesh::hex_gauss(2)) {
         const Eigen::Vector3d unit = 0.5 * (point.xi + Eigen::Vector3d::Ones());
         point.xi = 2.0 * (low + part.cwiseProduct(unit)) - Eigen::Vector3d::Ones();
         add_fibre_point(mesh, cell, point.xi, 0.125 * point.weight * (part.cwiseProduct(size)).prod(), direction,

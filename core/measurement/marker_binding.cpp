@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "fem/cell_shapes.hpp"
 #include "fem/reference_coordinates.hpp"
 #include "material/polar.hpp"
 
@@ -37,7 +36,7 @@ MarkerBinding bind_marker(const mesh::VolumeMesh& mesh, const mesh::BoundaryLoca
         binding.nodes.push_back(mesh.cells(a, nearest.cell));
         X.col(a) = mesh.nodes.col(mesh.cells(a, nearest.cell));
     }
-    fem::with_shape(mesh.type, [&]<class Shape>(Shape) { set_shape<Shape>(binding, X, nearest.point); });
+    mesh::with_cell(mesh.type, [&]<class Shape>(Shape) { set_shape<Shape>(binding, X, nearest.point); });
     binding.offset = rest_m - nearest.point;
     return binding;
 }

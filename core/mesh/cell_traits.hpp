@@ -12,9 +12,10 @@ namespace myo::mesh {
 
 enum class CellShape { hexahedron, tetrahedron };
 
-/// Topology, node orders and file codes of a cell type. What else a new cell takes is listed in CONTRIBUTING.md.
+/// Topology, node orders and file codes of a cell type; see Cells for the rest of a cell.
 ///
-/// Nodes are numbered as in VTK: corners first, then mid-side nodes.
+/// Nodes are numbered as in VTK: corners first, then mid-side nodes. Sources of the codes: vtkCellType.h; Gmsh
+/// reference manual, "MSH file format" and "Node ordering".
 struct CellTraits {
     CellType type;
     std::string name;  // in files and messages
@@ -31,6 +32,20 @@ struct CellTraits {
 
     int face_nodes() const { return static_cast<int>(faces.front().size()); }
 };
+
+/// The first `count` nodes of each face of a table in cell_topology.hpp.
+template <class Faces>
+std::vector<std::vector<int>> face_lists(const Faces& faces, std::size_t count) {
+    std::vector<std::vector<int>> lists;
+    for (const auto& face : faces) lists.emplace_back(face.begin(), face.begin() + static_cast<std::ptrdiff_t>(count));
+    return lists;
+}
+
+/// The edges of a table in cell_topology.hpp.
+template <class Edges>
+std::vector<std::array<int, 2>> edge_list(const Edges& edges) {
+    return {edges.begin(), edges.end()};
+}
 
 /// Traits of a cell type.
 const CellTraits& cell_traits(CellType type);

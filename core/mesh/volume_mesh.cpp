@@ -5,69 +5,11 @@
 #include <cassert>
 #include <vector>
 
-#include <Eigen/Dense>
-
-#include "mesh/cell_topology.hpp"
-#include "mesh/cell_traits.hpp"
+#include "mesh/cells.hpp"
 #include "mesh/face_table.hpp"
 
 namespace myo::mesh {
 namespace {
-
-using Vector3 = Eigen::Vector3d;
-
-// Trilinear hexahedron: det J is quadratic in each parameter, so two Gauss points per axis are exact.
-double hexahedron_volume(const Eigen::Matrix3Xd& nodes, const Eigen::VectorXi& cell) {
-    // Gauss points on [0, 1].
-    static const double g = 0.5 / std::sqrt(3.0);
-    double volume = 0.0;
-    for (int point = 0; point < 8; ++point) {
-        const Vector3 xi(0.5 + ((point & 1) ? g : -g), 0.5 + ((point & 2) ? g : -g), 0.5 + ((point & 4) ? g : -g));
-        Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
-        for (int i = 0; i < 8; ++i) {
-            const auto& corner = hexahedron_corners[static_cast<std::size_t>(i)];
-            Vector3 factor, slope;
-            for (int a = 0; a < 3; ++a) {
-                const bool high = corner[static_cast<std::size_t>(a)] == 1;
-                factor[a] = high ? xi[a] : 1.0 - xi[a];
-                slope[a] = high ? 1.0 : -1.0;
-            }
-            const Vector3 gradient(slope[0] * factor[1] * factor[2], factor[0] * slope[1] * factor[2],
-                                   factor[0] * factor[1] * slope[2]);
-            J += nodes.col(cell[i]) * gradient.transpose();
-        }
-        volume += J.determinant() / 8.0;
-    }
-    return volume;
-}
-
-double tetrahedron_volume(const Eigen::Matrix3Xd& nodes, const Eigen::VectorXi& cell) {
-    Eigen::Matrix3d J;
-    for (int i = 0; i < 3; ++i) J.col(i) = nodes.col(cell[i + 1]) - nodes.col(cell[0]);
-    return J.determinant() / 6.0;
-}
-
-// Quadratic tetrahedron: det J is cubic, integrated exactly by Keast's five points.
-double quadratic_tetrahedron_volume(const Eigen::Matrix3Xd& nodes, const Eigen::VectorXi& cell) {
-    double volume = 0.0;
-    for (int point = 0; point < 5; ++point) {
-        Eigen::Vector4d L = Eigen::Vector4d::Constant(point == 0 ? 0.25 : 1.0 / 6.0);
-        if (point > 0) L[point - 1] = 0.5;
-        // Columns: derivatives with respect to L1, L2, L3, with L0 = 1 - L1 - L2 - L3.
-        Eigen::Matrix<double, 3, 4> by_L = Eigen::Matrix<double, 3, 4>::Zero();
-        for (int i = 0; i < 4; ++i) by_L.col(i) += (4.0 * L[i] - 1.0) * nodes.col(cell[i]);
-        for (int e = 0; e < 6; ++e) {
-            const auto [a, b] = tetrahedron_edges[static_cast<std::size_t>(e)];
-            by_L.col(a) += 4.0 * L[b] * nodes.col(cell[4 + e]);
-            by_L.col(b) += 4.0 * L[a] * nodes.col(cell[4 + e]);
-        }
-        Eigen::Matrix3d J;
-        for (int i = 0; i < 3; ++i) J.col(i) = by_L.col(i + 1) - by_L.col(0);
-        // Weights of the five-point rule: -4/5 at the centroid, 9/20 at the others.
-        volume += (point == 0 ? -0.8 : 0.45) * J.determinant() / 6.0;
-    }
-    return volume;
-}
 
 /// Face of a cell with its sorted corners as key.
 struct FaceKey {
@@ -164,16 +106,7 @@ Eigen::Matrix2Xi neighbouring_cells(const VolumeMesh& mesh) {
 
 Eigen::VectorXd cell_volumes(const VolumeMesh& mesh) {
     assert(mesh.cells.rows() == nodes_per_cell(mesh.type) || mesh.cell_count() == 0);
-    Eigen::VectorXd volumes(mesh.cell_count());
-    for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
-        const Eigen::VectorXi cell = mesh.cells.col(c);
-        switch (mesh.type) {
-            case CellType::hex8: volumes[c] = hexahedron_volume(mesh.nodes, cell); break;
-            case CellType::tet4: volumes[c] = tetrahedron_volume(mesh.nodes, cell); break;
-            case CellType::tet10: volumes[c] = quadratic_tetrahedron_volume(mesh.nodes, cell); break;
-        }
-    }
-    return volumes;
+    return with_cell(mesh.type, [&](auto cell) { return volumes_of<decltype(cell)>(mesh); });
 }
 
 }  // namespace myo::mesh

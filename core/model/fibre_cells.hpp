@@ -5,6 +5,7 @@
 #include <cassert>
 #include <type_traits>
 
+#include "mesh/cells.hpp"
 #include "model/model.hpp"
 
 namespace myo::model {
@@ -41,12 +42,8 @@ void for_each_fibre_cell(const Model& model, const Visit& visit) {
             }
         }
     };
-    switch (model.body->mesh.cells.rows()) {
-        case 4: return all(std::integral_constant<int, 4>{});
-        case 8: return all(std::integral_constant<int, 8>{});
-        case 10: return all(std::integral_constant<int, 10>{});
-        default: assert(false);
-    }
+    mesh::with_cell(model.body->mesh.type,
+                    [&](auto cell) { all(std::integral_constant<int, decltype(cell)::nodes>{}); });
 }
 
 }  // namespace myo::model

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "fem/quadrature.hpp"
+#include "mesh/quadrature.hpp"
 
-namespace myo::fem {
+namespace myo::mesh {
 namespace {
 
 double monomial(const Eigen::Vector3d& x, int i, int j, int k) {
@@ -49,6 +49,7 @@ TEST(Quadrature, GaussIsExactToTwiceThePointsLessOnePerAxisAndNoFurther) {
 TEST(Quadrature, TetrahedronRulesHaveTheStatedDegree) {
     EXPECT_EQ(exact_degree(tet_centroid(), 6), 1);
     EXPECT_EQ(exact_degree(tet_degree2(), 6), 2);
+    EXPECT_EQ(exact_degree(tet_five_points(), 6), 3);
     EXPECT_EQ(exact_degree(tet_degree3(), 6), 3);
     EXPECT_EQ(exact_degree(tet_degree5(), 8), 5);
 }
@@ -83,4 +84,4 @@ TEST(Quadrature, TenPointsSeeFourthPowersOfLinearFunctions) {
 }
 
 }  // namespace
-}  // namespace myo::fem
+}  // namespace myo::mesh

@@ -1,10 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "fem/shape_functions.hpp"
-#include "mesh/cell_topology.hpp"
+#include "mesh/cells.hpp"
 #include "support/differences.hpp"
 
-namespace myo::fem {
+namespace myo::mesh {
 namespace {
 
 using Eigen::Vector3d;
@@ -68,4 +67,4 @@ TYPED_TEST(ShapeFunctions, DerivativesAgreeWithDifferences) {
 }
 
 }  // namespace
-}  // namespace myo::fem
+}  // namespace myo::mesh

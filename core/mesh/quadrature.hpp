@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace myo::fem {
+namespace myo::mesh {
 
 /// Point of a quadrature rule on the reference cell.
 struct QuadraturePoint {
@@ -49,6 +49,13 @@ inline std::vector<QuadraturePoint> tet_degree2() {
     return points;
 }
 
+/// Five points, degree 3 (Keast 1986, no. 2), with a negative weight: for volumes of tet10 only.
+inline std::vector<QuadraturePoint> tet_five_points() {
+    std::vector<QuadraturePoint> points{{{0.25, 0.25, 0.25}, -0.8 / 6.0}};
+    add_towards_corners(1.0 / 6.0, 0.45 / 6.0, points);
+    return points;
+}
+
 /// Ten points, degree 3, positive weights (Shunn & Ham 2012). The integral of the fourth power of a linear function
 /// with mean zero has an error of at most 3 %, with the four points 20 to 53 %.
 inline std::vector<QuadraturePoint> tet_degree3() {
@@ -67,4 +74,4 @@ inline std::vector<QuadraturePoint> tet_degree5() {
     return points;
 }
 
-}  // namespace myo::fem
+}  // namespace myo::mesh
