@@ -118,6 +118,39 @@ void add_weighted(const std::vector<Pack>& unit, int pack, const Pack& weight, P
         out.gradient(k % 3, k / 3) += weight * unit[static_cast<std::size_t>(pack * 3 * N + k)];
 }
 
+/// What the columns of a pack share.
+template <class Geometry>
+struct PackColumns {
+    Pack viscous_mu = 0.0;                            // [Pa s]
+    std::optional<PointKinematics<Geometry>> points;  // for changes of the strain rates
+    std::optional<std::array<PackNodes<Geometry::nodes>, Geometry::points>> of_points;  // for changes of the softening
+};
+
+/// Gradient of one column at the nodes of a pack, in out.gradient.
+template <class Geometry>
+void column_gradient(const PackedCells<Geometry>& cells, int pack, const Model& model, const UnitForces& forces,
+                     const GradientChanges& changes, Index column, const PackColumns<Geometry>& shared,
+                     PackOutput<Geometry::nodes>& out) {
+    const auto add = [&](const std::vector<Pack>& unit, const auto& modulus) {
+        add_weighted<Geometry::nodes>(unit, pack, lanes_of(cells, pack, modulus), out);
+    };
+    const Stiffness& own = changes.stiffness[static_cast<std::size_t>(column)];
+    out.gradient.setConstant(Pack(0.0));
+    if (!own.elastic.empty()) {
+        add(forces.mu, [&](std::size_t c) { return own.elastic[c].mu; });
+        add(forces.kappa, [&](std::size_t c) { return own.elastic[c].kappa; });
+    }
+    if (!own.viscous.empty()) add(forces.viscous, [&](std::size_t c) { return own.viscous[c].mu; });
+    if (shared.points)
+        add_response<false>(cells, pack, *shared.points,
+                            viscous_input(cells, pack, model, shared.viscous_mu, changes.rates.col(column).data()),
+                            out);
+    if (!shared.of_points) return;
+    const double* const d = changes.softening.col(column).data() + pack * Geometry::points * pack_width;
+    for (std::size_t q = 0; q < Geometry::points; ++q)
+        out.gradient += (*shared.of_points)[q] * entry(d, static_cast<int>(q));
+}
+
 template <class Geometry>
 NodalColumns gradients_of(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x,
                           const UnitForces& forces, const GradientChanges& changes) {
@@ -133,39 +166,15 @@ NodalColumns gradients_of(const PackedCells<Geometry>& cells, const Model& model
             PackOutput<N> out;
             for (int pack = first; pack < end; ++pack) {
                 const auto xe = nodes_of_pack(cells, pack, x);
-                // Kinematics are needed for viscous forces only.
-                std::optional<PointKinematics<Geometry>> points;
-                Pack viscous_mu = 0.0;
+                PackColumns<Geometry> shared;
                 if (changes.rates.size() > 0) {
-                    points.emplace(points_of(cells, pack, model, xe));
-                    viscous_mu = lanes_of(cells, pack,
-                                          [&](std::size_t c) { return viscous_scale(model) * model.moduli[c].mu; });
+                    shared.points.emplace(points_of(cells, pack, model, xe));
+                    shared.viscous_mu = lanes_of(
+                        cells, pack, [&](std::size_t c) { return viscous_scale(model) * model.moduli[c].mu; });
                 }
-                std::optional<std::array<PackNodes<N>, Geometry::points>> of_points;
-                if (changes.softening.size() > 0) of_points.emplace(point_forces_of(cells, pack, model, x));
+                if (changes.softening.size() > 0) shared.of_points.emplace(point_forces_of(cells, pack, model, x));
                 for (Index k = 0; k < count; ++k) {
-                    const Stiffness& own = changes.stiffness[static_cast<std::size_t>(start + k)];
-                    out.gradient.setConstant(Pack(0.0));
-                    if (!own.elastic.empty()) {
-                        add_weighted<N>(forces.mu, pack,
-                                        lanes_of(cells, pack, [&](std::size_t c) { return own.elastic[c].mu; }), out);
-                        add_weighted<N>(forces.kappa, pack,
-                                        lanes_of(cells, pack, [&](std::size_t c) { return own.elastic[c].kappa; }),
-                                        out);
-                    }
-                    if (!own.viscous.empty())
-                        add_weighted<N>(forces.viscous, pack,
-                                        lanes_of(cells, pack, [&](std::size_t c) { return own.viscous[c].mu; }), out);
-                    if (points)
-                        add_response<false>(
-                            cells, pack, *points,
-                            viscous_input(cells, pack, model, viscous_mu, changes.rates.col(start + k).data()), out);
-                    if (of_points) {
-                        const double* const d = changes.softening.col(start + k).data() +
-                                                pack * Geometry::points * pack_width;
-                        for (std::size_t q = 0; q < Geometry::points; ++q)
-                            out.gradient += (*of_points)[q] * entry(d, static_cast<int>(q));
-                    }
+                    column_gradient(cells, pack, model, forces, changes, start + k, shared, out);
                     std::copy(out.gradient.data(), out.gradient.data() + 3 * N,
                               nodal.begin() + static_cast<std::ptrdiff_t>(field) * k + pack * 3 * N);
                 }
