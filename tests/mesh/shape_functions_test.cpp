@@ -2,6 +2,7 @@
 
 #include "mesh/cells.hpp"
 #include "support/differences.hpp"
+#include "support/hex20.hpp"
 
 namespace myo::mesh {
 namespace {
@@ -29,9 +30,14 @@ struct Nodes<Tet10> {
     }
 };
 
+template <>
+struct Nodes<test::Hex20> {
+    static Vector3d at(int a) { return test::Hex20::places().row(a); }
+};
+
 template <class Shape>
 class ShapeFunctions : public testing::Test {};
-using Shapes = testing::Types<Hex8, Tet4, Tet10>;
+using Shapes = testing::Types<Hex8, Tet4, Tet10, test::Hex20>;
 TYPED_TEST_SUITE(ShapeFunctions, Shapes);
 
 TYPED_TEST(ShapeFunctions, AreOneAtTheirNodeAndZeroAtTheOthers) {
