@@ -72,7 +72,7 @@ std::string verdict_lines(const diagnosis::Diagnosis& d) {
     if (d.verdict.kind == diagnosis::VerdictKind::none) text += "none";
     if (d.verdict.kind == diagnosis::VerdictKind::unknown) text += "unknown";
     for (const effect::EffectDeclaration& effect : d.verdict.effects) text += diagnosis::effect_words(effect) + "  ";
-    text += " (confidence " + format_number(d.verdict.confidence, 3) + ")\n" + d.verdict.because;
+    text += " (confidence " + format_number(d.verdict.confidence, 3) + ")\n" + d.verdict.reason;
     for (const diagnosis::Confusion& c : diagnosis::confusions_of_verdict(d))
         text += (diagnosis::is_decided(d, c) ? "\nsimilar here, but the fits decide: " : "\nconfounded here: ") +
                 c.first + " and " + c.second + " (cosine " + format_number(c.cosine, 4) + "); " + c.next_experiment +
@@ -107,8 +107,8 @@ std::string trial_lines(const setup::Setup& setup, const diagnosis::Diagnosis& d
 /// Wall-clock time per part of the diagnosis.
 std::string cost_lines(const diagnosis::Diagnosis& d) {
     std::string text = "time:";
-    for (const diagnosis::StageCost& cost : d.cost)
-        text += " " + cost.stage + " " + format_number(cost.seconds, 3) + " s,";
+    for (const diagnosis::PhaseCost& cost : d.cost)
+        text += " " + cost.phase + " " + format_number(cost.seconds, 3) + " s,";
     return text + " all " + format_number(d.seconds, 3) + " s";
 }
 

@@ -103,7 +103,7 @@ public:
     ui::commands::DiagnosisView take() {
         // Nothing can be displayed before the declared fit.
         if (!d_.declared.usable()) return std::move(view_);
-        view_.complete = d_.complete() && !d_.verdict.because.empty();
+        view_.complete = d_.complete() && !d_.verdict.reason.empty();
         view_.stopped = d_.stopped;
         view_.noise_m = d_.noise_m;
         view_.seconds = d_.seconds;
@@ -152,12 +152,12 @@ private:
 
     /// Explanation of the verdict with readable effect names and the error on validation trials.
     std::string reason() const {
-        std::string text = capitalised(d_.verdict.because);
+        std::string text = capitalised(d_.verdict.reason);
         if (d_.verdict.kind == diagnosis::VerdictKind::effects)
             text = "With " + diagnosis::names_of(d_.verdict.effects) +
                    " the systematic part of the residual falls from " +
                    format_number(d_.declared.tests.systematic.rms, 3) + " to " +
-                   format_number(d_.augmented.tests.systematic.rms, 2) + " times the noise." + d_.verdict.but;
+                   format_number(d_.augmented.tests.systematic.rms, 2) + " times the noise." + d_.verdict.cautions;
         const double before = d_.before.validation_rms_m, after = d_.after.validation_rms_m;
         if (d_.verdict.kind != diagnosis::VerdictKind::none && std::isfinite(before) && std::isfinite(after) &&
             before > 0.0)
@@ -254,7 +254,7 @@ private:
             row.predicted_m = on_samples(setup_, d_.data, -candidate.score.predicted.cwiseProduct(d_.data.noise_m));
         }
         row.explained = candidate.score.usable() ? candidate.score.test.explained : no_number;
-        for (const std::string& like : candidate.like)
+        for (const std::string& like : candidate.confounded_with)
             row.like += (row.like.empty() ? "" : ", ") + diagnosis::name_in_sentence(like);
         return row;
     }

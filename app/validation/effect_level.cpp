@@ -43,8 +43,8 @@ EffectLevel::EffectLevel(const SyntheticCase& c, setup::Setup setup, const Progr
     const diagnosis::JointFit fit = diagnosis::joint_fit(setup_, data_, without_, diagnosis::EffectFreedom::all, there,
                                                          {}, progress_);
     if (!fit.usable()) return;
-    near_ = diagnosis::neighbourhood_of(fit);
-    recalibrated_.emplace(near_.columns);
+    warm_start_ = diagnosis::warm_start_of(fit);
+    recalibrated_.emplace(warm_start_.columns);
     without_effect_ = fit.residual;
 }
 
@@ -65,7 +65,7 @@ double EffectLevel::fitted(const Level& level) const {
     for (std::size_t i = 0; i < data_.trials.size(); ++i)
         seen.trials[data_.trials[i]].measured.tracks = level.with[i].positions_m;
     const diagnosis::JointFit fit = diagnosis::joint_fit(seen, data_, without_, diagnosis::EffectFreedom::all,
-                                                         recalibration(max_evaluations), near_, progress_);
+                                                         recalibration(max_evaluations), warm_start_, progress_);
     return fit.usable() && fit.residual.allFinite() ? rms(fit.residual) : 0.0;
 }
 

@@ -33,7 +33,7 @@ private:
     Progress progress_;
     prediction::ParameterValues without_;
     diagnosis::FitData data_;
-    diagnosis::Neighbourhood near_;  // of the fit trials without the effect
+    diagnosis::WarmStart warm_start_;  // of the fit trials without the effect
     std::optional<statistics::NuisanceSpace> recalibrated_;
     Eigen::VectorXd without_effect_;  // residual of the fit trials without the effect
 };

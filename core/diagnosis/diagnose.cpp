@@ -1,87 +1,146 @@
-#include "diagnosis/diagnosis.hpp"
-
-#include <algorithm>
 #include <utility>
 
 #include "base/text.hpp"
-#include "diagnosis/diagnosis_policy.hpp"
+#include "diagnosis/diagnosis.hpp"
+#include "diagnosis/diagnosis_context.hpp"
 #include "diagnosis/discretisation/correct_discretisation.hpp"
 #include "diagnosis/fit/declared_fit.hpp"
+#include "diagnosis/fit/store_words.hpp"
+#include "diagnosis/screening/screen_effects.hpp"
 #include "diagnosis/search/search_effects.hpp"
 #include "diagnosis/search/search_pairs.hpp"
-#include "diagnosis/selection/judgement.hpp"
+#include "diagnosis/verdict/final_fit.hpp"
 #include "diagnosis/verdict/verdict.hpp"
-#include "effect/catalogue.hpp"
 #include "statistics/residual_spot.hpp"
 
 namespace myo::diagnosis {
 namespace {
 
-void test(DiagnosisWork& work) {
-    work.progress.report({"significance", 1.0, 1.0, "stage", {}});
-    work.show();
-}
-
-/// Adds a note on where and when most of an unexplained residual occurs, if that is a small part of a recording.
-void note_spot(const setup::Setup& setup, Diagnosis& d) {
-    const std::optional<statistics::ResidualSpot> spot = d.verdict.kind == VerdictKind::unknown
-                                                             ? statistics::residual_spot(d.augmented.fit.residual,
-                                                                                         d.data.layout)
-                                                             : std::nullopt;
-    if (!spot) return;
+/// Note on where and when most of an unexplained residual occurs, if that is a small part of a recording.
+std::vector<std::string> spot_notes(const setup::Setup& setup, const FitData& data, const Decision& decision) {
+    if (decision.verdict.kind != VerdictKind::unknown) return {};
+    const std::optional<statistics::ResidualSpot> spot = statistics::residual_spot(decision.fit.fit.residual,
+                                                                                   data.layout);
+    if (!spot) return {};
     std::vector<std::string> markers;
     for (const int marker : spot->markers) markers.push_back(setup.marker_names[static_cast<std::size_t>(marker)]);
-    d.notes.push_back(format_number(100.0 * spot->share, 2) + " % of the squared residual lies between " +
-                      format_number(spot->from_s, 3) + " and " + format_number(spot->to_s, 3) + " s of " +
-                      setup.trials[static_cast<std::size_t>(spot->trial)].name + ", in " + join(markers) +
-                      ": look there for a fault of the recording, or for what acted once");
+    return {format_number(100.0 * spot->share, 2) + " % of the squared residual lies between " +
+            format_number(spot->from_s, 3) + " and " + format_number(spot->to_s, 3) + " s of " +
+            setup.trials[static_cast<std::size_t>(spot->trial)].name + ", in " + join(markers) +
+            ": look there for a fault of the recording, or for what acted once"};
 }
 
-/// Verdict, its fit with the numerical error recomputed, and predictions of all trials before and after.
-void conclude(DiagnosisWork& work) {
-    Diagnosis& result = work.result;
-    add_error_of_other_trials(work, result.declared);
-    result.numerics = *result.declared.numerics;
-    result.augmented = decide(result);
-    note_spot(work.setup, result);
-    const std::vector<std::size_t> all = work.all_trials();
-    const auto scored = [&](const prediction::ParameterValues& fitted, const PredictionShift& shift,
-                            std::vector<prediction::TrialPrediction> predictions) {
-        for (std::size_t t = 0; t < predictions.size(); ++t)
-            predictions[t] = shifted(std::move(predictions[t]), shift, t);
-        return prediction::scored_run(work.setup, prediction::with_predicted_levels(work.setup, fitted),
-                                      std::move(predictions), all);
-    };
-    result.before = scored(result.declared.fit.values, result.numerics.shift,
-                           work.stage("prediction", 2 * static_cast<int>(all.size()), [&] {
-                               return fitted_predictions(work.setup, all, result.declared.fit.values, work.progress);
-                           }));
-    const ErrorCorrection correction{result.verdict.kind == VerdictKind::effects
-                                         ? diagnosis_policy.search.correction.effort
-                                         : diagnosis_policy.search.unexplained,
-                                     diagnosis_policy.search.correction.most_change};
-    if (!result.augmented.numerics && !correct_discretisation(work, result.augmented, "last fit", correction)) return;
-    add_error_of_other_trials(work, result.augmented);
-    result.data.shift = result.augmented.numerics->shift;
-    result.after = result.verdict.kind == VerdictKind::none
-                       ? result.before
-                       : scored(result.augmented.fit.values, result.augmented.numerics->shift,
-                                fitted_predictions(work.setup, all, result.augmented.fit.values, work.progress));
+DiagnosisContext context_of(DeclaredFit declared, CorrectedDeclaredFit corrected, const DiagnoseSettings& settings) {
+    NumericalError numerics = *corrected.fit.numerics;
+    declared.data.shift = numerics.shift;
+    declared.setup.modulus_factor = corrected.modulus_factor;
+    return {std::move(declared.setup), settings,
+            std::move(declared.data),  std::move(corrected.fit),
+            std::move(numerics),       std::move(corrected.refinement)};
+}
+
+/// The fit without its predictions, which need the memory of many runs.
+JudgedFit without_predictions(JudgedFit& fit) {
+    std::vector<prediction::TrialPrediction> predictions;
+    predictions.swap(fit.fit.predictions);
+    JudgedFit copy = fit;
+    predictions.swap(fit.fit.predictions);
+    return copy;
+}
+
+/// The result as it grows. Only this class writes to it: each phase returns a value, which is entered here.
+class Record {
+public:
+    Record(const DiagnoseSettings& settings, const PhaseLog& log, const std::function<void(const Diagnosis&)>& live)
+        : log_(log), live_(live) {
+        d_.settings = settings;
+    }
+
+    void enter(DeclaredFit& declared) {
+        d_.data = declared.data;
+        d_.noise_m = mean_noise_m(declared.data);
+        d_.step_factors = declared.step_factors;
+        d_.notes = declared.notes;
+        d_.failure = declared.failure;
+        d_.declared = without_predictions(declared.fit);
+        show();
+    }
+    void enter(DiagnosisContext& context) {
+        d_.data.shift = context.data.shift;
+        d_.modulus_factor = context.setup.modulus_factor;
+        d_.declared = without_predictions(context.declared);
+        d_.numerics = context.numerics;
+        log_.progress().report({"significance", 1.0, 1.0, "stage", {}});
+        show();
+    }
+    void enter(const RankedFits& fits) {
+        d_.declared.criterion = fits.declared.criterion;
+        d_.declared.weight = fits.declared.weight;
+        d_.candidates = fits.candidates;
+        d_.pairs = fits.pairs;
+        show();
+    }
+    void enter(std::vector<Confusion> confusions) {
+        d_.candidates = with_confusions(std::move(d_.candidates), confusions);
+        d_.confusions = std::move(confusions);
+        show();
+    }
+    void enter_declared_error(const NumericalError& error) { d_.declared.numerics = d_.numerics = error; }
+    void enter(const Decision& decision, const std::vector<std::string>& notes) {
+        d_.verdict = decision.verdict;
+        d_.notes.insert(d_.notes.end(), decision.notes.begin(), decision.notes.end());
+        d_.notes.insert(d_.notes.end(), notes.begin(), notes.end());
+        d_.augmented = decision.fit;
+    }
+    void enter(FinalFit last) {
+        if (last.complete) d_.data.shift = last.fit.numerics->shift;
+        d_.augmented = std::move(last.fit);
+        d_.before = std::move(last.before);
+        d_.after = std::move(last.after);
+        show();
+    }
+
+    const Diagnosis& so_far() const { return d_; }
+    bool shows() const { return live_ != nullptr; }
+    void show() {
+        d_.cost = log_.costs();
+        if (live_) live_(d_);
+    }
+    Diagnosis finished() {
+        d_.stopped = log_.cancelled();
+        d_.seconds = watch_.seconds();
+        d_.cost = log_.costs();
+        forget_paths(d_.augmented.fit.predictions);
+        return d_.stopped ? std::move(d_) : with_tested_confidence(with_final_fit(std::move(d_)));
+    }
+
+private:
+    const PhaseLog& log_;
+    const std::function<void(const Diagnosis&)>& live_;
+    Stopwatch watch_;
+    Diagnosis d_;
+};
+
+/// Screening, search of one effect, and search of a second one. Returns the shift with which the last fits were made.
+PredictionShift search(const DiagnosisContext& context, FitStore& store, PhaseLog& log, Record& record) {
+    const Screening screening = screen_effects(context, store, log);
+    if (log.cancelled()) return context.data.shift;
+    SearchObserver show;
+    if (record.shows()) show = [&](const RankedFits& fits) { record.enter(fits); };
+    RankedFits singles = search_effects(context, screening, store, log, show);
+    record.enter(singles);
+    if (log.cancelled()) return context.data.shift;
+    const std::vector<Confusion> confusions = find_confusions(singles.candidates, context.declared.fit,
+                                                              context.policy().confusion);
+    record.enter(confusions);
+    if (is_faint(context.baseline())) return context.data.shift;
+    PairSearch pairs = search_pairs(context, std::move(singles), store, log);
+    record.enter(pairs.fits);
+    record.enter(confusions);
+    return pairs.shift;
 }
 
 }  // namespace
-
-bool may_be_named(const DiagnoseSettings& settings, const std::string& effect) {
-    return std::find(settings.without.begin(), settings.without.end(), effect) == settings.without.end();
-}
-
-setup::Setup for_candidates(setup::Setup setup, const DiagnoseSettings& settings) {
-    const std::vector<effect::Effect>& all = effect::effect_catalogue();
-    const bool fine = std::any_of(all.begin(), all.end(), [&](const effect::Effect& effect) {
-        return effect.varies_within_cells && may_be_named(settings, effect.id);
-    });
-    return fine ? setup::with_fine_element(std::move(setup)) : setup;
-}
 
 setup::Setup as_diagnosed(const Diagnosis& diagnosis, setup::Setup setup) {
     setup = for_candidates(std::move(setup), diagnosis.settings);
@@ -93,28 +152,32 @@ setup::Setup as_diagnosed(const Diagnosis& diagnosis, setup::Setup setup) {
 
 Diagnosis diagnose(const setup::Setup& setup, const DiagnoseSettings& settings, const Progress& progress,
                    const std::function<void(const Diagnosis&)>& live) {
-    const Stopwatch watch;
-    DiagnosisWork work(setup, settings, progress, live);
-    Diagnosis& result = work.result;
-    if (fit_declared(work)) {
-        test(work);
-        const bool searched = !progress.cancelled() &&
-                              needs_explanation(result.declared, result.data, result.numerics,
-                                                settings.policy.judgement) &&
-                              search_effects(work);
-        if (searched && !is_faint(result.declared, result.data, result.numerics, settings.policy.judgement))
-            search_pairs(work);
-        if (!progress.cancelled()) conclude(work);
-    }
-    result.stopped = progress.cancelled();
-    result.seconds = watch.seconds();
-    forget_paths(result.declared.fit.predictions);
-    forget_paths(result.augmented.fit.predictions);
-    if (!result.stopped) {
-        take_over_corrected(result);
-        discount_worse_predictions(result);
-    }
-    return std::move(result);
+    PhaseLog log(progress);
+    Record record(settings, log, live);
+    const setup::Setup prepared = prepared_setup(setup, settings);
+    FitStore store = settings.fits ? FitStore(*settings.fits, store_words(prepared)) : FitStore();
+
+    DeclaredFit declared = fit_declared(prepared, settings, store, log);
+    record.enter(declared);
+    if (!declared.usable() || log.cancelled()) return record.finished();
+    std::optional<CorrectedDeclaredFit> corrected = correct_declared_fit(
+        {declared.setup, declared.data, settings, {}, "declared fit", settings.policy.declared.correction},
+        std::move(declared.fit), store, log);
+    if (!corrected) return record.finished();
+    DiagnosisContext made = context_of(std::move(declared), std::move(*corrected), settings);
+    record.enter(made);
+
+    const DiagnosisContext& context = made;
+    PredictionShift shift = context.data.shift;
+    if (needs_explanation(context.baseline())) shift = search(context, store, log, record);
+    if (log.cancelled()) return record.finished();
+
+    const NumericalError declared_error = with_error_of_other_trials(context, context.declared, log);
+    record.enter_declared_error(declared_error);
+    const Decision decision = decide(record.so_far());
+    record.enter(decision, spot_notes(context.setup, context.data, decision));
+    record.enter(final_fit({context, declared_error, decision, shift}, store, log));
+    return record.finished();
 }
 
 }  // namespace myo::diagnosis

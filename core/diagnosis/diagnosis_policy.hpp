@@ -144,21 +144,21 @@ struct CandidateFitPolicy {
 /// Search for one effect.
 struct SearchPolicy {
     /// A score this high, from the fit with its distorted parameters reset, makes that fit the base without comparison.
-    double sure_base = 0.8;
+    double conclusive_score = 0.8;
     std::size_t first_fits = 3;  // candidates fitted before any conclusion
     /// A fit is pruned if its squared residual exceeds the smallest by this factor.
     double pruning_factor = 4.0;
     /// Once the best fit explains the residual, or leaves at most this share of its squares and a systematic part below
     /// the noise, candidates with less than this share of its predicted reduction are not fitted. Distortion of the
     /// declared fit hides up to two thirds of the reduction by the right effect.
-    double least_reduction_beside = 0.25;
+    double least_relative_reduction = 0.25;
     double most_left = 0.5;
     double noise_like = 1.0;  // [noise levels]
     /// A fit with less than this share of the declared excess has a motion nearer to the truth: its numerical error is
     /// computed.
-    double much_better = 0.3;
+    double corrected_share = 0.3;
     /// A candidate that leaves more than this share of the squared residual is fitted from its nonlinear starts, too.
-    double hardly_better = 0.9;
+    double restart_share = 0.9;
     std::size_t corrected_candidates = 2;  // whose own numerical error is computed before the verdict
     /// Rivals: squares up to this factor of the best.
     double rival_factor = 1.5;
@@ -200,7 +200,7 @@ struct JudgementPolicy {
     /// Largest remaining numerical error that is tolerated [noise levels]; beyond it the mesh has to be refined.
     double most_allowed = 1.0;
     /// A fit may leave this many times the remaining mesh error, which is itself extrapolated.
-    double generous = 1.5;
+    double mesh_error_factor = 1.5;
     /// Largest share of the systematic residual that an explanation leaves: in general, and of a faint one.
     double most_of_residual = 0.6;
     double most_of_faint = 0.5;

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "diagnosis/diagnosis.hpp"
+#include "diagnosis/diagnosis_context.hpp"
 #include "mesh/box_mesh.hpp"
 #include "support/figures.hpp"
 #include "support/recorded_motion.hpp"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "diagnosis/discretisation/error_finder.hpp"
+#include "diagnosis/discretisation/refinement.hpp"
 #include "support/figures.hpp"
 #include "support/recorded_motion.hpp"
 #include "support/swung_beam.hpp"
@@ -15,11 +15,11 @@ using Eigen::VectorXd;
 
 /// A beam of coarse cells with a fit of its modulus, and the errors found with values that move alike, step by step.
 struct Matched {
-    test::Folder folder{"alike_values"};
+    test::Folder folder{"matched_values"};
     setup::Setup setup;
     FitData data;
     JointFit fit;
-    ErrorFinder errors;
+    Refinement refinement;
     NumericalError plain;
     MatchedValues matched;
     NumericalError error;
@@ -28,12 +28,12 @@ struct Matched {
         : setup(short_swing(folder)),
           data(fit_data(setup, {0})),
           fit(test::unmoved_fit(setup, data, prediction::declared_values(setup))),
-          errors(setup, refine_mesh) {
-        plain = errors.at(fit.values, data.trials, nullptr, {});
+          refinement(refined(setup, refine_mesh, diagnosis_policy.numerics, {})) {
+        plain = error_at(setup, refinement, fit.values, data.trials, nullptr, {});
         error = plain;
         for (int step = 0; step < 3; ++step) {
             matched = match_discretisation(data, fit, error);
-            error = errors.at(fit.values, data.trials, nullptr, {}, &matched);
+            error = error_at(setup, refinement, fit.values, data.trials, nullptr, {}, &matched);
         }
     }
 
@@ -68,9 +68,9 @@ TEST(MatchedValues, MoveAsPredictedAtTheLimitOfTheStep) {
 }
 
 TEST(MatchedValues, GiveOnePredictionWhateverTheValuesItIsWrittenFor) {
-    Matched of(true);
+    const Matched of(true);
     const prediction::ParameterValues limit = extrapolated_values(of.fit, of.matched, of.error.mesh_factor);
-    const NumericalError there = of.errors.at(limit, of.data.trials, nullptr, {}, &of.matched);
+    const NumericalError there = error_at(of.setup, of.refinement, limit, of.data.trials, nullptr, {}, &of.matched);
     const VectorXd at_fit = of.motion(of.setup, of.fit.values) + flat_shift(of.data, of.error.shift);
     const VectorXd at_limit = of.motion(of.setup, limit) + flat_shift(of.data, there.shift);
     EXPECT_LT((at_limit - at_fit).norm(), 1e-6 * at_fit.norm());

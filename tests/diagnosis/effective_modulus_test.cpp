@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "diagnosis/diagnosis.hpp"
-#include "diagnosis/discretisation/error_finder.hpp"
+#include "diagnosis/discretisation/refinement.hpp"
 #include "support/swung_beam.hpp"
 
 namespace myo::diagnosis {
@@ -22,10 +22,11 @@ TEST(EffectiveModulus, OfCellsHoldsForOtherMotionsWhereAShiftDoesNot) {
     prediction::ParameterValues there = here;
     there.youngs_modulus_Pa *= 1.15;
 
-    ErrorFinder errors(setup, true);
-    const NumericalError plain = errors.at(here, data.trials, nullptr, {});
-    NumericalError matched = plain;
-    ASSERT_TRUE(errors.match(here, data, matched, {}));
+    const Refinement refinement = refined(setup, true, diagnosis_policy.numerics, {});
+    const NumericalError plain = error_at(setup, refinement, here, data.trials, nullptr, {});
+    const std::optional<NumericalError> found = match_modulus(setup, here, data, plain, {});
+    ASSERT_TRUE(found);
+    const NumericalError& matched = *found;
     EXPECT_NE(matched.effective_modulus.mesh, 0.0);
     EXPECT_LT(std::abs(matched.effective_modulus.factor() - 1.0), 0.15);
     EXPECT_LT(matched.rest_rms_m, 0.4 * plain.rest_rms_m);
@@ -33,7 +34,7 @@ TEST(EffectiveModulus, OfCellsHoldsForOtherMotionsWhereAShiftDoesNot) {
     // What a finer mesh and step say of the other motion.
     const VectorXd coarse = flat_residual(data, prediction::predict_trials_with(setup, there, data.trials));
     const VectorXd limit = coarse +
-                           flat_shift(data, ErrorFinder(setup, true).at(there, data.trials, nullptr, {}).shift);
+                           flat_shift(data, error_at(setup, refinement, there, data.trials, nullptr, {}).shift);
     setup::Setup softer = setup;
     softer.modulus_factor = matched.effective_modulus.factor();
     const VectorXd by_modulus = flat_residual(data, prediction::predict_trials_with(softer, there, data.trials)) +
@@ -47,10 +48,10 @@ TEST(EffectiveModulus, IsLeftAloneWhereTheErrorIsFarBelowTheNoise) {
     setup::Setup setup = test::swung_beam(folder, 0.2);
     setup.noise_m.setConstant(0.05);
     const FitData data = fit_data(setup, {0});
-    ErrorFinder errors(setup, true);
-    NumericalError error = errors.at(prediction::declared_values(setup), data.trials, nullptr, {});
-    EXPECT_FALSE(errors.match(prediction::declared_values(setup), data, error, {}));
-    EXPECT_FALSE(error.effective_modulus.any());
+    const prediction::ParameterValues values = prediction::declared_values(setup);
+    const Refinement refinement = refined(setup, true, diagnosis_policy.numerics, {});
+    const NumericalError error = error_at(setup, refinement, values, data.trials, nullptr, {});
+    EXPECT_FALSE(match_modulus(setup, values, data, error, {}));
 }
 
 }  // namespace

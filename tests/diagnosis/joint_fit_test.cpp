@@ -65,7 +65,8 @@ TEST(JointFit, OverlooksNoMassThatIsFarHeavierThanTheBody) {
     values.effects.push_back(
         {"point_mass", {{"mass_kg", 8.0 * body_kg}, {"position_m", Eigen::VectorXd(Eigen::Vector3d(0.1, 0.0, 0.0))}}});
     FitStore store;
-    const JointFit found = stored_fit(store, recorded.setup, recorded.data(), values, EffectFreedom::all, {1}, {}, {});
+    const FitData data = recorded.data();
+    const JointFit found = stored_fit({recorded.setup, data, values, EffectFreedom::all, {1}}, store, {});
     EXPECT_LE(std::get<double>(found.values.effects[0].parameters.at("mass_kg")), 3.001 * body_kg);
 }
 
@@ -74,8 +75,8 @@ TEST(StoredFit, IsTakenOverForTheSameShiftAndStepsOnly) {
     FitData data = recorded.data();
     FitStore store(recorded.folder.path() / "fits.json", "beam");
     const auto fit = [&](FitStore& in) {
-        return stored_fit(in, recorded.setup, data, prediction::declared_values(recorded.setup), EffectFreedom::all,
-                          {10}, {}, {});
+        const prediction::ParameterValues start = prediction::declared_values(recorded.setup);
+        return stored_fit({recorded.setup, data, start, EffectFreedom::all, {10}}, in, {});
     };
     const JointFit first = fit(store), again = fit(store);
     EXPECT_GT(first.report.evaluations, 2);
@@ -135,9 +136,11 @@ TEST(CandidateFits, GoOnFromTheProbeWhereWhatWasForetoldGoesWrong) {
     const DiagnoseSettings settings;
     CandidateStart start{{"quadratic_drag", {{"coefficient_kg_m3", 1e6}}, false}, {}, false, 0.9, {}};
     const auto left = [&] {
-        const CandidateFits found = fit_candidates({recorded.setup, recorded.setup, data, settings, store}, base,
-                                                   {start}, base.squares(), 4.0, "refit", {});
-        return found.fits[0].usable() ? found.fits[0].fit.squares() : std::numeric_limits<double>::infinity();
+        PhaseLog log{Progress()};
+        const std::vector<CandidateStart> starts{start};
+        const std::vector<JudgedFit> found = fit_candidates(
+            {recorded.setup, data, settings, base, starts, base.squares(), 4.0, "refit"}, store, log);
+        return found[0].usable() ? found[0].fit.squares() : std::numeric_limits<double>::infinity();
     };
     EXPECT_GT(left(), base.squares());
     start.safe = {{"coefficient_kg_m3", 50.0}};
@@ -159,11 +162,12 @@ TEST(CandidateFits, AreGivenUpWhereTheBestLeavesNoHope) {
         {{"quadratic_drag", {{"coefficient_kg_m3", 50.0}}, false}, {}, false, 0.9, {}}};
     for (const double pruning_factor : {1.4, 1e12}) {  // the wrong one leaves two times the squares of noise
         FitStore store;
-        const CandidateFits found = fit_candidates({recorded.setup, recorded.setup, data, settings, store}, base,
-                                                   starts, base.squares(), pruning_factor, "refit", {});
-        ASSERT_TRUE(found.fits[0].usable() && found.fits[1].usable());
-        EXPECT_LT(1.4 * found.fits[1].fit.squares(), found.fits[0].fit.squares());
-        EXPECT_EQ(found.fits[0].fit.parameters.size() > base.parameters.size() + 1, pruning_factor > 1e6);
+        PhaseLog log{Progress()};
+        const std::vector<JudgedFit> found = fit_candidates(
+            {recorded.setup, data, settings, base, starts, base.squares(), pruning_factor, "refit"}, store, log);
+        ASSERT_TRUE(found[0].usable() && found[1].usable());
+        EXPECT_LT(1.4 * found[1].fit.squares(), found[0].fit.squares());
+        EXPECT_EQ(found[0].fit.parameters.size() > base.parameters.size() + 1, pruning_factor > 1e6);
     }
 }
 
@@ -175,7 +179,8 @@ TEST(EffectScores, GiveStartsWhereAProbeGoesBeyondTheResidual) {
     const JointFit fit = test::unmoved_fit(recorded.setup, data, prediction::declared_values(recorded.setup));
     const auto scores = score_effects(
         recorded.setup, data, fit, fit.predictions,
-        [](const std::string& id) { return id == "quadratic_drag" || id == "stress_softening"; }, ProbeSize::small, {});
+        [](const std::string& id) { return id == "quadratic_drag" || id == "stress_softening"; }, ProbeSize::small,
+        diagnosis_policy.screening, {});
     int starts = 0;
     for (const EffectScore& score : scores) {
         ASSERT_TRUE(score.failure.empty()) << score.failure;
@@ -200,9 +205,9 @@ TEST(EffectScores, SeeALargeGradientAcrossTheBodyByLargeProbesOnly) {
     const JointFit fit = test::unmoved_fit(recorded.setup, data, prediction::declared_values(recorded.setup));
     const auto best = [&](ProbeSize size) {
         EffectScore found;
-        for (const EffectScore& score :
-             score_effects(recorded.setup, data, fit, fit.predictions,
-                           [](const std::string& id) { return id == "stiffness_gradient"; }, size, {}))
+        for (const EffectScore& score : score_effects(recorded.setup, data, fit, fit.predictions,
+                                                      [](const std::string& id) { return id == "stiffness_gradient"; },
+                                                      size, diagnosis_policy.screening, {}))
             if (score.share() > found.share()) found = score;
         return found;
     };
@@ -210,9 +215,9 @@ TEST(EffectScores, SeeALargeGradientAcrossTheBodyByLargeProbesOnly) {
     EXPECT_EQ(effect::number(large.best.effect, "axis"), 2.0);
     const double of_noise = static_cast<double>(fit.residual.size());
     EXPECT_LT(large.left - of_noise, 0.8 * (small.left - of_noise));  // the modulus takes most of it back either way
-    for (const EffectScore& score :
-         score_effects(recorded.setup, data, fit, fit.predictions,
-                       [](const std::string& id) { return id == "quadratic_drag"; }, ProbeSize::large, {}))
+    for (const EffectScore& score : score_effects(recorded.setup, data, fit, fit.predictions,
+                                                  [](const std::string& id) { return id == "quadratic_drag"; },
+                                                  ProbeSize::large, diagnosis_policy.screening, {}))
         ADD_FAILURE() << score.id << " has no large probe";
 }
 

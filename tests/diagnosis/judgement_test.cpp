@@ -1,4 +1,4 @@
-#include "diagnosis/selection/judgement.hpp"
+#include "diagnosis/selection/ranking.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +15,15 @@ JudgedFit fit(double held_out, double held_out_in_time, int single_trial_directi
     fit.held_out_in_time_rms = held_out_in_time;
     fit.single_trial_directions = single_trial_directions;
     return fit;
+}
+
+/// Enters the weights of the fits among each other.
+void weigh(const FitData& data, const std::vector<JudgedFit*>& fits) {
+    const std::vector<FitWeight> weights = weights_of(data, {fits.begin(), fits.end()}, diagnosis_policy.judgement);
+    for (std::size_t i = 0; i < fits.size(); ++i) {
+        fits[i]->criterion = weights[i].criterion;
+        fits[i]->weight = weights[i].weight;
+    }
 }
 
 FitData data_of_one_marker() {
@@ -34,13 +43,13 @@ TEST(Weigh, ComparesByTimeWhatHoldingOutATrialDoesNotTest) {
     for (const double in_time : {0.8, 1.6}) {
         JudgedFit of_one_trial = fit(0.9, in_time, 2), of_all = fit(1.2, 1.2, 1), broken = fit(0.1, 0.1, 0);
         broken.fit.residual.resize(0);
-        weigh(data, {&of_one_trial, &of_all, &broken}, diagnosis_policy.judgement);
+        weigh(data, {&of_one_trial, &of_all, &broken});
         EXPECT_EQ(of_one_trial.criterion < of_all.criterion, in_time < 1.0);
         EXPECT_EQ(broken.weight, 0.0);
     }
     JudgedFit worse = fit(1.4, 0.5, 2),
               better = fit(1.2, 1.2, 1);  // not even flattered it is best: nothing to be asked again
-    weigh(data, {&worse, &better}, diagnosis_policy.judgement);
+    weigh(data, {&worse, &better});
     EXPECT_LT(better.criterion, worse.criterion);
 }
 
@@ -63,7 +72,7 @@ TEST(Weigh, WhatEndsAtItsBoundIsTheLimitOfAnotherKind) {
         }
         ASSERT_TRUE(effect_at_bound(at_bound.fit));
         ASSERT_FALSE(effect_at_bound(within.fit));
-        weigh(data, {&at_bound, &within}, diagnosis_policy.judgement);
+        weigh(data, {&at_bound, &within});
         EXPECT_EQ(within.weight > at_bound.weight, within_held_out == 1.0);
         if (within_held_out == 1.0) {
             EXPECT_NEAR(within.weight, 0.8, 1e-12) << "four to one";

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "diagnosis/diagnosis.hpp"
-#include "diagnosis/diagnosis_work.hpp"
+#include "diagnosis/discretisation/correct_discretisation.hpp"
 #include "diagnosis/fit/declared_fit.hpp"
 #include "support/recorded_motion.hpp"
 #include "support/swung_beam.hpp"
@@ -58,19 +58,25 @@ TEST(LongerSteps, AreLongerWhereTheDeclaredFitLeavesMuch) {
         if (missing_kg_m3 > 0.0) truth.effects.push_back({"quadratic_drag", {{"coefficient_kg_m3", missing_kg_m3}}});
         for (std::size_t t = 0; t < setup.trials.size(); ++t)
             test::record(setup, t, truth, prediction::predict_trial(setup, t, truth).trace);
-        const Progress progress;
-        const std::function<void(const Diagnosis&)> nobody;
         DiagnoseSettings settings;
         settings.refine_mesh = false;
-        DiagnosisWork work(setup, settings, progress, nobody);
-        ASSERT_TRUE(fit_declared(work)) << work.result.failure;
-        EXPECT_EQ(work.setup.trials[0].options.h_s > 0.0026, missing_kg_m3 > 0.0);
-        EXPECT_EQ(as_diagnosed(work.result, setup).trials[0].options.h_s, work.setup.trials[0].options.h_s);
+        PhaseLog log{Progress()};
+        FitStore store;
+        const DeclaredFit declared = fit_declared(prepared_setup(setup, settings), settings, store, log);
+        ASSERT_TRUE(declared.usable()) << declared.failure;
+        EXPECT_EQ(declared.setup.trials[0].options.h_s > 0.0026, missing_kg_m3 > 0.0);
+        Diagnosis diagnosis;
+        diagnosis.step_factors = declared.step_factors;
+        EXPECT_EQ(as_diagnosed(diagnosis, setup).trials[0].options.h_s, declared.setup.trials[0].options.h_s);
         if (missing_kg_m3 > 0.0) {
-            EXPECT_GT(work.result.declared.rms_m, 1e-4);
-            EXPECT_LT(work.result.numerics.step_rms_m,
-                      diagnosis_policy.numerics.step_change_of_left * work.result.declared.rms_m);
-            EXPECT_NE(work.result.notes.front().find("5 ms, whose error is taken off"), std::string::npos);
+            const std::optional<CorrectedDeclaredFit> corrected = correct_declared_fit(
+                {declared.setup, declared.data, settings, {}, "declared fit", settings.policy.declared.correction},
+                declared.fit, store, log);
+            ASSERT_TRUE(corrected);
+            EXPECT_GT(corrected->fit.rms_m, 1e-4);
+            EXPECT_LT(corrected->fit.numerics->step_rms_m,
+                      diagnosis_policy.numerics.step_change_of_left * corrected->fit.rms_m);
+            EXPECT_NE(declared.notes.front().find("5 ms, whose error is taken off"), std::string::npos);
         }
     }
 }

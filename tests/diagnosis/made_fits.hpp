@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "diagnosis/diagnosis.hpp"
+#include "diagnosis/verdict/verdict.hpp"
 
 // Fits and diagnoses made up for tests of the judgement and the verdict.
 
@@ -43,6 +43,14 @@ inline diagnosis::JudgedFit pair_that_leaves(double over_noise) {
     diagnosis::JudgedFit pair = fit_that_leaves(over_noise, "quadratic_drag");
     pair.fit.effects.push_back({"cable_tug", {}});
     return pair;
+}
+
+/// Enters the verdict and its notes into the diagnosis; returns the fit that it rests on.
+inline diagnosis::JudgedFit decided(diagnosis::Diagnosis& d) {
+    diagnosis::Decision decision = diagnosis::decide(d);
+    d.verdict = decision.verdict;
+    d.notes.insert(d.notes.end(), decision.notes.begin(), decision.notes.end());
+    return decision.fit;
 }
 
 }  // namespace myo::test

@@ -16,7 +16,7 @@ using namespace test;
 
 std::string rule_of(Diagnosis d, const DiagnosisPolicy& policy = diagnosis_policy) {
     d.settings.policy = policy;
-    decide(d);
+    decided(d);
     return d.verdict.rule;
 }
 
@@ -109,12 +109,12 @@ TEST(VerdictRules, FollowThePolicy) {
 
 TEST(VerdictRules, ConfidenceFollowsThePolicy) {
     Diagnosis plain = with_candidate(0.3), halved = plain;
-    decide(plain);
+    decided(plain);
     halved.settings.policy.verdict.undoubted *= 0.5;
-    decide(halved);
+    decided(halved);
     EXPECT_DOUBLE_EQ(halved.verdict.confidence, 0.5 * plain.verdict.confidence);
     Diagnosis drift = drifting();
-    decide(drift);
+    decided(drift);
     EXPECT_DOUBLE_EQ(drift.verdict.confidence, diagnosis_policy.verdict.undoubted * diagnosis_policy.verdict.drift);
 }
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "diagnosis/made_fits.hpp"
-#include "diagnosis/selection/judgement.hpp"
+#include "diagnosis/selection/ranking.hpp"
 
 namespace myo::diagnosis {
 namespace {
@@ -14,7 +14,7 @@ using namespace test;
 
 TEST(Verdict, NamesWhatExplainsTheResidual) {
     Diagnosis d = with_candidate(0.3);
-    decide(d);
+    decided(d);
     EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
     ASSERT_EQ(d.verdict.effects.size(), 1u);
     EXPECT_EQ(d.verdict.effects[0].id, "quadratic_drag");
@@ -23,16 +23,16 @@ TEST(Verdict, NamesWhatExplainsTheResidual) {
 }
 
 /// The fit with the numerical error found anew is the one that all numbers are of; the evidence it was chosen by stays.
-TEST(Verdict, TakesOverTheSettledFit) {
+TEST(Verdict, TakesOverTheFinalFit) {
     Diagnosis d = with_candidate(0.3);
-    d.augmented = decide(d);
+    d.augmented = decided(d);
     d.augmented.fit.effects[0].parameters["coefficient_kg_m3"] = 910.0;
     d.augmented.tests.systematic.rms = 0.2;
     d.augmented.weight = 0.0;
-    d.verdict.but = " Beware.";
-    take_over_corrected(d);
+    d.verdict.cautions = " Beware.";
+    d = with_final_fit(d);
     EXPECT_EQ(effect::number(d.verdict.effects[0].parameters, "coefficient_kg_m3"), 910.0);
-    EXPECT_EQ(d.verdict.because,
+    EXPECT_EQ(d.verdict.reason,
               "with quadratic_drag (coefficient_kg_m3 = 910) the systematic part falls from 10 times the noise to 0.2 "
               "times the noise. Beware.");
     EXPECT_EQ(d.candidates[0].judged->tests.systematic.rms, 0.2);
@@ -45,25 +45,25 @@ TEST(Verdict, StandsWherePredictionsGetWorseAtHalfItsConfidence) {
     for (const auto& [before, after, told] :
          {std::tuple{7.0, 1.0, false}, {7.0, 7.2, false}, {1.0, 1.25, false}, {7.0, 8.0, true}}) {
         Diagnosis d = with_candidate(0.3);
-        decide(d);
+        decided(d);
         const double confidence = d.verdict.confidence;
         d.before.validation_rms_m = before * noise_m;
         d.after.validation_rms_m = after * noise_m;
-        discount_worse_predictions(d);
+        d = with_tested_confidence(d);
         EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
         EXPECT_EQ(d.verdict.confidence, told ? 0.5 * confidence : confidence);
         EXPECT_EQ(!d.notes.empty() && d.notes.back().find("predicted worse") != std::string::npos, told) << after;
     }
     Diagnosis alone = with_candidate(0.3);  // no such trials
-    decide(alone);
-    discount_worse_predictions(alone);
+    decided(alone);
+    alone = with_tested_confidence(alone);
     EXPECT_TRUE(alone.notes.empty());
 }
 
 TEST(Verdict, IsNoneWhereNothingNeedsExplaining) {
     Diagnosis d = with_candidate(0.3);
     d.declared = fit_that_leaves(0.1);
-    decide(d);
+    decided(d);
     EXPECT_EQ(d.verdict.kind, VerdictKind::none);
 }
 
@@ -74,7 +74,7 @@ TEST(Verdict, TwiceWhatTheMeshMayLeaveIsNoMissingEffect) {
         d.declared = fit_that_leaves(0.55);
         d.declared.tests.variance.p = 0.0;
         d.numerics.left_rms_m = doubt * noise_m;
-        decide(d);
+        decided(d);
         EXPECT_EQ(d.verdict.kind, doubt > 0.2 ? VerdictKind::none : VerdictKind::effects) << doubt;
     }
 }
@@ -84,12 +84,12 @@ TEST(Verdict, WhatLeavesNearlyAllExplainsNothing) {
     Diagnosis d = with_candidate(1.25);
     d.declared = fit_that_leaves(1.4);
     d.numerics.left_rms_m = noise_m;
-    decide(d);
+    decided(d);
     EXPECT_EQ(d.verdict.kind, VerdictKind::unknown);
     d = with_candidate(1.25);
     d.declared = fit_that_leaves(3.0);
     d.numerics.left_rms_m = noise_m;
-    decide(d);
+    decided(d);
     EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
 }
 
@@ -101,7 +101,7 @@ TEST(Verdict, AFaintResidualIsNoEffectUnlessOneTakesHalfOfItAway) {
         d.candidates[0].judged->tests.variance.p = 1.0;  // the tests are silent with the effect
         d.declared = fit_that_leaves(0.47);
         d.declared.tests.variance.p = 0.0;
-        decide(d);
+        decided(d);
         EXPECT_EQ(d.verdict.kind, left < 0.2 ? VerdictKind::effects : VerdictKind::none);
         EXPECT_EQ(d.verdict.confidence<0.5, left> 0.2);
     }
@@ -109,7 +109,7 @@ TEST(Verdict, AFaintResidualIsNoEffectUnlessOneTakesHalfOfItAway) {
     d.candidates[0].judged->tests.variance.p = 0.0;
     d.declared = fit_that_leaves(0.7);
     d.declared.tests.variance.p = 0.0;
-    decide(d);
+    decided(d);
     EXPECT_EQ(d.verdict.kind, VerdictKind::unknown) << "that much is not put down to simulators";
 }
 
@@ -120,18 +120,18 @@ TEST(Verdict, WanderOfTheMeasurementNeedsNoEffect) {
     const statistics::IndependenceTest all_by_themselves{0.5, 1.0, 0.0};
     Diagnosis d = with_candidate(5.0);
     d.declared.independence = all_by_themselves;
-    decide(d);
+    decided(d);
     EXPECT_EQ(d.verdict.kind, VerdictKind::none);
     EXPECT_LT(d.verdict.confidence, 0.7);
-    EXPECT_NE(d.verdict.because.find("measurement drift"), std::string::npos);
+    EXPECT_NE(d.verdict.reason.find("measurement drift"), std::string::npos);
     Diagnosis beside = with_candidate(5.0);
-    decide(beside);
+    decided(beside);
     EXPECT_EQ(beside.verdict.kind, VerdictKind::unknown) << "half is left";
     beside = with_candidate(5.0);
     beside.candidates.front().judged->independence = all_by_themselves;
-    decide(beside);
+    decided(beside);
     ASSERT_EQ(beside.verdict.kind, VerdictKind::effects);
-    EXPECT_NE(beside.verdict.because.find("uncorrelated between markers"), std::string::npos);
+    EXPECT_NE(beside.verdict.reason.find("uncorrelated between markers"), std::string::npos);
 }
 
 TEST(Verdict, ASecondEffectHasToDoSomething) {
@@ -139,7 +139,7 @@ TEST(Verdict, ASecondEffectHasToDoSomething) {
         Diagnosis d = with_candidate(1.25);
         d.numerics.left_rms_m = 0.65 * noise_m;  // 0.98 noise levels are excused, 1.25 are not
         d.pairs.push_back(pair_that_leaves(pair_leaves));
-        decide(d);
+        decided(d);
         EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
         EXPECT_EQ(d.verdict.effects.size(), pair_leaves < 0.5 ? 2u : 1u);
         EXPECT_LT(d.verdict.confidence, 0.6) << "two may stand in for one that acts in another form";
@@ -156,7 +156,7 @@ TEST(Verdict, TwoEffectsHaveToBeTestedByOtherTrials) {
             d.pairs.push_back(pair_that_leaves(0.2));
             d.pairs[0].single_trial_directions = single_trial_directions;
             if (of_one_trial) d.pairs[0].fit.effects[1] = {"held_pose", {{"trial", std::string("release")}}};
-            decide(d);
+            decided(d);
             const bool untested = single_trial_directions > 0 && !of_one_trial;
             EXPECT_EQ(d.verdict.kind, untested ? VerdictKind::unknown : VerdictKind::effects);
             EXPECT_EQ(d.notes.size(), untested ? 1u : 0u) << "a person is told what a further trial would test";
@@ -173,10 +173,10 @@ TEST(Verdict, ASecondEffectIsNamedOnlyWhereItIsLikelierThanTheOthers) {
             d.pairs.push_back(pair_that_leaves(0.2));
             d.pairs.back().weight = share;
         }
-        decide(d);
+        decided(d);
         EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
         EXPECT_EQ(d.verdict.effects.size(), weight > 0.5 ? 2u : 1u);
-        EXPECT_EQ(d.verdict.because.find("too small to identify") == std::string::npos, weight > 0.5);
+        EXPECT_EQ(d.verdict.reason.find("too small to identify") == std::string::npos, weight > 0.5);
     }
 }
 
@@ -184,23 +184,23 @@ TEST(Verdict, ASecondEffectIsNamedOnlyWhereItIsLikelierThanTheOthers) {
 /// noise is that of still markers, which nothing comes down to, it is named with less confidence.
 TEST(Verdict, APartOfTheResidualIsNamedOnlyWhereNobodySaysHowGoodAModelCouldBe) {
     Diagnosis d = with_candidate(5.0);
-    decide(d);
+    decided(d);
     EXPECT_EQ(d.verdict.kind, VerdictKind::unknown);
     EXPECT_TRUE(d.verdict.effects.empty());
 
     d = with_candidate(5.0);
     d.data.noise_declared = false;
-    decide(d);
+    decided(d);
     EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
     EXPECT_LT(d.verdict.confidence, 0.75);
-    EXPECT_NE(d.verdict.because.find("unexplained"), std::string::npos);
+    EXPECT_NE(d.verdict.reason.find("unexplained"), std::string::npos);
 
     for (const auto& [left, left_held_out, named] :
          {std::tuple{8.0, 4.0, false}, {4.0, 8.0, false}, {4.0, 6.5, true}}) {
         d = with_candidate(left);
         d.data.noise_declared = false;
         d.candidates[0].judged->held_out_rms = left_held_out;
-        decide(d);
+        decided(d);
         EXPECT_EQ(d.verdict.kind, named ? VerdictKind::effects : VerdictKind::unknown) << left << " " << left_held_out;
     }
 
@@ -210,7 +210,7 @@ TEST(Verdict, APartOfTheResidualIsNamedOnlyWhereNobodySaysHowGoodAModelCouldBe) 
     d.data.noise_declared = false;
     d.candidates[0].judged->single_trial_directions = 1;
     d.candidates[0].judged->held_out_in_time_rms = 9.0;
-    decide(d);
+    decided(d);
     EXPECT_EQ(d.verdict.kind, VerdictKind::unknown);
 }
 
@@ -223,7 +223,7 @@ TEST(Verdict, APairThatExplainsMuchMoreOfARealBodyIsNamed) {
         d.candidates[0].judged->weight = 0.0;
         d.pairs.push_back(pair_that_leaves(pair_leaves));
         d.pairs[0].tests.variance.p = 0.0;
-        decide(d);
+        decided(d);
         EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
         EXPECT_EQ(d.verdict.effects.size(), pair_leaves < 2.0 ? 2u : 1u);
         EXPECT_GT(d.verdict.confidence, 0.4);
@@ -247,17 +247,17 @@ void end_at(JudgedFit& fit, prediction::ModelParameter::Kind kind, double value)
 TEST(Verdict, BoundsThatAFitEndsAtCastDoubt) {
     Diagnosis d = with_candidate(0.3);
     end_at(*d.candidates[0].judged, prediction::ModelParameter::Kind::youngs_modulus, 50.0);
-    decide(d);
+    decided(d);
     EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
     d = with_candidate(0.3);
     end_at(*d.candidates[0].judged, prediction::ModelParameter::Kind::youngs_modulus, 100.0);
-    decide(d);
+    decided(d);
     EXPECT_EQ(d.verdict.kind, VerdictKind::unknown);
 
     d = with_candidate(5.0);
     d.data.noise_declared = false;  // the same with less to be explained
     end_at(*d.candidates[0].judged, prediction::ModelParameter::Kind::youngs_modulus, 100.0);
-    decide(d);
+    decided(d);
     EXPECT_EQ(d.verdict.kind, VerdictKind::unknown);
 
     for (const double leaves : {0.3, 5.0}) {
@@ -266,9 +266,9 @@ TEST(Verdict, BoundsThatAFitEndsAtCastDoubt) {
             d = with_candidate(leaves);
             d.data.noise_declared = leaves < 1.0;
             end_at(*d.candidates[0].judged, prediction::ModelParameter::Kind::effect, at_bound ? 100.0 : 50.0);
-            decide(d);
+            decided(d);
             EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
-            EXPECT_EQ(d.verdict.because.find("Its size reached its limit") != std::string::npos, at_bound);
+            EXPECT_EQ(d.verdict.reason.find("Its size reached its limit") != std::string::npos, at_bound);
             confidence[at_bound] = d.verdict.confidence;
         }
         EXPECT_NEAR(confidence[1] / confidence[0], 0.5, 1e-12);
@@ -284,9 +284,9 @@ TEST(Verdict, AModulusThatWasAtABoundBeforeDoesNotDenyAnEffect) {
         d.data.noise_declared = false;
         end_at(d.declared, prediction::ModelParameter::Kind::youngs_modulus, at_bound ? 1.0 : 50.0);
         end_at(*d.candidates[0].judged, prediction::ModelParameter::Kind::youngs_modulus, at_bound ? 100.0 : 50.0);
-        decide(d);
+        decided(d);
         EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
-        EXPECT_EQ(d.verdict.because.find("The modulus ends at a bound") != std::string::npos, at_bound);
+        EXPECT_EQ(d.verdict.reason.find("The modulus ends at a bound") != std::string::npos, at_bound);
         confidence[at_bound] = d.verdict.confidence;
     }
     EXPECT_NEAR(confidence[1] / confidence[0], 0.5, 1e-12);
@@ -301,10 +301,10 @@ TEST(Verdict, AnAmountThatIsNotToldFromNothingExplainsNothing) {
             JudgedFit& fit = *d.candidates[0].judged;
             end_at(fit, prediction::ModelParameter::Kind::effect, 50.0);
             fit.fit.report.deviations = Eigen::VectorXd::Constant(1, deviation);
-            decide(d);
+            decided(d);
             EXPECT_EQ(d.verdict.kind, deviation > 20.0 ? VerdictKind::unknown : VerdictKind::effects);
             fit.fit.report.deviations(0) = std::numeric_limits<double>::quiet_NaN();  // the data do not determine it
-            decide(d);
+            decided(d);
             EXPECT_EQ(d.verdict.kind, VerdictKind::unknown);
         }
 }
@@ -319,7 +319,7 @@ TEST(Verdict, WhatPredictsNoHeldOutDataExplainsNothing) {
             fit.single_trial_directions = by_time ? 1 : 0;  // then other times test it
             fit.held_out_rms = by_time ? 1.4 : held_out;
             fit.held_out_in_time_rms = by_time ? held_out : 1.4;
-            decide(d);
+            decided(d);
             EXPECT_EQ(d.verdict.kind, held_out > 1.2 ? VerdictKind::unknown : VerdictKind::effects);
         }
 }
@@ -332,7 +332,7 @@ TEST(Verdict, APartOfTheMeshErrorIsNoMissingEffect) {
         d.declared = fit_that_leaves(0.7);
         d.declared.tests.variance.p = 0.0;
         d.numerics.mesh_rms_m = mesh * noise_m;
-        decide(d);
+        decided(d);
         EXPECT_EQ(d.verdict.kind, mesh > 1.0 ? VerdictKind::none : VerdictKind::unknown);
         EXPECT_TRUE(mesh < 1.0 || d.verdict.confidence < 0.5);
     }
@@ -347,7 +347,7 @@ TEST(Verdict, AMeshThatIsFarOffExcusesAPartOfWhatIsLeft) {
         d.declared = fit_that_leaves(was);
         d.declared.tests.variance.p = 0.0;
         d.numerics.mesh_rms_m = mesh * noise_m;
-        decide(d);
+        decided(d);
         EXPECT_EQ(d.verdict.kind, named ? VerdictKind::effects : VerdictKind::unknown) << mesh << " " << was;
     }
 }
@@ -358,8 +358,8 @@ TEST(Verdict, ChanceMayAddToWhatIsLeft) {
         Diagnosis d = with_candidate(0.54);  // 0.5 is a twentieth of what was there
         d.candidates[0].judged->tests.variance.p = 0.0;
         d.candidates[0].judged->tests.systematic.deviation = deviation;
-        EXPECT_EQ(explained(d), deviation > 0.02) << "1.64 deviations";
-        EXPECT_FALSE(explained(d, Leniency::strict)) << "the search goes on";
+        EXPECT_EQ(explained(d.candidates, d.baseline()), deviation > 0.02) << "1.64 deviations";
+        EXPECT_FALSE(explained(d.candidates, d.baseline(), Leniency::strict)) << "the search goes on";
     }
 }
 
@@ -377,10 +377,10 @@ TEST(Verdict, WhatExplainsTheResidualComesFirst) {
     other.judged = fit_that_leaves(0.2, "gravity_tilt");
     other.judged->held_out_rms = 3.0;
     d.candidates.push_back(other);
-    order_candidates(d);
+    d.candidates = with_ranked_candidates({{}, d.candidates, {}}, d.baseline()).candidates;
     ASSERT_LT(d.candidates[1].judged->criterion, d.candidates[0].judged->criterion) << "or nothing is tested";
     EXPECT_EQ(d.candidates[0].score.id, "gravity_tilt");
-    decide(d);
+    decided(d);
     ASSERT_EQ(d.verdict.effects.size(), 1u);
     EXPECT_EQ(d.verdict.effects[0].id, "gravity_tilt");
     EXPECT_GT(d.verdict.confidence, 0.3);
@@ -399,7 +399,7 @@ TEST(Verdict, WhatAnEffectAtItsBoundLeavesIsNotExcused) {
             else
                 d.declared = fit_that_leaves(30.0);
             end_at(*d.candidates[0].judged, prediction::ModelParameter::Kind::effect, at_bound ? 100.0 : 50.0);
-            decide(d);
+            decided(d);
             EXPECT_EQ(d.verdict.kind, at_bound ? VerdictKind::unknown : VerdictKind::effects);
         }
 }
@@ -408,12 +408,12 @@ TEST(Verdict, WhatAnEffectAtItsBoundLeavesIsNotExcused) {
 /// that it is all is less sure.
 TEST(Verdict, BetterPairsDoNotDenyWhatExplainsTheResidualAlone) {
     Diagnosis d = with_candidate(0.3);
-    decide(d);
+    decided(d);
     const double undisputed = d.verdict.confidence;
     d = with_candidate(0.3);
     d.candidates[0].judged->weight = 1e-6;
     d.pairs.push_back(pair_that_leaves(0.25));
-    decide(d);
+    decided(d);
     EXPECT_EQ(d.verdict.effects.size(), 1u);
     EXPECT_GT(d.verdict.confidence, 0.4);
     EXPECT_LT(d.verdict.confidence, 0.7 * undisputed);

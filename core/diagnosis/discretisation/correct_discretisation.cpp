@@ -2,148 +2,203 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "diagnosis/diagnosis_policy.hpp"
 #include "diagnosis/discretisation/discretisation_match.hpp"
-#include "diagnosis/selection/judgement.hpp"
+#include "diagnosis/discretisation/effective_modulus.hpp"
+#include "diagnosis/fit/stored_fit.hpp"
 #include "prediction/predict_trials.hpp"
+#include "prediction/run_trials.hpp"
 
 namespace myo::diagnosis {
 namespace {
 
-/// Sets the effective modulus, with which the cells move like finer ones, and scales the fitted modulus such that the
-/// motion stays the same.
-void match_modulus(DiagnosisWork& work, JointFit& declared, NumericalError& numerics) {
-    if (!work.stage("numerical error", 3 * work.fit_count(),
-                    [&] { return work.errors.match(declared.values, work.result.data, numerics, work.progress); }))
-        return;
-    work.result.modulus_factor = work.setup.modulus_factor = work.serial.modulus_factor = numerics.effective_modulus
-                                                                                              .factor();
-    for (const prediction::ModelParameter& p : declared.parameters)
+constexpr const char* error_phase = "numerical error";
+
+/// Refit with an error removed.
+struct Refit {
+    JointFit fit;
+    NumericalError numerics;
+    bool matched = false;  // parameters were matched between the coarse and the refined runs
+};
+
+int fit_count(const CorrectionInput& in) { return static_cast<int>(in.data.trials.size()); }
+
+FitData with_shift(FitData data, const PredictionShift& shift) {
+    data.shift = shift;
+    return data;
+}
+
+JointFit refit(const CorrectionInput& in, const FitData& data, const prediction::ParameterValues& start,
+               const Effort& effort, const WarmStart& warm, FitStore& store, PhaseLog& log) {
+    return logged_fit(in.phase, {in.setup, data, start, EffectFreedom::all, effort, warm}, store, log);
+}
+
+/// Scales the fitted modulus such that the motion stays the same with another modulus factor of the cells.
+void scale_modulus(JointFit& fit, double factor) {
+    for (const prediction::ModelParameter& p : fit.parameters)
         if (p.kind == prediction::ModelParameter::Kind::youngs_modulus)
-            prediction::set_value(p,
-                                  std::clamp(declared.values.youngs_modulus_Pa / work.setup.modulus_factor,
-                                             p.parameter.lower, p.parameter.upper),
-                                  declared.values);
+            prediction::set_value(
+                p, std::clamp(fit.values.youngs_modulus_Pa / factor, p.parameter.lower, p.parameter.upper), fit.values);
 }
 
 /// Numerical error of a fit after its own parameters have been matched between the runs. Empty if the error is small,
 /// or if matching does not reduce it.
-std::optional<NumericalError> matched_error(DiagnosisWork& work, const JointFit& fit, const NumericalError& plain,
-                                            const std::string& stage) {
-    const FitData& data = work.result.data;
-    const double unit_m = std::max(work.result.noise_m, flat_rms_m(data, fit.residual));
-    if (!(shift_rms_m(plain.shift) > diagnosis_policy.numerics.least_matched_error * unit_m)) return {};
-    const JointFit fresh = work.fit(stage, fit.values,
-                                    Effort{1});  // new derivatives: those of a search are secant approximations
+std::optional<NumericalError> matched_error(const CorrectionInput& in, const JointFit& fit, const FitData& data,
+                                            const NumericalError& plain, FitStore& store, PhaseLog& log) {
+    const NumericsPolicy& policy = in.settings.policy.numerics;
+    const double unit_m = std::max(mean_noise_m(data), flat_rms_m(data, fit.residual));
+    if (!(shift_rms_m(plain.shift) > policy.least_matched_error * unit_m)) return {};
+    // New derivatives: those of a search are secant approximations.
+    const JointFit fresh = refit(in, data, fit.values, Effort{1}, {}, store, log);
     if (!fresh.usable()) return {};
     std::optional<NumericalError> best;
-    for (int step = 0; step < diagnosis_policy.numerics.most_matching_steps; ++step) {
+    for (int step = 0; step < policy.most_matching_steps; ++step) {
         const NumericalError& before = best ? *best : plain;
         const MatchedValues matched = match_discretisation(data, fresh, before);
-        NumericalError numerics = work.stage("numerical error", 4 * work.fit_count(), [&] {
-            return work.errors.at(fit.values, data.trials, nullptr, work.progress, &matched);
+        NumericalError numerics = log.timed(error_phase, 4 * fit_count(in), [&] {
+            return error_at(in.setup, in.refinement, fit.values, data.trials, nullptr, log.progress(), &matched);
         });
         const double was = shift_rms_m(before.shift), is = shift_rms_m(numerics.shift);
-        if (work.progress.cancelled() || !(is < was)) break;
+        if (log.cancelled() || !(is < was)) break;
         best = std::move(numerics);
-        if (is < diagnosis_policy.numerics.matched_error * unit_m ||
-            is > diagnosis_policy.numerics.least_matching_gain * was)
-            break;
+        if (is < policy.matched_error * unit_m || is > policy.least_matching_gain * was) break;
     }
     return best;
 }
 
-struct CorrectedFit {
-    JointFit fit;
-    NumericalError numerics;
-};
-
 /// Refit of effects with a large numerical error: the fit's parameters are matched between the coarse and the refined
-/// runs, and the remaining error is removed. Empty if that is not needed or not possible. The declared fit is not
-/// matched: its error serves all candidates, so its parameters must stay.
-std::optional<CorrectedFit> corrected_by_matching(DiagnosisWork& work, const JointFit& fit, const NumericalError& plain,
-                                                  const std::string& stage, const ErrorCorrection& correction) {
+/// runs, and the remaining error is removed. Empty if that is not needed or not possible.
+std::optional<Refit> matched_refit(const CorrectionInput& in, const JointFit& fit, FitData data,
+                                   const NumericalError& plain, FitStore& store, PhaseLog& log) {
     if (fit.effects.empty()) return {};
-    FitData& data = work.result.data;
-    std::optional<NumericalError> found = matched_error(work, fit, plain, stage);
+    std::optional<NumericalError> found = matched_error(in, fit, data, plain, store, log);
     if (!found) return {};
     NumericalError& numerics = *found;
     const MatchedValues matched = *numerics.matched;
     data.shift = numerics.shift;
-    const JointFit there = work.fit(stage, fit.values, correction.effort, neighbourhood_of(fit));
+    const JointFit there = refit(in, data, fit.values, in.correction.effort, warm_start_of(fit), store, log);
     if (!there.usable()) return {};
     numerics.left_rms_m = extrapolation_left_m(data, numerics, there);
     numerics.rest_rms_m = shift_rms_m(numerics.shift);
     numerics.matched = moved_match(there, matched);
     // The shift was found at the fitted values; it must hold at the extrapolated ones, which are those of the body.
     const prediction::ParameterValues limit = extrapolated_values(there, matched, numerics.mesh_factor);
-    const std::vector<prediction::TrialPrediction> at_limit = fitted_predictions(work.setup, data.trials, limit,
-                                                                                 work.progress);
+    const std::vector<prediction::TrialPrediction> at_limit = fitted_predictions(in.setup, data.trials, limit,
+                                                                                 log.progress());
     if (!prediction::all_ok(at_limit)) return {};
     for (std::size_t i = 0; i < data.trials.size(); ++i)
         add_scaled(difference(there.predictions[i], at_limit[i]), 1.0, numerics.shift[data.trials[i]]);
-    data.shift = numerics.shift;
-    JointFit ended = work.fit(stage, limit, correction.effort);
+    JointFit ended = refit(in, with_shift(std::move(data), numerics.shift), limit, in.correction.effort, {}, store,
+                           log);
     if (!ended.usable()) return {};
-    return CorrectedFit{std::move(ended), std::move(numerics)};
+    return Refit{std::move(ended), std::move(numerics), true};
+}
+
+/// Refit with the error removed, from the values of a fit.
+Refit plain_refit(const CorrectionInput& in, const JointFit& fit, NumericalError numerics, FitStore& store,
+                  PhaseLog& log) {
+    const FitData data = with_shift(in.data, numerics.shift);
+    JointFit again = refit(in, data, fit.values, in.correction.effort, warm_start_of(fit), store, log);
+    if (again.usable()) numerics.left_rms_m = extrapolation_left_m(data, numerics, again);
+    return {std::move(again), std::move(numerics), false};
+}
+
+NumericalError plain_error(const CorrectionInput& in, const JudgedFit& fit, PhaseLog& log) {
+    return log.timed(error_phase, 3 * fit_count(in), [&] {
+        return error_at(in.setup, in.refinement, fit.fit.values, in.data.trials,
+                        fit.numerics ? &*fit.numerics : nullptr, log.progress());
+    });
+}
+
+/// Whether the refit changes predictions so little that its error need not be computed again.
+bool is_converged(const CorrectionInput& in, const JointFit& fit, const Refit& again) {
+    const double left = std::sqrt(again.fit.squares() / static_cast<double>(again.fit.residual.size()));
+    return again.matched || change_between(fit, again.fit) <
+                                std::max(in.correction.most_change, in.settings.policy.numerics.converged_share * left);
+}
+
+/// The refit, assessed, with the place of the earlier fit among others.
+JudgedFit replaced(const CorrectionInput& in, const JudgedFit& before, Refit again) {
+    JudgedFit fit = judged(with_shift(in.data, again.numerics.shift), std::move(again.fit), in.settings);
+    fit.weight = before.weight;
+    fit.criterion = before.criterion;
+    fit.numerics = std::move(again.numerics);
+    return fit;
+}
+
+/// Rounds of error and refit, from the given number of rounds on.
+std::optional<JudgedFit> corrected_in_rounds(const CorrectionInput& in, JudgedFit fit, int round, FitStore& store,
+                                             PhaseLog& log) {
+    const NumericsPolicy& policy = in.settings.policy.numerics;
+    for (; round < policy.most_rounds; ++round) {
+        NumericalError plain = plain_error(in, fit, log);
+        if (log.cancelled()) return {};
+        const FitData data = fit.numerics ? with_shift(in.data, fit.numerics->shift) : in.data;
+        std::optional<Refit> again = matched_refit(in, fit.fit, data, plain, store, log);
+        if (log.cancelled()) return {};
+        if (!again) again = plain_refit(in, fit.fit, std::move(plain), store, log);
+        if (log.cancelled()) return {};
+        if (!again->fit.usable() || again->fit.squares() > policy.most_growth * fit.fit.squares()) break;
+        const bool converged = is_converged(in, fit.fit, *again);
+        fit = replaced(in, fit, std::move(*again));
+        if (converged) break;
+    }
+    return fit;
 }
 
 }  // namespace
 
-bool correct_discretisation(DiagnosisWork& work, JudgedFit& judged_fit, const std::string& stage,
-                            const ErrorCorrection& correction) {
-    Diagnosis& result = work.result;
-    for (int round = 0; round < diagnosis_policy.numerics.most_rounds; ++round) {
-        const NumericalError* const known = judged_fit.numerics ? &*judged_fit.numerics
-                                                                : nullptr;  // declared fit: damping may be far larger
-        NumericalError numerics = work.stage("numerical error", 3 * work.fit_count(), [&] {
-            return work.errors.at(judged_fit.fit.values, result.data.trials, known, work.progress);
-        });
-        if (work.progress.cancelled()) return false;
-        const bool is_first = !result.declared.numerics;  // no error has been removed so far
-        if (is_first) match_modulus(work, judged_fit.fit, numerics);
-        const std::optional<CorrectedFit> matched = corrected_by_matching(work, judged_fit.fit, numerics, stage,
-                                                                          correction);
-        if (work.progress.cancelled()) return false;
-        result.data.shift = matched ? matched->numerics.shift : numerics.shift;
-        JointFit again = matched ? matched->fit
-                                 : work.fit(stage, judged_fit.fit.values, correction.effort,
-                                            neighbourhood_of(judged_fit.fit));
-        if (work.progress.cancelled()) return false;
-        if (!again.usable() ||
-            (!is_first && again.squares() > diagnosis_policy.numerics.most_growth * judged_fit.fit.squares()))
-            break;
-        const double left = std::sqrt(again.squares() / static_cast<double>(again.residual.size()));
-        const bool corrected = matched ||
-                               change_between(judged_fit.fit, again) <
-                                   std::max(correction.most_change, diagnosis_policy.numerics.converged_share * left);
-        const double weight = judged_fit.weight, criterion = judged_fit.criterion;
-        judged_fit = judged(result.data, std::move(again), result.settings);
-        judged_fit.weight = weight;
-        judged_fit.criterion = criterion;
-        if (matched)
-            numerics = matched->numerics;
-        else
-            numerics.left_rms_m = extrapolation_left_m(result.data, numerics, judged_fit.fit);
-        judged_fit.numerics = std::move(numerics);
-        if (corrected) break;
-    }
-    if (!judged_fit.numerics) judged_fit.numerics = result.declared.numerics;
-    result.data.shift = judged_fit.numerics ? judged_fit.numerics->shift : PredictionShift{};
-    return true;
+std::optional<JudgedFit> correct_discretisation(const CorrectionInput& in, JudgedFit fit, FitStore& store,
+                                                PhaseLog& log) {
+    return corrected_in_rounds(in, std::move(fit), 0, store, log);
 }
 
-void add_error_of_other_trials(DiagnosisWork& work, JudgedFit& judged_fit) {
-    if (!judged_fit.numerics || judged_fit.numerics->shift.size() != work.setup.trials.size()) return;
+std::optional<CorrectedDeclaredFit> correct_declared_fit(const CorrectionInput& in, JudgedFit fit, FitStore& store,
+                                                         PhaseLog& log) {
+    CorrectedDeclaredFit result;
+    setup::Setup setup = in.setup;
+    const CorrectionInput with{setup, in.data, in.settings, result.refinement, in.phase, in.correction};
+    NumericalError error = log.timed(error_phase, 3 * fit_count(in), [&] {
+        result.refinement = refined(setup, in.settings.refine_mesh, in.settings.policy.numerics, log.progress());
+        return error_at(setup, result.refinement, fit.fit.values, in.data.trials, nullptr, log.progress());
+    });
+    if (log.cancelled()) return {};
+    const std::optional<NumericalError> by_modulus = log.timed(error_phase, 3 * fit_count(in), [&] {
+        return match_modulus(setup, prediction::with_predicted_levels(setup, fit.fit.values), in.data, error,
+                             log.progress());
+    });
+    if (by_modulus) {
+        result.refinement.unmatched = error = *by_modulus;
+        result.modulus_factor = setup.modulus_factor = error.effective_modulus.factor();
+        scale_modulus(fit.fit, setup.modulus_factor);
+    }
+    if (log.cancelled()) return {};
+    Refit again = plain_refit(with, fit.fit, std::move(error), store, log);
+    if (log.cancelled()) return {};
+    if (again.fit.usable()) {
+        const bool converged = is_converged(with, fit.fit, again);
+        fit = replaced(with, fit, std::move(again));
+        std::optional<JudgedFit> corrected = converged ? std::move(fit)
+                                                       : corrected_in_rounds(with, std::move(fit), 1, store, log);
+        if (!corrected) return {};
+        fit = std::move(*corrected);
+    }
+    result.fit = std::move(fit);
+    if (!result.fit.numerics) result.fit.numerics.emplace();
+    return result;
+}
+
+NumericalError with_error_of_other_trials(const DiagnosisContext& context, const JudgedFit& fit, PhaseLog& log) {
+    const NumericalError& own = *fit.numerics;
+    if (own.shift.size() != context.setup.trials.size()) return own;
     std::vector<std::size_t> others;
-    for (const std::size_t t : work.all_trials())
-        if (judged_fit.numerics->shift[t].empty()) others.push_back(t);
-    if (others.empty() || work.progress.cancelled()) return;
-    const int runs = 3 * static_cast<int>(others.size());
-    const MatchedValues* const matched = judged_fit.numerics->matched ? &*judged_fit.numerics->matched : nullptr;
-    complete(*judged_fit.numerics, work.stage("numerical error", runs, [&] {
-        return work.errors.at(judged_fit.fit.values, others, nullptr, work.progress, matched);
+    for (std::size_t t = 0; t < context.setup.trials.size(); ++t)
+        if (own.shift[t].empty()) others.push_back(t);
+    if (others.empty() || log.cancelled()) return own;
+    const MatchedValues* const matched = own.matched ? &*own.matched : nullptr;
+    return completed(own, log.timed(error_phase, 3 * static_cast<int>(others.size()), [&] {
+        return error_at(context.setup, context.refinement, fit.fit.values, others, nullptr, log.progress(), matched);
     }));
 }
 

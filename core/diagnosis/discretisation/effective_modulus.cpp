@@ -28,21 +28,21 @@ PredictionShift derivative(const setup::Setup& setup, const FitData& data,
 
 }  // namespace
 
-bool match_modulus(const setup::Setup& setup, const prediction::ParameterValues& values, const FitData& data,
-                   NumericalError& error, const Progress& progress) {
+std::optional<NumericalError> match_modulus(const setup::Setup& setup, const prediction::ParameterValues& values,
+                                            const FitData& data, NumericalError error, const Progress& progress) {
     const Eigen::VectorXd all = flat_shift(data, error.shift), of_step = flat_shift(data, error.step_shift),
                           finer_mesh = flat_shift(data, error.mesh_change);
     if (all.norm() < diagnosis_policy.numerics.least_error_for_modulus * std::sqrt(static_cast<double>(all.size())))
-        return false;
+        return {};
     const std::vector<prediction::TrialPrediction> there = with_factor(setup, values, data, 1.0, progress),
                                                    softer = with_factor(setup, values, data,
                                                                         1.0 - diagnosis_policy.numerics.modulus_step,
                                                                         progress);
-    if (!prediction::all_ok(there) || !prediction::all_ok(softer)) return false;
+    if (!prediction::all_ok(there) || !prediction::all_ok(softer)) return {};
     const PredictionShift column = derivative(setup, data, there, softer);
     const Eigen::VectorXd flat = flat_shift(data, column);
     const double squares = flat.squaredNorm();
-    if (!(squares > 0.0)) return false;
+    if (!(squares > 0.0)) return {};
     const auto share = [&](const Eigen::VectorXd& shift) {
         return std::clamp(flat.dot(shift) / squares, -diagnosis_policy.numerics.most_modulus_change,
                           diagnosis_policy.numerics.most_modulus_change);
@@ -53,7 +53,7 @@ bool match_modulus(const setup::Setup& setup, const prediction::ParameterValues&
     found.step = share(of_step);
     found.finer_step = error.step_ratio * error.step_ratio * found.step;
     const std::vector<prediction::TrialPrediction> matched = with_factor(setup, values, data, found.factor(), progress);
-    if (!prediction::all_ok(matched)) return false;
+    if (!prediction::all_ok(matched)) return {};
     error.effective_modulus = found;
     error.by_modulus.assign(setup.trials.size(), {});
     for (std::size_t i = 0; i < data.trials.size(); ++i) {
@@ -63,7 +63,7 @@ bool match_modulus(const setup::Setup& setup, const prediction::ParameterValues&
         add_scaled(column[t], found.mesh + found.step, error.by_modulus[t]);
     }
     error.rest_rms_m = shift_rms_m(error.shift);
-    return true;
+    return error;
 }
 
 }  // namespace myo::diagnosis

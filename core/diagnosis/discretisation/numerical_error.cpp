@@ -62,7 +62,7 @@ void add_scaled(const std::vector<Matrix3Xd>& tracks, double factor, std::vector
     for (std::size_t m = 0; m < tracks.size(); ++m) sum[m] += factor * tracks[m];
 }
 
-NumericalError numerical_error(const setup::Setup& setup, setup::Setup* refined, const MatchedValues& values,
+NumericalError numerical_error(const setup::Setup& setup, const setup::Setup* refined, const MatchedValues& values,
                                const std::vector<std::size_t>& trials,
                                const std::vector<prediction::TrialPrediction>& base, const NumericalError* known,
                                const EffectiveModulus& effective_modulus, const Progress& progress) {
@@ -86,10 +86,11 @@ NumericalError numerical_error(const setup::Setup& setup, setup::Setup* refined,
     }
     std::vector<prediction::TrialPrediction> finer_mesh(trials.size());
     if (refined) {
-        refined->modulus_factor = effective_modulus.factor_of_finer_mesh();
         error.mesh_ratio = refined->mesh.resolution_m / setup.mesh.resolution_m;
+        setup::Setup finer = *refined;
+        finer.modulus_factor = effective_modulus.factor_of_finer_mesh();
         if (!progress.cancelled())
-            finer_mesh = prediction::predict_trials_with(*refined, values.finer_mesh, trials, progress);
+            finer_mesh = prediction::predict_trials_with(finer, values.finer_mesh, trials, progress);
     } else {
         error.message = "no finer mesh could be made";
     }
@@ -134,11 +135,12 @@ double shift_rms_m(const PredictionShift& shift) {
     return sum.rms();
 }
 
-void complete(NumericalError& error, const NumericalError& other) {
+NumericalError completed(NumericalError error, const NumericalError& other) {
     for (std::size_t t = 0; t < error.shift.size(); ++t) {
         if (error.shift[t].empty()) error.shift[t] = other.shift[t];
         if (error.step_shift[t].empty()) error.step_shift[t] = other.step_shift[t];
     }
+    return error;
 }
 
 double extrapolation_left_m(const FitData& data, const NumericalError& error, const JointFit& fit) {

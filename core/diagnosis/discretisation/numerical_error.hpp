@@ -52,14 +52,14 @@ double step_extrapolation();
 /// Runs the trials with half the step and on the refined setup, and extrapolates both changes by Richardson's rule with
 /// their orders. Shifts of other trials stay empty.
 ///
-/// @param refined            setup on a finer mesh, null: none; its modulus factor is set here
+/// @param refined            setup on a finer mesh, null: none
 /// @param values             of the three runs
 /// @param base               predictions of the setup with values.setup, one per entry of `trials`, traces not needed;
 ///                           failed ones are skipped
 /// @param known              error with similar values, null: none; its step part is reused if far below the noise
-/// @param effective_modulus  of the setup, whose modulus factor is set accordingly
+/// @param effective_modulus  of the setup, whose modulus factor is set accordingly; sets that of the refined runs
 /// Source: Roache 1997, Annu. Rev. Fluid Mech. 29, 123.
-NumericalError numerical_error(const setup::Setup& setup, setup::Setup* refined, const MatchedValues& values,
+NumericalError numerical_error(const setup::Setup& setup, const setup::Setup* refined, const MatchedValues& values,
                                const std::vector<std::size_t>& trials,
                                const std::vector<prediction::TrialPrediction>& base, const NumericalError* known,
                                const EffectiveModulus& effective_modulus, const Progress& progress);
@@ -74,8 +74,8 @@ void add_scaled(const std::vector<Eigen::Matrix3Xd>& tracks, double factor, std:
 /// Rms of a shift over all samples of the trials that have one [m].
 double shift_rms_m(const PredictionShift& shift);
 
-/// Copies the shifts of trials for which `error` has none.
-void complete(NumericalError& error, const NumericalError& of_other_trials);
+/// The error with the shifts of trials for which it has none from another one.
+NumericalError completed(NumericalError error, const NumericalError& of_other_trials);
 
 /// Possible error of the extrapolation, independent between trials, that the parameters of a fit cannot compensate
 /// (they compensate stiffer cells by a lower modulus). Rms over the data [m].

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <functional>
+#include <limits>
 #include <map>
 #include <mutex>
+#include <utility>
 
 #include "base/parallel.hpp"
-#include "diagnosis/diagnosis_policy.hpp"
-#include "diagnosis/selection/judgement.hpp"
+#include "diagnosis/fit/pruning.hpp"
+#include "diagnosis/fit/stored_fit.hpp"
 #include "inverse/bounded_step.hpp"
 #include "inverse/fit_evaluations.hpp"
 
@@ -34,70 +35,178 @@ double predicted_squares(const JointFit& fit) {
     return (fit.residual + J * inverse::bounded_step(J, fit.residual, bounds.lower, bounds.upper)).squaredNorm();
 }
 
-/// Value after a step, within its bounds. A parameter over decades changes by at most a factor of e squared.
-double stepped(const inverse::Parameter& p, double value, double step) {
-    const double most = diagnosis_policy.fits.most_factor;
+/// Value after a step, within its bounds. A parameter over decades changes by at most the factor `most`.
+double stepped(const inverse::Parameter& p, double value, double step, double most) {
     const double lower = p.over_decades ? std::max(p.lower, (value + p.scale) / most - p.scale) : p.lower;
     const double upper = p.over_decades ? std::min(p.upper, (value + p.scale) * most - p.scale) : p.upper;
     return std::clamp(value + step, lower, upper);
 }
 
 /// Initial Jacobian of a fit: that of an earlier fit, or a new one.
-enum class Slopes { of_neighbours, anew };
+enum class Slopes { of_earlier_fit, computed };
 
+/// Candidate fits in rounds; each round fits some of the candidates in parallel.
 class Rounds {
 public:
-    Rounds(const CandidateFitting& fitting, const JointFit& base, const std::vector<CandidateStart>& starts,
-           const std::string& name, const Progress& progress)
-        : fitting_(fitting), starts_(starts), name_(name), progress_(progress), of_base_(neighbourhood_of(base)) {
-        result_.fits.resize(starts.size());
+    Rounds(const CandidateFitInput& in, FitStore& store, const Progress& progress)
+        : in_(in), store_(store), progress_(progress), serial_(in.setup), of_base_(warm_start_of(in.base)) {
+        serial_.settings.threads = 1;
+        fits_.resize(in.starts.size());
     }
 
-    const JudgedFit& fit(std::size_t i) const { return result_.fits[i]; }
+    const JudgedFit& fit(std::size_t i) const { return fits_[i]; }
+    int threads() const { return std::max(1, in_.setup.settings.threads); }
+    int runs() const { return runs_; }
 
     bool is_unfinished(std::size_t i) const {
         const JointFit& found = fit(i).fit;
         return fit(i).usable() && (!found.report.converged() ||
-                                   found.parameters.size() < joint_parameters(fitting_.setup, found.values).size());
+                                   found.parameters.size() < joint_parameters(in_.setup, found.values).size());
     }
 
-    /// Fits the wanted candidates from the given values. A result is kept only if it is better than the previous one.
-    void run(const setup::Setup& setup, EffectFreedom freedom, const Effort& effort,
-             const std::function<bool(std::size_t)>& wanted,
-             const std::function<prediction::ParameterValues(std::size_t)>& from,
-             Slopes slopes = Slopes::of_neighbours) {
-        parallel_tasks(static_cast<int>(starts_.size()), fitting_.setup.settings.threads, [&](int task) {
+    using Wanted = std::function<bool(std::size_t)>;
+    using Start = std::function<prediction::ParameterValues(std::size_t)>;
+
+    /// Fits the amounts of the wanted candidates, each on one thread.
+    void fit_amounts(const Effort& effort, const Wanted& wanted, const Start& from,
+                     Slopes slopes = Slopes::of_earlier_fit) {
+        run(serial_, EffectFreedom::amount, effort, wanted, from, slopes);
+    }
+    /// Continues the wanted candidates with all parameters; with its trials in parallel if there is only one.
+    void continue_fits(const Effort& effort, bool single, const Wanted& wanted) {
+        run(
+            single ? in_.setup : serial_, EffectFreedom::all, effort, wanted,
+            [this](std::size_t i) { return fit(i).fit.values; }, Slopes::of_earlier_fit);
+    }
+
+    std::vector<JudgedFit> take() { return std::move(fits_); }
+
+private:
+    /// A result is kept only if it is better than the previous one.
+    void run(const setup::Setup& setup, EffectFreedom freedom, const Effort& effort, const Wanted& wanted,
+             const Start& from, Slopes slopes) {
+        parallel_tasks(static_cast<int>(in_.starts.size()), in_.setup.settings.threads, [&](int task) {
             const auto i = static_cast<std::size_t>(task);
             if (progress_.cancelled() || !wanted(i)) return;
-            Neighbourhood known = slopes == Slopes::anew ? Neighbourhood{}
-                                  : fit(i).usable()      ? neighbourhood_of(fit(i).fit)
-                                                         : of_base_;
-            known.paths = of_base_.paths;  // the paths of all candidates would exceed the memory
-            JointFit found = stored_fit(fitting_.store, setup, fitting_.data, from(i), freedom, effort, known,
+            WarmStart warm = slopes == Slopes::computed ? WarmStart{}
+                             : fit(i).usable()          ? warm_start_of(fit(i).fit)
+                                                        : of_base_;
+            warm.paths = of_base_.paths;  // the paths of all candidates would exceed the memory
+            const prediction::ParameterValues start = from(i);
+            JointFit found = stored_fit({setup, in_.data, start, freedom, effort, std::move(warm)}, store_,
                                         progress_.with_sink({}));
             if (!found.usable() || progress_.cancelled()) return;
             for (prediction::TrialPrediction& prediction : found.predictions) prediction.trace = {};
-            JudgedFit fresh = judged(fitting_.data, std::move(found), fitting_.settings);
+            JudgedFit fresh = judged(in_.data, std::move(found), in_.settings);
             const std::lock_guard<std::mutex> lock(mutex_);
-            result_.runs += fresh.fit.runs(static_cast<int>(fitting_.data.trials.size()));
-            if (!fit(i).usable() || fresh.fit.squares() < fit(i).fit.squares()) result_.fits[i] = std::move(fresh);
-            progress_.report({name_, static_cast<double>(++done_), 2.0 * static_cast<double>(starts_.size()), "fits",
-                              starts_[i].effect.id});
+            runs_ += fresh.fit.runs(static_cast<int>(in_.data.trials.size()));
+            if (!fit(i).usable() || fresh.fit.squares() < fit(i).fit.squares()) fits_[i] = std::move(fresh);
+            progress_.report({in_.phase, static_cast<double>(++done_), 2.0 * static_cast<double>(in_.starts.size()),
+                              "fits", in_.starts[i].effect.id});
         });
     }
 
-    CandidateFits take() { return std::move(result_); }
-
-private:
-    const CandidateFitting& fitting_;
-    const std::vector<CandidateStart>& starts_;
-    const std::string& name_;
+    const CandidateFitInput& in_;
+    FitStore& store_;
     const Progress& progress_;
-    Neighbourhood of_base_;
-    CandidateFits result_;
+    setup::Setup serial_;  // one thread per fit, for fits in parallel
+    WarmStart of_base_;
+    std::vector<JudgedFit> fits_;
+    int runs_ = 0;
     std::atomic<int> done_{0};
     std::mutex mutex_;
 };
+
+prediction::ParameterValues with_effect(prediction::ParameterValues values, effect::EffectDeclaration effect) {
+    values.effects.push_back(std::move(effect));
+    return values;
+}
+
+/// Values of the base fit after the step of a start, with its effect.
+prediction::ParameterValues stepped_base(const CandidateFitInput& in, const CandidateStart& start) {
+    prediction::ParameterValues values = in.base.values;
+    for (std::size_t p = 0; p < in.base.parameters.size() && start.step.size() > 0; ++p) {
+        const prediction::ModelParameter& own = in.base.parameters[p];
+        prediction::set_value(own,
+                              stepped(own.parameter, prediction::value_of(own, in.base.values),
+                                      start.step(static_cast<Index>(p)), in.settings.policy.fits.most_factor),
+                              values);
+    }
+    return with_effect(std::move(values), start.effect);
+}
+
+/// Fits the amounts from the predicted starts. The start that a score predicts may be far beyond the linear range, or
+/// impossible to run: then from the base fit, and from the parameters of the probe.
+void fit_first_amounts(const CandidateFitInput& in, Rounds& rounds) {
+    const CandidateFitPolicy& policy = in.settings.policy.fits;
+    const std::vector<CandidateStart>& starts = in.starts;
+    const auto stepped = [&](std::size_t i) { return stepped_base(in, starts[i]); };
+    rounds.fit_amounts(
+        policy.amount, [&](std::size_t i) { return !starts[i].nonlinear; }, stepped);
+    rounds.fit_amounts(
+        policy.nonlinear, [&](std::size_t i) { return starts[i].nonlinear; }, stepped);
+    const auto went_wrong = [&](std::size_t i) {
+        return !starts[i].nonlinear && (!rounds.fit(i).usable() || rounds.fit(i).fit.squares() > in.base.squares());
+    };
+    rounds.fit_amounts(policy.amount, went_wrong,
+                       [&](std::size_t i) { return with_effect(in.base.values, starts[i].effect); });
+    rounds.fit_amounts(
+        policy.nonlinear, [&](std::size_t i) { return !starts[i].safe.empty() && went_wrong(i); },
+        [&](std::size_t i) {
+            return with_effect(in.base.values, {starts[i].effect.id, starts[i].safe, false});
+        });
+}
+
+/// Repeats fits of a large predicted reduction that missed it, with derivatives of their own.
+void repeat_missed_amounts(const CandidateFitInput& in, Rounds& rounds) {
+    const CandidateFitPolicy& policy = in.settings.policy.fits;
+    double largest = 0.0;
+    for (const CandidateStart& start : in.starts) largest = std::max(largest, start.predicted_reduction);
+    const auto missed = [&](std::size_t i) {
+        const double reduction = in.starts[i].predicted_reduction, base = in.base.squares();
+        if (!rounds.is_unfinished(i) || rounds.fit(i).fit.report.converged() ||
+            reduction < policy.worth_repeating * largest)
+            return false;
+        const double squares = rounds.fit(i).fit.squares();
+        return squares > policy.missed_reduction * (1.0 - reduction) * base && squares < policy.least_progress * base;
+    };
+    rounds.fit_amounts(
+        policy.repeated, missed, [&](std::size_t i) { return rounds.fit(i).fit.values; }, Slopes::computed);
+}
+
+/// Continues the fits that may still become the best. The best one is fitted first, on all threads: its result may
+/// prune the others.
+void continue_best(const CandidateFitInput& in, Rounds& rounds) {
+    const CandidateFitPolicy& policy = in.settings.policy.fits;
+    const std::size_t count = in.starts.size();
+    std::vector<bool> continued(count, false);
+    for (bool first = true;; first = false) {
+        PruningInput pruning{{},
+                             in.least_so_far,
+                             static_cast<double>(in.base.residual.size()),
+                             in.pruning_factor,
+                             policy.comparable_reduction};
+        for (std::size_t i = 0; i < count; ++i)
+            pruning.fits.push_back(
+                {rounds.fit(i).usable() ? rounds.fit(i).fit.squares() : std::numeric_limits<double>::infinity(),
+                 in.starts[i].predicted_reduction, !continued[i] && rounds.is_unfinished(i)});
+        std::vector<std::size_t> next = fits_worth_continuing(
+            pruning, [&](std::size_t i) { return predicted_squares(rounds.fit(i).fit); });
+        if (next.empty()) return;
+        const std::size_t most = first ? 1 : static_cast<std::size_t>(rounds.threads());
+        const auto end = next.begin() + static_cast<std::ptrdiff_t>(std::min(next.size(), most));
+        std::partial_sort(next.begin(), end, next.end(), [&](std::size_t a, std::size_t b) {
+            return pruning.fits[a].squares < pruning.fits[b].squares;
+        });
+        std::vector<bool> chosen(count, false);
+        for (auto i = next.begin(); i != end; ++i) continued[*i] = chosen[*i] = true;
+        const auto leads = [&](std::size_t i) {
+            return first || in.starts[i].predicted_reduction > policy.large_reduction;
+        };
+        rounds.continue_fits(policy.leader, first, [&](std::size_t i) { return chosen[i] && leads(i); });
+        rounds.continue_fits(policy.other, first, [&](std::size_t i) { return chosen[i] && !leads(i); });
+    }
+}
 
 }  // namespace
 
@@ -120,107 +229,16 @@ std::vector<CandidateStart> nonlinear_starts(const std::vector<EffectScore>& sco
     return starts;
 }
 
-CandidateFits fit_candidates(const CandidateFitting& fitting, const JointFit& base,
-                             const std::vector<CandidateStart>& starts, double least_so_far, double pruning_factor,
-                             const std::string& name, const Progress& progress) {
-    Rounds rounds(fitting, base, starts, name, progress);
-    const auto with_effect = [&](std::size_t i, prediction::ParameterValues values) {
-        values.effects.push_back(starts[i].effect);
-        return values;
-    };
-    const auto stepped_base = [&](std::size_t i) {
-        prediction::ParameterValues values = base.values;
-        for (std::size_t p = 0; p < base.parameters.size() && starts[i].step.size() > 0; ++p) {
-            const prediction::ModelParameter& own = base.parameters[p];
-            prediction::set_value(
-                own,
-                stepped(own.parameter, prediction::value_of(own, base.values), starts[i].step(static_cast<Index>(p))),
-                values);
-        }
-        return with_effect(i, values);
-    };
-    rounds.run(
-        fitting.serial, EffectFreedom::amount, diagnosis_policy.fits.amount,
-        [&](std::size_t i) { return !starts[i].nonlinear; }, stepped_base);
-    rounds.run(
-        fitting.serial, EffectFreedom::amount, diagnosis_policy.fits.nonlinear,
-        [&](std::size_t i) { return starts[i].nonlinear; }, stepped_base);
-    // The start that a score predicts may be far beyond the linear range, or impossible to run.
-    const auto went_wrong = [&](std::size_t i) {
-        return !rounds.fit(i).usable() || rounds.fit(i).fit.squares() > base.squares();
-    };
-    rounds.run(
-        fitting.serial, EffectFreedom::amount, diagnosis_policy.fits.amount,
-        [&](std::size_t i) { return !starts[i].nonlinear && went_wrong(i); },
-        [&](std::size_t i) { return with_effect(i, base.values); });
-    rounds.run(
-        fitting.serial, EffectFreedom::amount, diagnosis_policy.fits.nonlinear,
-        [&](std::size_t i) { return !starts[i].nonlinear && !starts[i].safe.empty() && went_wrong(i); },
-        [&](std::size_t i) {
-            prediction::ParameterValues values = base.values;
-            values.effects.push_back({starts[i].effect.id, starts[i].safe, false});
-            return values;
-        });
-    const auto found_so_far = [&](std::size_t i) { return rounds.fit(i).fit.values; };
-    double most_promised = 0.0;
-    for (const CandidateStart& start : starts) most_promised = std::max(most_promised, start.predicted_reduction);
-    const auto has_fallen_short = [&](std::size_t i) {
-        if (!rounds.is_unfinished(i) || rounds.fit(i).fit.report.converged() ||
-            starts[i].predicted_reduction < diagnosis_policy.fits.worth_repeating * most_promised)
-            return false;
-        const double squares = rounds.fit(i).fit.squares();
-        return squares >
-                   diagnosis_policy.fits.missed_reduction * (1.0 - starts[i].predicted_reduction) * base.squares() &&
-               squares < diagnosis_policy.fits.least_progress * base.squares();
-    };
-    rounds.run(fitting.serial, EffectFreedom::amount, diagnosis_policy.fits.repeated, has_fallen_short, found_so_far,
-               Slopes::anew);
-    const auto has_large_reduction = [&](std::size_t i) {
-        return starts[i].predicted_reduction > diagnosis_policy.fits.large_reduction;
-    };
-    std::vector<bool> went_on(starts.size(), false);
-    // The best candidate is fitted first, on all threads: its result may prune the others.
-    for (;;) {
-        double least = least_so_far, predicted = 1.0;
-        for (std::size_t i = 0; i < starts.size(); ++i)
-            if (rounds.fit(i).usable() && rounds.fit(i).fit.squares() < least) {
-                least = rounds.fit(i).fit.squares();
-                predicted = starts[i].predicted_reduction;
-            }
-        // While the best fit is far above the noise, it may be the wrong effect: the limit is higher.
-        const double patience_yet = pruning_factor * std::clamp(least / static_cast<double>(base.residual.size()), 1.0,
-                                                                pruning_factor * pruning_factor);
-        std::vector<std::size_t> next;
-        for (std::size_t i = 0; i < starts.size(); ++i) {
-            const double patience = starts[i].predicted_reduction >
-                                            diagnosis_policy.fits.comparable_reduction * predicted
-                                        ? std::max(pruning_factor * pruning_factor, patience_yet)
-                                        : patience_yet;
-            if (went_on[i] || !rounds.is_unfinished(i)) continue;
-            // An unfinished fit also continues if its Jacobian predicts a sufficiently small residual.
-            if (rounds.fit(i).fit.squares() < patience * least ||
-                predicted_squares(rounds.fit(i).fit) < pruning_factor * least)
-                next.push_back(i);
-        }
-        if (next.empty()) break;
-        const bool first = std::find(went_on.begin(), went_on.end(), true) == went_on.end();
-        const std::size_t count = std::min(
-            next.size(),
-            first ? std::size_t{1} : static_cast<std::size_t>(std::max(1, fitting.setup.settings.threads)));
-        std::partial_sort(
-            next.begin(), next.begin() + static_cast<std::ptrdiff_t>(count), next.end(),
-            [&](std::size_t a, std::size_t b) { return rounds.fit(a).fit.squares() < rounds.fit(b).fit.squares(); });
-        std::vector<bool> chosen(starts.size(), false);
-        for (std::size_t k = 0; k < count; ++k) went_on[next[k]] = chosen[next[k]] = true;
-        const setup::Setup& setup = first ? fitting.setup : fitting.serial;
-        rounds.run(
-            setup, EffectFreedom::all, diagnosis_policy.fits.leader,
-            [&](std::size_t i) { return chosen[i] && (first || has_large_reduction(i)); }, found_so_far);
-        rounds.run(
-            setup, EffectFreedom::all, diagnosis_policy.fits.other,
-            [&](std::size_t i) { return chosen[i] && !(first || has_large_reduction(i)); }, found_so_far);
-    }
-    return rounds.take();
+std::vector<JudgedFit> fit_candidates(const CandidateFitInput& in, FitStore& store, PhaseLog& log) {
+    Rounds rounds(in, store, log.progress());
+    std::vector<JudgedFit> fits = log.timed(in.phase, 0, [&] {
+        fit_first_amounts(in, rounds);
+        repeat_missed_amounts(in, rounds);
+        continue_best(in, rounds);
+        return rounds.take();
+    });
+    log.add(in.phase, 0.0, rounds.runs());
+    return fits;
 }
 
 }  // namespace myo::diagnosis

@@ -4,9 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/diagnosis.hpp"
-#include "diagnosis/fit/stored_fit.hpp"
+#include "diagnosis/fit/fit_store.hpp"
+#include "diagnosis/phase_log.hpp"
 #include "diagnosis/screening/effect_scores.hpp"
+#include "diagnosis/selection/judged_fit.hpp"
 
 namespace myo::diagnosis {
 
@@ -24,32 +25,22 @@ CandidateStart start_of(const EffectScore& score);
 std::vector<CandidateStart> nonlinear_starts(const std::vector<EffectScore>& scores,
                                              const std::function<bool(const EffectScore&)>& wanted);
 
-/// Common inputs of candidate fits.
-struct CandidateFitting {
+/// Input of fit_candidates(). Refers to values that outlive the fits.
+struct CandidateFitInput {
     const setup::Setup& setup;
-    const setup::Setup& serial;  // same setup with one thread per fit, for fits in parallel
     const FitData& data;
     const DiagnoseSettings& settings;
-    FitStore& store;
-};
-
-/// Result of fit_candidates().
-struct CandidateFits {
-    std::vector<JudgedFit> fits;  // in the order of the starts; not usable if the fit failed
-    int runs = 0;                 // approximate number of model runs
+    const JointFit& base;  // to whose effects a candidate is added, and to whose values the starts' steps refer
+    const std::vector<CandidateStart>& starts;
+    double least_so_far = 0.0;    // smallest squared residual of the candidates fitted before
+    double pruning_factor = 1.0;  // see fits_worth_continuing()
+    std::string phase;            // under which the fits are logged
 };
 
 /// Fits candidate effects added to the effects of a base fit: first the amount of each effect, then all parameters of
 /// the candidates that are not pruned, best first.
 ///
-/// @param base            fit whose values the starts' steps refer to
-/// @param least_so_far    smallest squared residual of the candidates fitted before
-/// @param pruning_factor  a fit continues only if its squared residual, or the one that its Jacobian predicts, is below
-///                        this multiple of the smallest; the limit is higher while the smallest is far above the noise,
-///                        and for candidates with a comparable predicted reduction
-/// @param name            name of the phase, for progress
-CandidateFits fit_candidates(const CandidateFitting& fitting, const JointFit& base,
-                             const std::vector<CandidateStart>& starts, double least_so_far, double pruning_factor,
-                             const std::string& name, const Progress& progress);
+/// @return  in the order of the starts; not usable where the fit failed
+std::vector<JudgedFit> fit_candidates(const CandidateFitInput& in, FitStore& store, PhaseLog& log);
 
 }  // namespace myo::diagnosis

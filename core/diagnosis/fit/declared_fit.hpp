@@ -1,13 +1,33 @@
 #pragma once
 
-#include "diagnosis/diagnosis_work.hpp"
+#include <string>
+#include <vector>
+
+#include "diagnosis/fit/fit_store.hpp"
+#include "diagnosis/phase_log.hpp"
+#include "diagnosis/selection/judged_fit.hpp"
 
 namespace myo::diagnosis {
 
-/// First phase of a diagnosis: chooses data and time steps, fits the declared model, and computes the numerical error
-/// of that fit.
+/// First phase of a diagnosis: data, time steps and fit of the declared model.
+struct DeclaredFit {
+    setup::Setup setup;                // with the steps and iteration limits of all later fits
+    FitData data;                      // of the fit trials, without a shift
+    std::vector<double> step_factors;  // per trial: steps over those of the given setup; empty: 1
+    JudgedFit fit;                     // its numerical error is not known yet
+    std::vector<std::string> notes;
+    std::string failure;  // reason why the declared model could not be fitted; empty also if cancelled
+
+    /// False if the fit failed or was cancelled.
+    bool usable() const { return fit.usable(); }
+};
+
+/// Chooses data and time steps, and fits the declared model.
 ///
-/// Returns false if cancelled, or if the declared model cannot be fitted (reason in work.result.failure).
-bool fit_declared(DiagnosisWork& work);
+/// Steps are lengthened while predictions change by less than NumericsPolicy allows, and further if the fit leaves
+/// much. An explicit step (setup.settings.h_s) is kept. Later runs are stopped at a multiple of the iterations of this
+/// fit (DeclaredFitPolicy).
+/// @param setup  see prepared_setup()
+DeclaredFit fit_declared(const setup::Setup& setup, const DiagnoseSettings& settings, FitStore& store, PhaseLog& log);
 
 }  // namespace myo::diagnosis

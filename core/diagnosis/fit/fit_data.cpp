@@ -1,5 +1,6 @@
 #include "diagnosis/fit/fit_data.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -103,6 +104,10 @@ VectorXd flat_tangent(const FitData& data, const TrialTangents& tangents) {
                             at.axis, sample);
                     })
         .cwiseQuotient(data.noise_m);
+}
+
+double mean_noise_m(const FitData& data) {
+    return std::sqrt(data.noise_m.squaredNorm() / static_cast<double>(std::max<Index>(1, data.noise_m.size())));
 }
 
 double flat_rms_m(const FitData& data, const VectorXd& residual) {

@@ -41,6 +41,9 @@ using TrialTangents = std::vector<std::vector<Eigen::Matrix3Xd>>;
 /// One column of the Jacobian: tangents / noise, N.
 Eigen::VectorXd flat_tangent(const FitData& data, const TrialTangents& tangents);
 
+/// Root mean square of the noise over all entries [m]; 0 without entries.
+double mean_noise_m(const FitData& data);
+
 /// Root mean square of a flat residual [m].
 double flat_rms_m(const FitData& data, const Eigen::VectorXd& residual);
 

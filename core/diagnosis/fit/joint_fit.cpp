@@ -68,14 +68,14 @@ void bound_by_body(const setup::Setup& setup, std::vector<prediction::ModelParam
 class Residuals {
 public:
     Residuals(const setup::Setup& setup, const FitData& data, const prediction::ParameterValues& start,
-              int most_evaluations, const Neighbourhood& known, JointFit& fit)
+              int most_evaluations, const WarmStart& warm, JointFit& fit)
         : setup_(setup),
           data_(data),
           start_(start),
           most_evaluations_(most_evaluations),
           fit_(fit),
           priors_(fit.parameters),
-          near_(known.paths) {}
+          warm_paths_(warm.paths) {}
 
     inverse::ResidualEvaluation evaluate(const VectorXd& p, const Progress& progress) {
         if (last_at_.size() > 0 && p == last_at_ && last_.ok) return last_;
@@ -88,7 +88,7 @@ public:
         const prediction::ParameterValues values = values_at(fit_.parameters, p, start_);
         std::vector<prediction::PredictionTask> tasks;
         for (std::size_t i = 0; i < data_.trials.size(); ++i)
-            tasks.push_back({data_.trials[i], &values, i < near_.size() ? near_[i] : nullptr});
+            tasks.push_back({data_.trials[i], &values, i < warm_paths_.size() ? warm_paths_[i] : nullptr});
         predictions_ = prediction::predict_trials(setup_, tasks, {}, progress);
         last_at_ = p;
         for (std::size_t i = 0; i < predictions_.size(); ++i)
@@ -106,8 +106,9 @@ public:
             fit_.residual = residual;
             fit_.values = values;
             fit_.predictions = predictions_;
-            near_.clear();
-            for (const prediction::TrialPrediction& prediction : predictions_) near_.push_back(prediction.trace.path);
+            warm_paths_.clear();
+            for (const prediction::TrialPrediction& prediction : predictions_)
+                warm_paths_.push_back(prediction.trace.path);
         }
         last_ = evaluation;
         return evaluation;
@@ -115,7 +116,7 @@ public:
 
     /// Jacobian at p. Known columns are taken over; the others are computed by runs of all trials in parallel. Empty if
     /// the model could not be run.
-    MatrixXd jacobian(const VectorXd& p, const Neighbourhood& known, const Progress& progress) {
+    MatrixXd jacobian(const VectorXd& p, const WarmStart& warm, const Progress& progress) {
         if (last_at_.size() == 0 || p != last_at_) evaluate(p, progress);
         if (!last_.ok) return {};
         const prediction::ParameterValues values = values_at(fit_.parameters, p, start_);
@@ -124,12 +125,12 @@ public:
         J.bottomRows(priors_.size()) = priors_.jacobian(count);
         std::vector<Index> wanted;
         for (Index i = 0; i < count; ++i) {
-            const auto found = std::find(known.names.begin(), known.names.end(),
+            const auto found = std::find(warm.names.begin(), warm.names.end(),
                                          fit_.parameters[static_cast<std::size_t>(i)].parameter.name);
-            if (found == known.names.end())
+            if (found == warm.names.end())
                 wanted.push_back(i);
             else
-                J.col(i).head(known.columns.rows()) = known.columns.col(found - known.names.begin());
+                J.col(i).head(warm.columns.rows()) = warm.columns.col(found - warm.names.begin());
         }
         std::vector<prediction::ModelParameter> sought;
         for (const Index i : wanted) sought.push_back(fit_.parameters[static_cast<std::size_t>(i)]);
@@ -162,7 +163,7 @@ private:
     int most_evaluations_;
     JointFit& fit_;
     Priors priors_;
-    std::vector<std::shared_ptr<const dynamics::StagePath>> near_;  // paths of the best evaluation so far
+    std::vector<std::shared_ptr<const dynamics::StagePath>> warm_paths_;  // paths of the best evaluation so far
     double least_ = std::numeric_limits<double>::infinity();
     int evaluations_ = 0;
     VectorXd last_at_;
@@ -190,12 +191,12 @@ std::vector<prediction::ModelParameter> joint_parameters(const setup::Setup& set
     return parameters;
 }
 
-Neighbourhood neighbourhood_of(const JointFit& fit) {
-    Neighbourhood known;
-    for (const prediction::ModelParameter& p : fit.parameters) known.names.push_back(p.parameter.name);
-    known.columns = fit.jacobian;
-    for (const prediction::TrialPrediction& prediction : fit.predictions) known.paths.push_back(prediction.trace.path);
-    return known;
+WarmStart warm_start_of(const JointFit& fit) {
+    WarmStart warm;
+    for (const prediction::ModelParameter& p : fit.parameters) warm.names.push_back(p.parameter.name);
+    warm.columns = fit.jacobian;
+    for (const prediction::TrialPrediction& prediction : fit.predictions) warm.paths.push_back(prediction.trace.path);
+    return warm;
 }
 
 double change_between(const JointFit& a, const JointFit& b) {
@@ -207,19 +208,19 @@ double change_between(const JointFit& a, const JointFit& b) {
 }
 
 JointFit joint_fit(const setup::Setup& setup, const FitData& data, const prediction::ParameterValues& start,
-                   EffectFreedom freedom, const inverse::LeastSquaresOptions& options, const Neighbourhood& known,
+                   EffectFreedom freedom, const inverse::LeastSquaresOptions& options, const WarmStart& warm,
                    const Progress& progress) {
     const Stopwatch watch;
     JointFit fit;
     fit.parameters = joint_parameters(setup, start, freedom);
     fit.values = start;
-    Residuals residuals(setup, data, start, options.max_evaluations, known, fit);
+    Residuals residuals(setup, data, start, options.max_evaluations, warm, fit);
     std::vector<inverse::Parameter> parameters;
     for (const prediction::ModelParameter& p : fit.parameters) parameters.push_back(p.parameter);
     VectorXd origin(static_cast<Index>(parameters.size()));
     for (std::size_t i = 0; i < parameters.size(); ++i) origin(static_cast<Index>(i)) = parameters[i].value;
     inverse::LeastSquaresOptions informed = options;
-    if (!known.names.empty()) informed.jacobian_guess = residuals.jacobian(origin, known, progress);
+    if (!warm.names.empty()) informed.jacobian_guess = residuals.jacobian(origin, warm, progress);
     fit.report = inverse::fit_by_secants(
         parameters, [&](const VectorXd& p, const Progress& inner) { return residuals.evaluate(p, inner); },
         [&](const VectorXd& p, const inverse::ResidualEvaluation&, const Progress& inner) {

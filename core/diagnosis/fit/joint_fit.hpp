@@ -34,13 +34,13 @@ struct JointFit {
 };
 
 /// Derivatives of the flat residual and motions known near the start of a fit; they save runs and iterations.
-struct Neighbourhood {
+struct WarmStart {
     std::vector<std::string> names;                                 // of the parameters
     Eigen::MatrixXd columns;                                        // N x names
     std::vector<std::shared_ptr<const dynamics::StagePath>> paths;  // of data.trials; null: unknown
 };
 /// Jacobian and paths of a fit.
-Neighbourhood neighbourhood_of(const JointFit& fit);
+WarmStart warm_start_of(const JointFit& fit);
 
 /// First-order rms difference of the predictions of two fits with the same parameters [noise levels].
 double change_between(const JointFit& a, const JointFit& b);
@@ -55,7 +55,7 @@ enum class EffectFreedom { amount, all };
 /// of ten times their scale: the data determine a place on a surface in two directions only. The result is not usable
 /// if the model cannot be run at the start or has no Jacobian.
 JointFit joint_fit(const setup::Setup& setup, const FitData& data, const prediction::ParameterValues& start,
-                   EffectFreedom freedom, const inverse::LeastSquaresOptions& options, const Neighbourhood& known,
+                   EffectFreedom freedom, const inverse::LeastSquaresOptions& options, const WarmStart& warm,
                    const Progress& progress);
 
 /// Free parameters of the experiment, followed by those of the tried effects, with start values and bounds.

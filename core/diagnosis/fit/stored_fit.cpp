@@ -11,8 +11,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// Digits from which a double is restored exactly.
-constexpr int all_digits = std::numeric_limits<double>::max_digits10;
+/// Text from which a double is restored exactly.
+std::string exact(double number) { return format_number(number, std::numeric_limits<double>::max_digits10); }
 
 /// Number that distinguishes shifts in the key of a fit.
 double fingerprint(const PredictionShift& shift) {
@@ -22,37 +22,54 @@ double fingerprint(const PredictionShift& shift) {
     return sum;
 }
 
-}  // namespace
+std::string key_of(const FitTask& task, const std::vector<prediction::ModelParameter>& parameters) {
+    std::string key = std::to_string(task.effort.evaluations) + " shift " + exact(fingerprint(task.data.shift)) +
+                      " modulus factor " + exact(task.setup.modulus_factor) + " steps";
+    for (const std::size_t t : task.data.trials) key += " " + exact(task.setup.trials[t].options.h_s);
+    for (const effect::EffectDeclaration& effect : task.start.effects) key += " " + effect_words(effect);
+    for (const prediction::ModelParameter& p : parameters)
+        key += " " + p.parameter.name + " " + exact(p.parameter.value);
+    return key;
+}
 
-JointFit stored_fit(FitStore& store, const setup::Setup& setup, const FitData& data,
-                    const prediction::ParameterValues& start, EffectFreedom freedom, const Effort& effort,
-                    const Neighbourhood& known, const Progress& progress) {
+inverse::LeastSquaresOptions options_of(const Effort& effort) {
     inverse::LeastSquaresOptions options;
     options.max_evaluations = effort.evaluations;
     options.relative_decrease = effort.relative_decrease;
     options.max_jacobians = effort.most_jacobians;
     options.relative_step = diagnosis_policy.fits.relative_step;
-    const std::vector<prediction::ModelParameter> parameters = joint_parameters(setup, start, freedom);
-    std::string key = std::to_string(effort.evaluations) + " shift " +
-                      format_number(fingerprint(data.shift), all_digits) + " modulus factor " +
-                      format_number(setup.modulus_factor, all_digits) + " steps";
-    for (const std::size_t t : data.trials) key += " " + format_number(setup.trials[t].options.h_s, all_digits);
-    for (const effect::EffectDeclaration& effect : start.effects) key += " " + effect_words(effect);
-    for (const prediction::ModelParameter& p : parameters)
-        key += " " + p.parameter.name + " " + format_number(p.parameter.value, all_digits);
-    prediction::ParameterValues from = start;
+    return options;
+}
+
+}  // namespace
+
+std::string fit_key(const FitTask& task) {
+    return key_of(task, joint_parameters(task.setup, task.start, task.freedom));
+}
+
+JointFit stored_fit(const FitTask& task, FitStore& store, const Progress& progress) {
+    const std::vector<prediction::ModelParameter> parameters = joint_parameters(task.setup, task.start, task.freedom);
+    const std::string key = key_of(task, parameters);
+    inverse::LeastSquaresOptions options = options_of(task.effort);
+    prediction::ParameterValues from = task.start;
     if (const std::optional<VectorXd> done = store.find(key);
         done && done->size() == static_cast<Index>(parameters.size())) {
         for (std::size_t i = 0; i < parameters.size(); ++i)
             prediction::set_value(parameters[i], (*done)(static_cast<Index>(i)), from);
         options.max_evaluations = 0;
     }
-    JointFit fit = joint_fit(setup, data, from, freedom, options, known, progress);
+    JointFit fit = joint_fit(task.setup, task.data, from, task.freedom, options, task.warm, progress);
     if (!fit.usable() || progress.cancelled()) return fit;
     VectorXd found(static_cast<Index>(parameters.size()));
     for (std::size_t i = 0; i < parameters.size(); ++i)
         found(static_cast<Index>(i)) = prediction::value_of(parameters[i], fit.values);
     static_cast<void>(store.keep(key, found));
+    return fit;
+}
+
+JointFit logged_fit(const std::string& phase, const FitTask& task, FitStore& store, PhaseLog& log) {
+    JointFit fit = log.timed(phase, 0, [&] { return stored_fit(task, store, log.progress()); });
+    log.add(phase, 0.0, fit.runs(static_cast<int>(task.data.trials.size())));
     return fit;
 }
 

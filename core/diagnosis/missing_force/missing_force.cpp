@@ -36,8 +36,8 @@ MatrixXd size_of_force(const ForceFields& fields, const KnotTimes& knots) {
     MatrixXd time = MatrixXd::Zero(knots.count, knots.count);
     Eigen::Matrix2d interval;
     const double diagonal = dt / 3.0 + diagnosis_policy.force.smoothing_s * diagnosis_policy.force.smoothing_s / dt,
-                 beside = dt / 6.0 - diagnosis_policy.force.smoothing_s * diagnosis_policy.force.smoothing_s / dt;
-    interval << diagonal, beside, beside, diagonal;
+                 neighbouring = dt / 6.0 - diagnosis_policy.force.smoothing_s * diagnosis_policy.force.smoothing_s / dt;
+    interval << diagonal, neighbouring, neighbouring, diagonal;
     for (Index k = 0; k + 1 < time.rows(); ++k) time.block<2, 2>(k, k) += interval;
     const Index count = fields.volume.rows();
     MatrixXd R(count * knots.count, count * knots.count);

@@ -88,7 +88,7 @@ report::Json candidate_json(const Candidate& candidate) {
     json["p"] = report::json_number(candidate.adjusted_p);
     json["score_seconds"] = report::json_number(candidate.score.seconds);
     json["start"] = effect_parameters_json(candidate.score.best.effect);
-    if (!candidate.like.empty()) json["indistinguishable_from"] = candidate.like;
+    if (!candidate.confounded_with.empty()) json["indistinguishable_from"] = candidate.confounded_with;
     if (candidate.judged) json["fit"] = judged_json(*candidate.judged);
     return json;
 }
@@ -159,7 +159,7 @@ report::Json missing_force_json(const MissingForce& force) {
 
 report::Json details_json(const setup::Setup& setup, const Diagnosis& d) {
     report::Json json{{"verdict", kind_word(d.verdict.kind)},
-                      {"because", d.verdict.because},
+                      {"because", d.verdict.reason},
                       {"false_alarm_rate", report::json_number(d.settings.alpha)},
                       {"suspects_ruled_out", numerics_json(d)}};
     json["declared"] = judged_json(d.declared);
@@ -181,9 +181,9 @@ report::Json details_json(const setup::Setup& setup, const Diagnosis& d) {
                                                 {"next_experiment", c.next_experiment}});
     json["markers"] = markers_json(setup, d);
     json["cost"] = report::Json::array();
-    for (const StageCost& cost : d.cost)
+    for (const PhaseCost& cost : d.cost)
         json["cost"].push_back(
-            {{"stage", cost.stage}, {"seconds", report::json_number(cost.seconds)}, {"runs", cost.runs}});
+            {{"phase", cost.phase}, {"seconds", report::json_number(cost.seconds)}, {"runs", cost.runs}});
     if (d.missing_force) json["missing_force"] = missing_force_json(*d.missing_force);
     json["seconds"] = report::json_number(d.seconds);
     json["notes"] = d.notes;

@@ -73,12 +73,12 @@ std::vector<std::string> summary(const setup::Setup& setup, const Diagnosis& d) 
 
 /// Reason of the verdict, with readable names of effects.
 std::string reason(const setup::Setup& setup, const Diagnosis& d) {
-    if (d.verdict.kind != VerdictKind::effects) return capital(d.verdict.because);
+    if (d.verdict.kind != VerdictKind::effects) return capital(d.verdict.reason);
     std::string text = "With " + names_of(d.verdict.effects) + " the systematic part of the residual falls from " +
                        report::readable_number(d.declared.tests.systematic.rms, 3) + " to " +
                        report::readable_number(d.augmented.tests.systematic.rms, 2) + " times the noise. Best value: ";
     text += fitted_words(setup, d.augmented.fit) + ".";
-    return text + d.verdict.but;
+    return text + d.verdict.cautions;
 }
 
 report::Section verdict_section(const setup::Setup& setup, const Diagnosis& d) {

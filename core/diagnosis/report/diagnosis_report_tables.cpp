@@ -267,10 +267,10 @@ report::Section confusion_section(const Diagnosis& d) {
 }
 
 report::Section cost_section(const Diagnosis& d) {
-    report::Table table{"", {{"Stage"}, {"Time", "s", 3}, {"Runs of a trial", "", 6}}, {}};
+    report::Table table{"", {{"Phase"}, {"Time", "s", 3}, {"Runs of a trial", "", 6}}, {}};
     int runs = 0;
-    for (const StageCost& cost : d.cost) {
-        table.rows.push_back({cost.stage, cost.seconds, cost.runs});
+    for (const PhaseCost& cost : d.cost) {
+        table.rows.push_back({cost.phase, cost.seconds, cost.runs});
         runs += cost.runs;
     }
     table.rows.push_back({"all", d.seconds, runs});

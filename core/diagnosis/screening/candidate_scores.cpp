@@ -5,7 +5,6 @@
 #include <numeric>
 #include <set>
 
-#include "diagnosis/diagnosis_policy.hpp"
 #include "prediction/predict_trials.hpp"
 
 namespace myo::diagnosis {
@@ -23,16 +22,16 @@ std::vector<std::size_t> by_share(const std::vector<EffectScore>& scores) {
 
 std::vector<EffectScore> score_with_longer_steps(const setup::Setup& setup, const FitData& data, const JointFit& base,
                                                  const EffectFilter& allowed, ProbeSize size,
-                                                 const Progress& progress) {
+                                                 const ScreeningPolicy& policy, const Progress& progress) {
     setup::Setup longer = setup;
     for (setup::PreparedTrial& trial : longer.trials) trial.options.h_s *= 2.0;
     const std::vector<prediction::TrialPrediction> unaffected = prediction::predict_trials_with(longer, base.values,
                                                                                                 data.trials, progress);
     if (progress.cancelled()) return {};
-    if (prediction::all_ok(unaffected) && (flat_residual(data, unaffected) - base.residual).norm() <
-                                              diagnosis_policy.screening.step_error_share * base.residual.norm())
-        return score_effects(longer, data, base, unaffected, allowed, size, progress);
-    return score_effects(setup, data, base, base.predictions, allowed, size, progress);
+    if (prediction::all_ok(unaffected) &&
+        (flat_residual(data, unaffected) - base.residual).norm() < policy.step_error_share * base.residual.norm())
+        return score_effects(longer, data, base, unaffected, allowed, size, policy, progress);
+    return score_effects(setup, data, base, base.predictions, allowed, size, policy, progress);
 }
 
 EffectScore best_score(const std::vector<EffectScore>& scores) {
@@ -41,17 +40,18 @@ EffectScore best_score(const std::vector<EffectScore>& scores) {
     return best == scores.end() ? EffectScore{} : *best;
 }
 
-std::vector<std::size_t> best_probes(const std::vector<EffectScore>& scores, int count) {
+std::vector<std::size_t> best_probes(const std::vector<EffectScore>& scores, int count, const ScreeningPolicy& policy) {
     std::vector<std::size_t> chosen;
     std::set<std::string> there;
     for (const std::size_t i : by_share(scores))
-        if (static_cast<int>(chosen.size()) < count && scores[i].share() > diagnosis_policy.screening.least_explained &&
+        if (static_cast<int>(chosen.size()) < count && scores[i].share() > policy.least_explained &&
             there.insert(scores[i].id).second)
             chosen.push_back(i);
     return chosen;
 }
 
-std::vector<std::size_t> other_places(const std::vector<EffectScore>& scores, const EffectFilter& wanted) {
+std::vector<std::size_t> other_places(const std::vector<EffectScore>& scores, const EffectFilter& wanted,
+                                      const ScreeningPolicy& policy) {
     std::vector<std::size_t> chosen;
     struct Found {
         double best = 0.0;
@@ -62,12 +62,9 @@ std::vector<std::size_t> other_places(const std::vector<EffectScore>& scores, co
         const auto [place, is_best] = found.try_emplace(scores[i].id, Found{scores[i].share()});
         Found& effect = place->second;
         if (is_best || !wanted(scores[i].id) ||
-            scores[i].share() < std::max(diagnosis_policy.screening.least_explained,
-                                         diagnosis_policy.screening.comparable_place * effect.best))
+            scores[i].share() < std::max(policy.least_explained, policy.comparable_place * effect.best))
             continue;
-        if (effect.further++ < diagnosis_policy.screening.most_places &&
-            chosen.size() < diagnosis_policy.screening.most_places_of_all)
-            chosen.push_back(i);
+        if (effect.further++ < policy.most_places && chosen.size() < policy.most_places_of_all) chosen.push_back(i);
     }
     return chosen;
 }

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/diagnosis_policy.hpp"
+#include "diagnosis/diagnosis.hpp"
 #include "effect/catalogue.hpp"
 
 namespace myo::diagnosis {
@@ -23,12 +23,20 @@ std::string advice(const effect::Effect& first, const effect::Effect& second) {
     return "releases from two other deflections, one small and one large";
 }
 
+/// Cosine between the changes of the residual by two effects that their scores predict; 0 if one of them predicts a
+/// far smaller reduction than the best candidate.
+double predicted_cosine(const Candidate& a, const Candidate& b, double largest_reduction,
+                        const ConfusionPolicy& policy) {
+    if (!a.score.usable() || !b.score.usable() ||
+        std::min(a.score.test.explained, b.score.test.explained) < policy.least_reduction * largest_reduction)
+        return 0.0;
+    return std::abs(statistics::principal_cosine(a.score.candidate, b.score.candidate));
+}
+
 /// Cosine between the changes of the declared residual by two fitted candidates; 0 unless both fits have a comparable
 /// weight.
-double cosine_of_fits(const Candidate& a, const Candidate& b, const JointFit& declared) {
-    if (!a.judged || !b.judged ||
-        std::min(a.judged->weight, b.judged->weight) < diagnosis_policy.confusion.comparable_weight)
-        return 0.0;
+double fitted_cosine(const Candidate& a, const Candidate& b, const JointFit& declared, const ConfusionPolicy& policy) {
+    if (!a.judged || !b.judged || std::min(a.judged->weight, b.judged->weight) < policy.comparable_weight) return 0.0;
     const Eigen::VectorXd of_a = a.judged->fit.residual - declared.residual,
                           of_b = b.judged->fit.residual - declared.residual;
     return std::abs(of_a.normalized().dot(of_b.normalized()));
@@ -41,27 +49,33 @@ bool is_named(const Diagnosis& d, const std::string& id) {
 
 }  // namespace
 
-void find_confusions(Diagnosis& d) {
-    d.confusions.clear();
-    double most = 0.0;
-    for (const Candidate& candidate : d.candidates)
-        if (candidate.score.usable()) most = std::max(most, candidate.score.test.explained);
-    for (std::size_t i = 0; i < d.candidates.size(); ++i)
-        for (std::size_t j = i + 1; j < d.candidates.size(); ++j) {
-            Candidate& a = d.candidates[i];
-            Candidate& b = d.candidates[j];
-            const bool foretold = a.score.usable() && b.score.usable() &&
-                                  std::min(a.score.test.explained, b.score.test.explained) >=
-                                      diagnosis_policy.confusion.least_reduction * most;
-            const double cosine = std::max(
-                foretold ? std::abs(statistics::principal_cosine(a.score.candidate, b.score.candidate)) : 0.0,
-                cosine_of_fits(a, b, d.declared.fit));
-            if (cosine < diagnosis_policy.confusion.least_cosine) continue;
-            a.like.push_back(b.score.id);
-            b.like.push_back(a.score.id);
-            d.confusions.push_back({a.score.id, b.score.id, cosine,
-                                    advice(*effect::find_effect(a.score.id), *effect::find_effect(b.score.id))});
+std::vector<Confusion> find_confusions(const std::vector<Candidate>& candidates, const JointFit& declared,
+                                       const ConfusionPolicy& policy) {
+    double largest = 0.0;
+    for (const Candidate& candidate : candidates)
+        if (candidate.score.usable()) largest = std::max(largest, candidate.score.test.explained);
+    std::vector<Confusion> confusions;
+    for (auto a = candidates.begin(); a != candidates.end(); ++a)
+        for (auto b = a + 1; b != candidates.end(); ++b) {
+            const double cosine = std::max(predicted_cosine(*a, *b, largest, policy),
+                                           fitted_cosine(*a, *b, declared, policy));
+            if (cosine < policy.least_cosine) continue;
+            const std::string &first = a->score.id, &second = b->score.id;
+            confusions.push_back(
+                {first, second, cosine, advice(*effect::find_effect(first), *effect::find_effect(second))});
         }
+    return confusions;
+}
+
+std::vector<Candidate> with_confusions(std::vector<Candidate> candidates, const std::vector<Confusion>& confusions) {
+    for (Candidate& candidate : candidates) {
+        candidate.confounded_with.clear();
+        for (const Confusion& confusion : confusions) {
+            if (confusion.first == candidate.score.id) candidate.confounded_with.push_back(confusion.second);
+            if (confusion.second == candidate.score.id) candidate.confounded_with.push_back(confusion.first);
+        }
+    }
+    return candidates;
 }
 
 std::vector<Confusion> confusions_of_verdict(const Diagnosis& d) {
@@ -75,7 +89,7 @@ std::vector<Confusion> confusions_of_verdict(const Diagnosis& d) {
 bool is_decided(const Diagnosis& d, const Confusion& confusion) {
     const auto refuted = [&](const std::string& id) {
         return std::any_of(d.candidates.begin(), d.candidates.end(), [&](const Candidate& c) {
-            return c.score.id == id && c.judged && c.judged->weight < diagnosis_policy.confusion.comparable_weight;
+            return c.score.id == id && c.judged && c.judged->weight < d.settings.policy.confusion.comparable_weight;
         });
     };
     return (is_named(d, confusion.first) && refuted(confusion.second)) ||

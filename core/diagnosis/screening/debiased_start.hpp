@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "diagnosis/diagnosis_policy.hpp"
 #include "diagnosis/fit/joint_fit.hpp"
 
 namespace myo::diagnosis {
@@ -10,6 +11,7 @@ namespace myo::diagnosis {
 /// missing effect the fitted damping compensates for every loss and lag, and start shifts end at a bound; scores
 /// computed there do not identify the effect.
 std::optional<prediction::ParameterValues> debiased_start(const JointFit& fit,
-                                                          const prediction::ParameterValues& expected);
+                                                          const prediction::ParameterValues& expected,
+                                                          const DeclaredFitPolicy& policy);
 
 }  // namespace myo::diagnosis

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "diagnosis/diagnosis_policy.hpp"
 #include "diagnosis/fit/joint_fit.hpp"
 #include "statistics/score_test.hpp"
 
@@ -52,7 +53,8 @@ enum class ProbeSize { small, large };
 ///                    only
 std::vector<EffectScore> score_effects(const setup::Setup& setup, const FitData& data, const JointFit& fit,
                                        const std::vector<prediction::TrialPrediction>& unaffected,
-                                       const EffectFilter& allowed, ProbeSize size, const Progress& progress);
+                                       const EffectFilter& allowed, ProbeSize size, const ScreeningPolicy& policy,
+                                       const Progress& progress);
 
 /// Data of the experiment and models with the values of a fit, for the choice of probes.
 effect::EffectSearch effect_search(const setup::Setup& setup, const FitData& data,

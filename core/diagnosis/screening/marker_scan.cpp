@@ -101,7 +101,8 @@ effect::EffectParameters with_trial(effect::EffectParameters parameters, const s
 }
 
 void scan_swaps(const setup::Setup& setup, const FitData& data, const JointFit& fit,
-                const statistics::NuisanceSpace& nuisance, const std::string& id, std::vector<EffectScore>& scores) {
+                const statistics::NuisanceSpace& nuisance, const std::string& id, const ScreeningPolicy& policy,
+                std::vector<EffectScore>& scores) {
     const int count = static_cast<int>(setup.marker_names.size());
     for (int first = 0; first < count; ++first)
         for (int second = first + 1; second < count; ++second) {
@@ -116,7 +117,7 @@ void scan_swaps(const setup::Setup& setup, const FitData& data, const JointFit& 
                                                Amount(r * r - swapped * swapped, 0.0, 0.0, 0.0)});
                         }
                 const Onset onset = best_onset(std::move(moments), [](const Amount& sum) { return sum(0); });
-                if (!(onset.gain > diagnosis_policy.screening.least_swap_gain * fit.residual.squaredNorm())) continue;
+                if (!(onset.gain > policy.least_swap_gain * fit.residual.squaredNorm())) continue;
                 MatrixXd S = MatrixXd::Zero(data.layout.size(), 1);
                 for (const statistics::ResidualSeries& series : data.layout.series)
                     if (in_choice(choice, series))
@@ -135,7 +136,8 @@ void scan_swaps(const setup::Setup& setup, const FitData& data, const JointFit& 
 }
 
 void scan_slips(const setup::Setup& setup, const FitData& data, const JointFit& fit,
-                const statistics::NuisanceSpace& nuisance, const std::string& id, std::vector<EffectScore>& scores) {
+                const statistics::NuisanceSpace& nuisance, const std::string& id, const ScreeningPolicy& policy,
+                std::vector<EffectScore>& scores) {
     const VectorXd outside = nuisance.outside(fit.residual);
     for (int marker = 0; marker < static_cast<int>(setup.marker_names.size()); ++marker)
         for (const std::optional<std::size_t>& choice : trial_choices(data)) {
@@ -151,7 +153,7 @@ void scan_slips(const setup::Setup& setup, const FitData& data, const JointFit& 
             if (moments.empty()) continue;
             const Onset onset = best_onset(std::move(moments),
                                            [](const Amount& sum) { return sum.head<3>().squaredNorm() / sum(3); });
-            if (!(onset.gain > diagnosis_policy.screening.least_slip_gain * outside.squaredNorm())) continue;
+            if (!(onset.gain > policy.least_slip_gain * outside.squaredNorm())) continue;
             MatrixXd S = MatrixXd::Zero(data.layout.size(), 3);
             for (const statistics::ResidualSeries& series : data.layout.series)
                 if (in_choice(choice, series) && series.marker == marker)
@@ -170,14 +172,16 @@ void scan_slips(const setup::Setup& setup, const FitData& data, const JointFit& 
 }  // namespace
 
 std::vector<EffectScore> scan_markers(const setup::Setup& setup, const FitData& data, const JointFit& fit,
-                                      const statistics::NuisanceSpace& nuisance, const EffectFilter& allowed) {
+                                      const statistics::NuisanceSpace& nuisance, const EffectFilter& allowed,
+                                      const ScreeningPolicy& policy) {
     std::vector<EffectScore> scores;
     for (const effect::Effect& effect : effect::effect_catalogue()) {
         if (!allowed(effect.id)) continue;
         if (effect.marker_event == effect::MarkerEvent::swap &&
             setup.experiment.markers.compare == experiment::Comparison::position)
-            scan_swaps(setup, data, fit, nuisance, effect.id, scores);
-        if (effect.marker_event == effect::MarkerEvent::slip) scan_slips(setup, data, fit, nuisance, effect.id, scores);
+            scan_swaps(setup, data, fit, nuisance, effect.id, policy, scores);
+        if (effect.marker_event == effect::MarkerEvent::slip)
+            scan_slips(setup, data, fit, nuisance, effect.id, policy, scores);
     }
     return scores;
 }

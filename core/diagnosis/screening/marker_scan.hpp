@@ -11,6 +11,7 @@ namespace myo::diagnosis {
 ///
 /// Uses the predictions of the fit, no run is needed. Onsets are times of samples.
 std::vector<EffectScore> scan_markers(const setup::Setup& setup, const FitData& data, const JointFit& fit,
-                                      const statistics::NuisanceSpace& nuisance, const EffectFilter& allowed);
+                                      const statistics::NuisanceSpace& nuisance, const EffectFilter& allowed,
+                                      const ScreeningPolicy& policy);
 
 }  // namespace myo::diagnosis

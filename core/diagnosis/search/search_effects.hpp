@@ -1,11 +1,21 @@
 #pragma once
 
-#include "diagnosis/diagnosis_work.hpp"
+#include <functional>
+#include <vector>
+
+#include "diagnosis/screening/screen_effects.hpp"
+#include "diagnosis/selection/ranking.hpp"
 
 namespace myo::diagnosis {
 
-/// Scores all effects that may be named, and fits the best until one explains the residual: from their best probes,
-/// from other places and axes, and from large probes. Returns false if cancelled.
-bool search_effects(DiagnosisWork& work);
+/// Called with the fits so far, from the calling thread; may be null.
+using SearchObserver = std::function<void(const RankedFits&)>;
+
+/// Fits the best of the scored effects until one explains the residual: from their best probes, from other places and
+/// axes, and from large probes. The best fits and their rivals are corrected by the numerical error of their own
+/// motion.
+/// @return  every scored effect, ranked; without pairs. Incomplete if cancelled
+RankedFits search_effects(const DiagnosisContext& context, const Screening& screening, FitStore& store, PhaseLog& log,
+                          const SearchObserver& show = {});
 
 }  // namespace myo::diagnosis

@@ -1,63 +1,82 @@
 #include "diagnosis/search/search_pairs.hpp"
 
-#include "diagnosis/diagnosis_policy.hpp"
+#include <utility>
+
+#include "diagnosis/fit/candidate_fits.hpp"
+#include "diagnosis/fit/stored_fit.hpp"
 #include "diagnosis/screening/candidate_scores.hpp"
-#include "diagnosis/search/search_effects.hpp"
-#include "diagnosis/selection/judgement.hpp"
+#include "diagnosis/screening/screen_effects.hpp"
+#include "diagnosis/search/search_decisions.hpp"
 #include "prediction/predict_trials.hpp"
 
 namespace myo::diagnosis {
 namespace {
 
-/// Refits one effect of a pair alone, from its values in the pair: its earlier fit may have ended in a local minimum.
-void try_alone(DiagnosisWork& work, const JudgedFit& pair, std::size_t kept) {
-    if (work.progress.cancelled() || explained(work.result)) return;
-    prediction::ParameterValues values = pair.fit.values;
-    values.effects.erase(values.effects.begin() +
-                         static_cast<std::ptrdiff_t>(work.setup.experiment.effects.size() + 1 - kept));
-    JointFit alone = work.fit("refit of pairs", values, diagnosis_policy.search.polish);
-    if (work.progress.cancelled() || !alone.usable()) return;
+constexpr const char* fit_phase = "refit of pairs";
+
+/// Fits of a second effect with the first one.
+/// @param data  with the shift of the first effect's fit
+/// @return      empty if cancelled
+std::vector<JudgedFit> fit_pairs(const DiagnosisContext& context, const FitData& data, const JointFit& first,
+                                 double least_so_far, FitStore& store, PhaseLog& log) {
+    JointFit base = first;
+    base.predictions = prediction::predict_trials_with(context.setup, base.values, data.trials, log.progress());
+    if (log.cancelled()) return {};
+    const std::vector<EffectScore> scores = log.timed("score of pairs", 0, [&] {
+        return scores_from(context, data, base, ProbeSize::small, log, first.effects.front().id);
+    });
+    if (log.cancelled()) return {};
+    std::vector<CandidateStart> starts;
+    for (const std::size_t i : best_probes(scores, context.settings.pairs, context.policy().screening))
+        starts.push_back(start_of(scores[i]));
+    return fit_candidates({context.setup, data, context.settings, base, starts, least_so_far,
+                           context.policy().pairs.pruning_factor, fit_phase},
+                          store, log);
+}
+
+/// The ranked fits after a refit of one effect of a pair alone, from its values in the pair.
+RankedFits with_refit_alone(const DiagnosisContext& context, const FitData& data, RankedFits fits,
+                            const JudgedFit& pair, std::size_t kept, FitStore& store, PhaseLog& log) {
+    const Baseline baseline = context.baseline();
+    if (log.cancelled() || explained(fits.candidates, baseline)) return fits;
+    const prediction::ParameterValues start = with_one_effect(pair.fit.values, context.setup.experiment.effects.size(),
+                                                              kept);
+    JointFit alone = logged_fit(
+        fit_phase, {context.setup, data, start, EffectFreedom::all, context.policy().search.polish}, store, log);
+    if (log.cancelled() || !alone.usable()) return fits;
     const std::string id = pair.fit.effects[kept].id;
-    for (Candidate& candidate : work.result.candidates)
-        if (candidate.score.id == id && alone.squares() < left_by(work.result, id)) {
-            candidate.judged = judged(work.result.data, std::move(alone), work.result.settings);
+    for (Candidate& candidate : fits.candidates)
+        if (candidate.score.id == id && alone.squares() < left_by(fits.candidates, id)) {
+            candidate.judged = judged(data, std::move(alone), context.settings);
             break;
         }
-    order_candidates(work.result);
+    return with_ranked_candidates(std::move(fits), baseline);
 }
 
 }  // namespace
 
-void search_pairs(DiagnosisWork& work) {
-    Diagnosis& result = work.result;
-    if (result.candidates.empty() || !result.candidates.front().judged) return;
-    const JudgedFit& first = *result.candidates.front().judged;
-    if (explains(first, result.declared, result.data, result.numerics, result.settings.policy.judgement) ||
-        first.fit.excess() > diagnosis_policy.pairs.most_left * result.declared.fit.excess())
-        return;
-    JointFit base = first.fit;
-    if (first.numerics) result.data.shift = first.numerics->shift;
-    base.predictions = prediction::predict_trials_with(work.setup, base.values, result.data.trials, work.progress);
-    if (work.progress.cancelled()) return;
-    const std::string first_id = result.candidates.front().score.id;
-    const std::vector<EffectScore> scores = work.stage("score of pairs", 0, [&] {
-        return score_with_longer_steps(
-            work.setup, result.data, base, [&](const std::string& id) { return id != first_id && work.allowed(id); },
-            ProbeSize::small, work.progress);
-    });
-    if (work.progress.cancelled()) return;
-    std::vector<CandidateStart> starts;
-    for (const std::size_t i : best_probes(scores, result.settings.pairs)) starts.push_back(start_of(scores[i]));
-    std::vector<JudgedFit> fits = work.fit_all("refit of pairs", base, starts, least_left(result),
-                                               diagnosis_policy.pairs.pruning_factor);
-    if (work.progress.cancelled()) return;
-    for (JudgedFit& fit : fits)
-        if (fit.usable()) result.pairs.push_back(std::move(fit));
-    order_pairs(result);
-    if (!result.pairs.empty())
-        for (const std::size_t kept : {1u, 0u}) try_alone(work, result.pairs.front(), kept);
-    order_pairs(result);
-    work.show();
+PairSearch search_pairs(const DiagnosisContext& context, RankedFits singles, FitStore& store, PhaseLog& log) {
+    PairSearch result{std::move(singles), context.data.shift};
+    RankedFits& fits = result.fits;
+    const Baseline baseline = context.baseline();
+    if (fits.candidates.empty() || !fits.candidates.front().judged ||
+        !is_worth_a_pair(*fits.candidates.front().judged, baseline))
+        return result;
+    const JudgedFit& first = *fits.candidates.front().judged;
+    if (first.numerics) result.shift = first.numerics->shift;
+    FitData data = context.data;
+    data.shift = result.shift;
+    std::vector<JudgedFit> pairs = fit_pairs(context, data, first.fit, least_left(fits.candidates), store, log);
+    if (log.cancelled()) return result;
+    for (JudgedFit& pair : pairs)
+        if (pair.usable()) fits.pairs.push_back(std::move(pair));
+    fits = with_ranked_pairs(std::move(fits), baseline);
+    if (fits.pairs.empty()) return result;
+    const JudgedFit best = fits.pairs.front();
+    for (const std::size_t kept : {1u, 0u})
+        fits = with_refit_alone(context, data, std::move(fits), best, kept, store, log);
+    fits = with_ranked_pairs(std::move(fits), baseline);
+    return result;
 }
 
 }  // namespace myo::diagnosis

@@ -2,28 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <string>
 
-#include "diagnosis/diagnosis_policy.hpp"
-#include "statistics/autocorrelation.hpp"
-#include "statistics/evidence.hpp"
-#include "statistics/linear_cross_validation.hpp"
-
 namespace myo::diagnosis {
 namespace {
-
-std::vector<JudgedFit*> single_fits(Diagnosis& d) {
-    std::vector<JudgedFit*> fits{&d.declared};
-    for (Candidate& candidate : d.candidates)
-        if (candidate.judged) fits.push_back(&*candidate.judged);
-    return fits;
-}
-
-double mean_noise_m(const FitData& data) {
-    return std::sqrt(data.noise_m.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, data.noise_m.size())));
-}
 
 /// Possible numerical error that remains after its removal [noise levels], limited by the policy.
 double numerical_doubt(const FitData& data, const NumericalError& numerics, const JudgementPolicy& policy) {
@@ -53,95 +36,24 @@ double surely_left(const statistics::SystematicRms& systematic, const JudgementP
                                                : systematic.rms;
 }
 
+/// Systematic residual that a fit may leave [noise levels].
+/// @param numerics  error of the fit
+/// @param left      systematic residual of the fit [noise levels]
+/// @param excused   the remainder may be due to the form of the effect or to the mesh
+double tolerated(const NumericalError& numerics, const Baseline& baseline, double left, bool excused) {
+    const JudgementPolicy& policy = baseline.policy().judgement;
+    const double doubt = numerical_doubt(baseline.data, numerics, policy);
+    if (!excused) return std::max(policy.least_systematic, doubt);
+    const double was = baseline.declared.tests.systematic.rms;
+    const double of_whole_mesh = left <= policy.little_left * was
+                                     ? std::min(policy.most_of_mesh, policy.share_of_mesh * numerics.mesh_rms_m /
+                                                                         mean_noise_m(baseline.data))
+                                     : 0.0;
+    return std::max(
+        {policy.least_systematic, policy.mesh_error_factor * doubt, policy.share_of_form * was, of_whole_mesh});
+}
+
 }  // namespace
-
-JudgedFit judged(const FitData& data, JointFit fit, const DiagnoseSettings& settings) {
-    const JudgementPolicy& policy = settings.policy.judgement;
-    JudgedFit result;
-    if (fit.usable()) {
-        statistics::ResidualTestOptions options;
-        options.alpha = settings.alpha;
-        result.rms_m = flat_rms_m(data, fit.residual);
-        result.tests = statistics::test_residuals(fit.residual, data.layout, static_cast<int>(fit.parameters.size()),
-                                                  options);
-        const double systematic = result.tests.systematic.rms;
-        if (result.tests.significant() && systematic > policy.least_systematic && systematic < policy.most_drift)
-            result.independence = statistics::independence_test(fit.residual, data.layout);
-        statistics::FoldOptions folds;
-        folds.guard_s = policy.guard_s;
-        const statistics::LinearCrossValidation of_trials = statistics::linear_cross_validation(
-            fit.residual, fit.jacobian, statistics::make_folds(data.layout, folds));
-        result.held_out_rms = std::sqrt(of_trials.mean_square());
-        result.single_trial_directions = of_trials.undetermined();
-        result.held_out_in_time_rms = std::sqrt(
-            statistics::linear_cross_validation(fit.residual, fit.jacobian, statistics::time_folds(data.layout, folds))
-                .mean_square());
-    }
-    result.fit = std::move(fit);
-    return result;
-}
-
-void weigh(const FitData& data, const std::vector<JudgedFit*>& fits, const JudgementPolicy& policy) {
-    const JudgedFit* best = nullptr;
-    for (const JudgedFit* fit : fits)
-        if (fit->usable() && (!best || fit->fit.squares() < best->fit.squares())) best = fit;
-    if (!best) return;
-    const auto samples = static_cast<double>(data.layout.size());
-    const double effective = statistics::effective_samples(best->fit.residual, data.layout);
-    const auto compare = [&](double JudgedFit::*held_out) {
-        for (JudgedFit* fit : fits) {
-            fit->criterion = std::numeric_limits<double>::infinity();
-            if (fit->usable())
-                fit->criterion = 0.5 *
-                                     (statistics::information_criterion(fit->fit.squares(), samples, effective,
-                                                                        static_cast<int>(fit->fit.parameters.size())) +
-                                      statistics::information_criterion(samples * std::pow(fit->*held_out, 2), samples,
-                                                                        effective, 0)) +
-                                 (effect_at_bound(fit->fit)
-                                      ? 2.0 * policy.temperature * std::log(policy.odds_against_bounds)
-                                      : 0.0);
-        }
-    };
-    const auto order = [](const JudgedFit* a, const JudgedFit* b) { return a->criterion < b->criterion; };
-    compare(&JudgedFit::held_out_rms);
-    // Numbers that a single trial determines are not tested by holding out that trial. If the best fit has more of them
-    // than another, fits are compared by blocks of time.
-    int least_told = std::numeric_limits<int>::max();
-    for (const JudgedFit* fit : fits)
-        if (fit->usable()) least_told = std::min(least_told, fit->single_trial_directions);
-    if ((*std::min_element(fits.begin(), fits.end(), order))->single_trial_directions > least_told)
-        compare(&JudgedFit::held_out_in_time_rms);
-    std::vector<double> criteria;
-    for (const JudgedFit* fit : fits) criteria.push_back(fit->criterion);
-    const std::vector<double> weights = statistics::evidence_weights(criteria, policy.temperature);
-    for (std::size_t i = 0; i < fits.size(); ++i) fits[i]->weight = weights[i];
-}
-
-double weight_among(const JudgedFit& fit, const std::vector<const JudgedFit*>& others, const JudgementPolicy& policy) {
-    std::vector<double> criteria{fit.criterion};
-    for (const JudgedFit* other : others) criteria.push_back(other->criterion);
-    return statistics::evidence_weights(criteria, policy.temperature).front();
-}
-
-void order_candidates(Diagnosis& d) {
-    weigh(d.data, single_fits(d), d.settings.policy.judgement);
-    const auto rank = [&](const Candidate& c) {
-        return !c.judged ? 2 : explains(*c.judged, d.declared, d.data, d.numerics, d.settings.policy.judgement) ? 0 : 1;
-    };
-    std::stable_sort(d.candidates.begin(), d.candidates.end(), [&](const Candidate& a, const Candidate& b) {
-        if (rank(a) != rank(b)) return rank(a) < rank(b);
-        if (a.judged) return a.judged->criterion < b.judged->criterion;
-        return a.score.share() > b.score.share();
-    });
-}
-
-void order_pairs(Diagnosis& d) {
-    std::vector<JudgedFit*> all = single_fits(d);
-    for (JudgedFit& pair : d.pairs) all.push_back(&pair);
-    weigh(d.data, all, d.settings.policy.judgement);
-    std::stable_sort(d.pairs.begin(), d.pairs.end(),
-                     [](const JudgedFit& a, const JudgedFit& b) { return a.criterion < b.criterion; });
-}
 
 double numerical_allowance(const FitData& data, const NumericalError& numerics, const JudgementPolicy& policy) {
     const double doubt = numerical_doubt(data, numerics, policy);
@@ -181,63 +93,38 @@ bool differs_from_zero(const JointFit& fit, const JudgementPolicy& policy) {
                        [&](const auto& amount) { return amount.second.deviations >= policy.significant_deviations; });
 }
 
-bool may_explain(const JudgedFit& fit, const JudgedFit& before, const JudgementPolicy& policy) {
+bool may_explain(const JudgedFit& fit, const Baseline& baseline) {
+    const JudgementPolicy& policy = baseline.policy().judgement;
     return fit.usable() && !modulus_at_bound(fit.fit) && differs_from_zero(fit.fit, policy) &&
-           predicts_held_out(fit, before, policy);
+           predicts_held_out(fit, baseline.declared, policy);
 }
 
-bool needs_explanation(const JudgedFit& fit, const FitData& data, const NumericalError& numerics,
-                       const JudgementPolicy& policy) {
-    return fit.tests.significant() && !fit.drifts() &&
-           fit.tests.systematic.rms > numerical_allowance(data, numerics, policy);
+bool needs_explanation(const Baseline& baseline) {
+    const JudgedFit& declared = baseline.declared;
+    return declared.tests.significant() && !declared.drifts() &&
+           declared.tests.systematic.rms >
+               numerical_allowance(baseline.data, baseline.numerics, baseline.policy().judgement);
 }
 
-bool is_faint(const JudgedFit& fit, const FitData& data, const NumericalError& numerics,
-              const JudgementPolicy& policy) {
-    return fit.tests.systematic.rms <=
+bool is_faint(const Baseline& baseline) {
+    const JudgementPolicy& policy = baseline.policy().judgement;
+    return baseline.declared.tests.systematic.rms <=
            std::max(policy.faint,
-                    std::min(policy.most_faint, policy.faint_share_of_mesh * numerics.mesh_rms_m / mean_noise_m(data)));
+                    std::min(policy.most_faint,
+                             policy.faint_share_of_mesh * baseline.numerics.mesh_rms_m / mean_noise_m(baseline.data)));
 }
 
-bool explains(const JudgedFit& fit, const JudgedFit& before, const FitData& data, const NumericalError& numerics,
-              const JudgementPolicy& policy, Leniency leniency) {
-    if (!may_explain(fit, before, policy)) return false;
-    const NumericalError& own = fit.numerics ? *fit.numerics : numerics;
-    const double doubt = numerical_doubt(data, own, policy), was = before.tests.systematic.rms;
-    const double left = leniency == Leniency::generous ? surely_left(fit.tests.systematic, policy)
-                                                       : fit.tests.systematic.rms;
+bool explains(const JudgedFit& fit, const Baseline& baseline, Leniency leniency) {
+    if (!may_explain(fit, baseline)) return false;
+    const JudgementPolicy& policy = baseline.policy().judgement;
+    const bool tolerant = leniency == Leniency::tolerant;
+    const double was = baseline.declared.tests.systematic.rms;
+    const double left = tolerant ? surely_left(fit.tests.systematic, policy) : fit.tests.systematic.rms;
+    if (left > (is_faint(baseline) ? policy.most_of_faint : policy.most_of_residual) * was) return false;
     // An effect at its bound would have grown further: its remainder is due neither to its form nor to the mesh.
-    const bool excused = leniency == Leniency::generous && !effect_at_bound(fit.fit);
-    const double of_mesh = doubt * (excused ? policy.generous : 1.0),
-                 of_form = excused ? policy.share_of_form * was : 0.0;
-    const double of_whole_mesh = excused && left <= policy.little_left * was
-                                     ? std::min(policy.most_of_mesh,
-                                                policy.share_of_mesh * own.mesh_rms_m / mean_noise_m(data))
-                                     : 0.0;
-    if (left > (is_faint(before, data, numerics, policy) ? policy.most_of_faint : policy.most_of_residual) * was)
-        return false;
+    const bool excused = tolerant && !effect_at_bound(fit.fit);
     return !fit.tests.significant() || fit.drifts() ||
-           left <= std::max({policy.least_systematic, of_mesh, of_form, of_whole_mesh});
-}
-
-bool explained(const Diagnosis& diagnosis, Leniency leniency) {
-    const std::vector<Candidate>& ranked = diagnosis.candidates;
-    return !ranked.empty() && ranked.front().judged &&
-           explains(*ranked.front().judged, diagnosis.declared, diagnosis.data, diagnosis.numerics,
-                    diagnosis.settings.policy.judgement, leniency);
-}
-
-double left_by(const Diagnosis& diagnosis, const std::string& effect) {
-    for (const Candidate& candidate : diagnosis.candidates)
-        if (candidate.score.id == effect && candidate.judged) return candidate.judged->fit.squares();
-    return std::numeric_limits<double>::infinity();
-}
-
-double least_left(const Diagnosis& diagnosis) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const Candidate& candidate : diagnosis.candidates)
-        least = std::min(least, left_by(diagnosis, candidate.score.id));
-    return least;
+           left <= tolerated(fit.numerics ? *fit.numerics : baseline.numerics, baseline, left, excused);
 }
 
 }  // namespace myo::diagnosis

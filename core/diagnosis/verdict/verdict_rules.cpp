@@ -6,7 +6,7 @@
 
 #include "base/text.hpp"
 #include "diagnosis/report/effect_words.hpp"
-#include "diagnosis/selection/judgement.hpp"
+#include "diagnosis/selection/ranking.hpp"
 
 namespace myo::diagnosis {
 namespace {
@@ -19,10 +19,10 @@ Conclusion nothing_missing(const VerdictEvidence& e) {
     verdict.confidence = policy.undoubted * (d.declared.tests.significant()
                                                  ? std::clamp(policy.faint_allowance - share, policy.least_faint, 1.0)
                                                  : 1.0);
-    verdict.because = "the residual of the declared model is " + times_noise(d.declared.rms_m / d.noise_m) +
-                      ", of which " + times_noise(d.declared.tests.systematic.rms) + " is systematic: " +
-                      (share > 1.0 ? "little, and no effect takes most of it away."
-                                   : "no more than the numerical error may be.");
+    verdict.reason = "the residual of the declared model is " + times_noise(d.declared.rms_m / d.noise_m) +
+                     ", of which " + times_noise(d.declared.tests.systematic.rms) + " is systematic: " +
+                     (share > 1.0 ? "little, and no effect takes most of it away."
+                                  : "no more than the numerical error may be.");
     return {verdict, d.declared};
 }
 
@@ -31,7 +31,7 @@ Conclusion drift(const VerdictEvidence& e) {
     const Diagnosis& d = e.diagnosis;
     Verdict verdict{VerdictKind::none};
     verdict.confidence = e.policy.verdict.undoubted * e.policy.verdict.drift;
-    verdict.because =
+    verdict.reason =
         "the residual of the declared model is " + times_noise(d.declared.rms_m / d.noise_m) + ", of which " +
         times_noise(d.declared.tests.systematic.rms) +
         " is not white noise, but uncorrelated between markers: no force on the body does that. It is attributed to "
@@ -40,8 +40,8 @@ Conclusion drift(const VerdictEvidence& e) {
 }
 
 void add_caution(Verdict& verdict, const std::string& sentence) {
-    verdict.but += " " + sentence;
-    verdict.because += " " + sentence;
+    verdict.cautions += " " + sentence;
+    verdict.reason += " " + sentence;
 }
 
 Conclusion named(const VerdictEvidence& e, const JudgedFit& fit, double weight) {
@@ -49,7 +49,7 @@ Conclusion named(const VerdictEvidence& e, const JudgedFit& fit, double weight) 
     const bool effect_bound = effect_at_bound(fit.fit), modulus_bound = modulus_at_bound(fit.fit);
     Verdict verdict{VerdictKind::effects, fit.fit.effects};
     verdict.confidence = policy.undoubted * weight * (effect_bound || modulus_bound ? policy.at_bound : 1.0);
-    verdict.because = systematic_fall(fit, e.diagnosis.declared);
+    verdict.reason = systematic_fall(fit, e.diagnosis.declared);
     if (effect_bound)
         add_caution(verdict, "Its size reached its limit: it may represent another effect of that kind and place.");
     if (fit.drifts()) add_caution(verdict, "The rest is measurement drift: it is uncorrelated between markers.");
@@ -67,7 +67,7 @@ Conclusion unexplained(const VerdictEvidence& e) {
     const double left = best.tests.systematic.rms / std::max(1e-9, d.declared.tests.systematic.rms);
     Verdict verdict{VerdictKind::unknown};
     verdict.confidence = policy.undoubted * std::min(1.0, policy.nearly_explained + policy.unexplained_growth * left);
-    verdict.because =
+    verdict.reason =
         "the residual is significant, and no effect of the catalogue takes it away: the best attempt leaves " +
         times_noise(best.tests.systematic.rms) + " of " + times_noise(d.declared.tests.systematic.rms) + ".";
     return {verdict, best};
@@ -105,15 +105,11 @@ double presence(const Diagnosis& d, const JudgedFit& fit) {
 bool removes_nearly_all(const VerdictEvidence& e) {
     const Diagnosis& d = e.diagnosis;
     const JudgedFit& fit = *e.single;
-    return may_explain(fit, d.declared, e.policy.judgement) && presence(d, fit) > e.policy.verdict.present &&
-           !effect_at_bound(fit.fit) &&
+    return may_explain(fit, d.baseline()) && presence(d, fit) > e.policy.verdict.present && !effect_at_bound(fit.fit) &&
            fit.tests.systematic.rms <= e.policy.verdict.nearly_all * d.declared.tests.systematic.rms;
 }
 
-bool explains_all(const VerdictEvidence& e, const JudgedFit& fit) {
-    const Diagnosis& d = e.diagnosis;
-    return explains(fit, d.declared, d.data, d.numerics, e.policy.judgement);
-}
+bool explains_all(const VerdictEvidence& e, const JudgedFit& fit) { return explains(fit, e.diagnosis.baseline()); }
 
 /// Weight among the fits that explain the residual. Others do not count, even if they predict held-out trials better.
 double weight_among_explaining(const VerdictEvidence& e, const JudgedFit& fit) {
@@ -157,10 +153,7 @@ Conclusion most_of_it(const VerdictEvidence& e, const JudgedFit& fit, double wei
     return conclusion;
 }
 
-bool nothing_to_explain(const VerdictEvidence& e) {
-    const Diagnosis& d = e.diagnosis;
-    return !needs_explanation(d.declared, d.data, d.numerics, e.policy.judgement);
-}
+bool nothing_to_explain(const VerdictEvidence& e) { return !needs_explanation(e.diagnosis.baseline()); }
 
 bool acts_in_one_trial(const effect::EffectDeclaration& effect) { return effect::has(effect.parameters, "trial"); }
 
@@ -209,12 +202,7 @@ const std::vector<VerdictRule>& verdict_rules() {
          [](const Evidence& e) { return most_of_it(e, *e.pair, e.pair->weight); }},
         {"most_by_single", [](const Evidence& e) { return e.single && removes_most(e, *e.single); },
          [](const Evidence& e) { return most_of_it(e, *e.single, presence(e.diagnosis, *e.single)); }},
-        {"faint",
-         [](const Evidence& e) {
-             const Diagnosis& d = e.diagnosis;
-             return is_faint(d.declared, d.data, d.numerics, e.policy.judgement);
-         },
-         nothing_missing},
+        {"faint", [](const Evidence& e) { return is_faint(e.diagnosis.baseline()); }, nothing_missing},
         {"unexplained", [](const Evidence&) { return true; }, unexplained},
     };
     return rules;

@@ -1,0 +1,64 @@
+#include "diagnosis/discretisation/refinement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "prediction/predict_trials.hpp"
+#include "prediction/run_trials.hpp"
+#include "setup/refined_setup.hpp"
+
+namespace myo::diagnosis {
+
+void forget_paths(std::vector<prediction::TrialPrediction>& predictions) {
+    for (prediction::TrialPrediction& prediction : predictions) prediction.trace.path.reset();
+}
+
+std::vector<prediction::TrialPrediction> fitted_predictions(const setup::Setup& setup,
+                                                            const std::vector<std::size_t>& trials,
+                                                            const prediction::ParameterValues& fitted,
+                                                            const Progress& progress) {
+    std::vector<prediction::TrialPrediction> predictions = prediction::predict_trials_with(
+        setup, prediction::with_predicted_levels(setup, fitted), trials, progress);
+    forget_paths(predictions);
+    return predictions;
+}
+
+Refinement refined(const setup::Setup& setup, bool refine_mesh, const NumericsPolicy& policy,
+                   const Progress& progress) {
+    if (!refine_mesh) return {};
+    const double ratio = std::clamp(std::cbrt(setup.body->dofs() / policy.fine_unknowns), policy.finest_ratio,
+                                    policy.coarsest_ratio);
+    Result<setup::Setup> finer = setup::refined_setup(setup, ratio, progress);
+    if (!finer) return {};
+    for (std::size_t t = 0; t < setup.trials.size(); ++t) finer->trials[t].options.h_s = setup.trials[t].options.h_s;
+    return {std::make_shared<const setup::Setup>(std::move(*finer)), {}};
+}
+
+NumericalError error_at(const setup::Setup& setup, const Refinement& refinement,
+                        const prediction::ParameterValues& fitted, const std::vector<std::size_t>& trials,
+                        const NumericalError* known, const Progress& progress, const MatchedValues* matched) {
+    const NumericalError& unmatched = refinement.unmatched;
+    const MatchedValues same = matched ? *matched : MatchedValues{fitted, fitted, fitted};
+    const MatchedValues values{prediction::with_predicted_levels(setup, same.setup),
+                               prediction::with_predicted_levels(setup, same.finer_step),
+                               prediction::with_predicted_levels(setup, same.finer_mesh)};
+    const std::vector<prediction::TrialPrediction> base = fitted_predictions(setup, trials, same.setup, progress);
+    NumericalError error = numerical_error(setup, refinement.finer.get(), values, trials, base, known,
+                                           unmatched.effective_modulus, progress);
+    if (matched) {
+        const std::vector<prediction::TrialPrediction> there = fitted_predictions(setup, trials, fitted, progress);
+        for (std::size_t i = 0; i < trials.size(); ++i)
+            if (base[i].ok() && there[i].ok() && !error.shift[trials[i]].empty())
+                add_scaled(difference(base[i], there[i]), 1.0, error.shift[trials[i]]);
+        error.matched = *matched;
+    }
+    if (unmatched.effective_modulus.any()) {  // error of the cells without the effective modulus
+        error.by_modulus = unmatched.by_modulus;
+        error.step_rms_m = unmatched.step_rms_m;
+        error.mesh_rms_m = unmatched.mesh_rms_m;
+    }
+    return error;
+}
+
+}  // namespace myo::diagnosis

@@ -1,0 +1,29 @@
+#include "diagnosis/fit/pruning.hpp"
+
+#include <algorithm>
+
+namespace myo::diagnosis {
+
+std::vector<std::size_t> fits_worth_continuing(const PruningInput& in,
+                                               const std::function<double(std::size_t)>& predicted_squares) {
+    double least = in.least_so_far, reduction_of_best = 1.0;
+    for (const OpenFit& fit : in.fits)
+        if (fit.squares < least) {
+            least = fit.squares;
+            reduction_of_best = fit.predicted_reduction;
+        }
+    const double factor = in.pruning_factor, squared = factor * factor;
+    const double limit = factor * std::clamp(least / in.samples, 1.0, squared);
+    std::vector<std::size_t> next;
+    for (std::size_t i = 0; i < in.fits.size(); ++i) {
+        const OpenFit& fit = in.fits[i];
+        if (!fit.open) continue;
+        const bool comparable = fit.predicted_reduction > in.comparable_reduction * reduction_of_best;
+        if (fit.squares < (comparable ? std::max(squared, limit) : limit) * least ||
+            predicted_squares(i) < factor * least)
+            next.push_back(i);
+    }
+    return next;
+}
+
+}  // namespace myo::diagnosis

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "base/stopwatch.hpp"
+
+namespace myo::diagnosis {
+
+/// Cost of one phase of a diagnosis.
+struct PhaseCost {
+    std::string phase;
+    double seconds = 0.0;
+    int runs = 0;  // trial runs, tangents included
+};
+
+/// Progress and costs of the phases of a diagnosis. Phases write to it; of what it holds they read only whether the
+/// user cancelled, so that results do not depend on it.
+class PhaseLog {
+public:
+    explicit PhaseLog(const Progress& progress) : progress_(progress) {}
+
+    const Progress& progress() const { return progress_; }
+    bool cancelled() const { return progress_.cancelled(); }
+    /// In the order in which the phases first ran.
+    const std::vector<PhaseCost>& costs() const { return costs_; }
+
+    /// Reports the phase, runs the task, and adds its time and trial runs. Returns the value of the task.
+    template <class Task>
+    auto timed(const std::string& phase, int runs, const Task& task) {
+        progress_.report({phase, 0.0, 1.0, "stage", {}});
+        const Stopwatch watch;
+        auto value = task();
+        add(phase, watch.seconds(), runs);
+        return value;
+    }
+    /// Adds to the cost of a phase; its entry is made if there is none.
+    void add(const std::string& phase, double seconds, int runs);
+
+private:
+    Progress progress_;
+    std::vector<PhaseCost> costs_;
+};
+
+}  // namespace myo::diagnosis

@@ -1,0 +1,43 @@
+#include "diagnosis/search/search_decisions.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+namespace myo::diagnosis {
+
+bool is_worth_correcting(const JudgedFit& fit, const JudgedFit& declared, const SearchPolicy& policy) {
+    return !fit.numerics && fit.fit.excess() <= policy.corrected_share * declared.fit.excess();
+}
+
+bool is_unpolished(const JudgedFit& fit) {
+    return !fit.numerics && (fit.fit.report.jacobians <= 1 || !fit.fit.report.converged());
+}
+
+bool is_rival(const Candidate& candidate, double least_squares, const SearchPolicy& policy) {
+    return candidate.judged && candidate.judged->fit.squares() <= policy.rival_factor * least_squares;
+}
+
+std::size_t starts_worth_fitting(const std::vector<CandidateStart>& starts, const JudgedFit* best,
+                                 const JudgedFit& declared, bool explained, const SearchPolicy& policy) {
+    const bool mostly = best && best->fit.squares() < policy.most_left * declared.fit.squares() &&
+                        best->tests.systematic.rms < policy.noise_like;
+    if ((!explained && !mostly) || starts.empty()) return starts.size();
+    const double worth = policy.least_relative_reduction * starts.front().predicted_reduction;
+    std::size_t last = std::min(policy.first_fits, starts.size());
+    while (last < starts.size() && starts[last].predicted_reduction > worth) ++last;
+    return last;
+}
+
+bool is_worth_a_pair(const JudgedFit& best, const Baseline& baseline) {
+    return !explains(best, baseline) &&
+           best.fit.excess() <= baseline.policy().pairs.most_left * baseline.declared.fit.excess();
+}
+
+prediction::ParameterValues with_one_effect(prediction::ParameterValues pair, std::size_t declared_effects,
+                                            std::size_t kept) {
+    assert(kept <= 1 && pair.effects.size() == declared_effects + 2);
+    pair.effects.erase(pair.effects.begin() + static_cast<std::ptrdiff_t>(declared_effects + 1 - kept));
+    return pair;
+}
+
+}  // namespace myo::diagnosis

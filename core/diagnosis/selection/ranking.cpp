@@ -1,0 +1,120 @@
+#include "diagnosis/selection/ranking.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "statistics/autocorrelation.hpp"
+#include "statistics/evidence.hpp"
+
+namespace myo::diagnosis {
+namespace {
+
+/// Criteria of fits of the same data, compared by one of their errors on held-out data.
+/// @param effective  number of independent samples of the best residual
+std::vector<double> criteria_of(const std::vector<const JudgedFit*>& fits, double samples, double effective,
+                                double JudgedFit::*held_out, const JudgementPolicy& policy) {
+    std::vector<double> criteria;
+    for (const JudgedFit* fit : fits) {
+        if (!fit->usable()) {
+            criteria.push_back(std::numeric_limits<double>::infinity());
+            continue;
+        }
+        const double of_fit = statistics::information_criterion(fit->fit.squares(), samples, effective,
+                                                                static_cast<int>(fit->fit.parameters.size()));
+        const double of_held_out = statistics::information_criterion(samples * std::pow(fit->*held_out, 2), samples,
+                                                                     effective, 0);
+        criteria.push_back(
+            0.5 * (of_fit + of_held_out) +
+            (effect_at_bound(fit->fit) ? 2.0 * policy.temperature * std::log(policy.odds_against_bounds) : 0.0));
+    }
+    return criteria;
+}
+
+/// Whether the fit with the lowest criterion has more numbers that a single trial determines than another one: holding
+/// out that trial does not test them.
+bool is_best_untested(const std::vector<const JudgedFit*>& fits, const std::vector<double>& criteria) {
+    int least = std::numeric_limits<int>::max();
+    for (const JudgedFit* fit : fits)
+        if (fit->usable()) least = std::min(least, fit->single_trial_directions);
+    const auto best = std::min_element(criteria.begin(), criteria.end()) - criteria.begin();
+    return fits[static_cast<std::size_t>(best)]->single_trial_directions > least;
+}
+
+/// Sets the places of all fits. Pairs keep theirs unless they are weighed, too.
+void weigh(RankedFits& fits, const Baseline& baseline, bool with_pairs) {
+    std::vector<const JudgedFit*> all{&baseline.declared};
+    std::vector<JudgedFit*> own;
+    for (Candidate& candidate : fits.candidates)
+        if (candidate.judged) own.push_back(&*candidate.judged);
+    if (with_pairs)
+        for (JudgedFit& pair : fits.pairs) own.push_back(&pair);
+    all.insert(all.end(), own.begin(), own.end());
+    const std::vector<FitWeight> weights = weights_of(baseline.data, all, baseline.policy().judgement);
+    fits.declared = weights.front();
+    for (std::size_t i = 0; i < own.size(); ++i) {
+        own[i]->criterion = weights[i + 1].criterion;
+        own[i]->weight = weights[i + 1].weight;
+    }
+}
+
+}  // namespace
+
+std::vector<FitWeight> weights_of(const FitData& data, const std::vector<const JudgedFit*>& fits,
+                                  const JudgementPolicy& policy) {
+    std::vector<FitWeight> places(fits.size());
+    const JudgedFit* best = nullptr;
+    for (const JudgedFit* fit : fits)
+        if (fit->usable() && (!best || fit->fit.squares() < best->fit.squares())) best = fit;
+    if (!best) return places;
+    const auto samples = static_cast<double>(data.layout.size());
+    const double effective = statistics::effective_samples(best->fit.residual, data.layout);
+    std::vector<double> criteria = criteria_of(fits, samples, effective, &JudgedFit::held_out_rms, policy);
+    if (is_best_untested(fits, criteria))
+        criteria = criteria_of(fits, samples, effective, &JudgedFit::held_out_in_time_rms, policy);
+    const std::vector<double> weights = statistics::evidence_weights(criteria, policy.temperature);
+    for (std::size_t i = 0; i < fits.size(); ++i) places[i] = {criteria[i], weights[i]};
+    return places;
+}
+
+double weight_among(const JudgedFit& fit, const std::vector<const JudgedFit*>& others, const JudgementPolicy& policy) {
+    std::vector<double> criteria{fit.criterion};
+    for (const JudgedFit* other : others) criteria.push_back(other->criterion);
+    return statistics::evidence_weights(criteria, policy.temperature).front();
+}
+
+RankedFits with_ranked_candidates(RankedFits fits, const Baseline& baseline) {
+    weigh(fits, baseline, false);
+    const auto rank = [&](const Candidate& c) { return !c.judged ? 2 : explains(*c.judged, baseline) ? 0 : 1; };
+    std::stable_sort(fits.candidates.begin(), fits.candidates.end(), [&](const Candidate& a, const Candidate& b) {
+        if (rank(a) != rank(b)) return rank(a) < rank(b);
+        if (a.judged) return a.judged->criterion < b.judged->criterion;
+        return a.score.share() > b.score.share();
+    });
+    return fits;
+}
+
+RankedFits with_ranked_pairs(RankedFits fits, const Baseline& baseline) {
+    weigh(fits, baseline, true);
+    std::stable_sort(fits.pairs.begin(), fits.pairs.end(),
+                     [](const JudgedFit& a, const JudgedFit& b) { return a.criterion < b.criterion; });
+    return fits;
+}
+
+double left_by(const std::vector<Candidate>& candidates, const std::string& effect) {
+    for (const Candidate& candidate : candidates)
+        if (candidate.score.id == effect && candidate.judged) return candidate.judged->fit.squares();
+    return std::numeric_limits<double>::infinity();
+}
+
+double least_left(const std::vector<Candidate>& candidates) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Candidate& candidate : candidates) least = std::min(least, left_by(candidates, candidate.score.id));
+    return least;
+}
+
+bool explained(const std::vector<Candidate>& ranked, const Baseline& baseline, Leniency leniency) {
+    return !ranked.empty() && ranked.front().judged && explains(*ranked.front().judged, baseline, leniency);
+}
+
+}  // namespace myo::diagnosis

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "diagnosis/selection/judgement.hpp"
+
+namespace myo::diagnosis {
+
+/// Place of a fit among others.
+struct FitWeight {
+    double criterion = 0.0;  // order of fits; lower is better
+    double weight = 0.0;     // share of the evidence
+};
+
+/// Criteria and weights of fits of the same data, in their order.
+///
+/// The criterion is the mean of a cross-validated and a Bayesian information criterion, both with the effective number
+/// of samples of the best residual, and a penalty for effects at a bound. Trials are held out, or blocks of time if a
+/// single trial determines more numbers of the best fit than of another. Fits that are not usable have an infinite
+/// criterion and no weight; if none is usable, all are 0.
+std::vector<FitWeight> weights_of(const FitData& data, const std::vector<const JudgedFit*>& fits,
+                                  const JudgementPolicy& policy);
+
+/// Weight of a fit compared with the given others only, from the criteria of all of them.
+double weight_among(const JudgedFit& fit, const std::vector<const JudgedFit*>& others, const JudgementPolicy& policy);
+
+/// Fits of single effects and of pairs, with their weights.
+struct RankedFits {
+    FitWeight declared;                 // of the declared fit
+    std::vector<Candidate> candidates;  // most credible first
+    std::vector<JudgedFit> pairs;       // best first
+};
+
+/// Weighs the fits of the declared model and of the candidates, and sorts the candidates: first those that explain the
+/// residual, then the other fits, each by criterion; then those not fitted, by score. A fit that leaves a part
+/// unexplained ranks lower even if it predicts held-out trials better than one with a number that few trials determine.
+RankedFits with_ranked_candidates(RankedFits fits, const Baseline& baseline);
+
+/// Weighs all fits, of the declared model, of single effects and of pairs, and sorts the pairs by criterion.
+RankedFits with_ranked_pairs(RankedFits fits, const Baseline& baseline);
+
+/// Squared residual of an effect's fit; infinite if it was not fitted.
+double left_by(const std::vector<Candidate>& candidates, const std::string& effect);
+/// Smallest squared residual of all candidates' fits; infinite if none was fitted.
+double least_left(const std::vector<Candidate>& candidates);
+
+/// explains() for the first candidate; false if it was not fitted.
+bool explained(const std::vector<Candidate>& ranked, const Baseline& baseline, Leniency leniency = Leniency::tolerant);
+
+}  // namespace myo::diagnosis

@@ -1,0 +1,58 @@
+#include "diagnosis/verdict/final_fit.hpp"
+
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "diagnosis/discretisation/correct_discretisation.hpp"
+
+namespace myo::diagnosis {
+namespace {
+
+/// Scores predictions of all trials with a shift.
+prediction::SetupRun shifted_run(const setup::Setup& setup, const prediction::ParameterValues& fitted,
+                                 const PredictionShift& shift, std::vector<prediction::TrialPrediction> predictions,
+                                 const std::vector<std::size_t>& all) {
+    for (std::size_t t = 0; t < predictions.size(); ++t) predictions[t] = shifted(std::move(predictions[t]), shift, t);
+    return prediction::scored_run(setup, prediction::with_predicted_levels(setup, fitted), std::move(predictions), all);
+}
+
+ErrorCorrection correction_of(VerdictKind kind, const SearchPolicy& policy) {
+    return {kind == VerdictKind::effects ? policy.correction.effort : policy.unexplained,
+            policy.correction.most_change};
+}
+
+}  // namespace
+
+FinalFit final_fit(const FinalFitInput& in, FitStore& store, PhaseLog& log) {
+    const DiagnosisContext& context = in.context;
+    const setup::Setup& setup = context.setup;
+    const VerdictKind kind = in.decision.verdict.kind;
+    std::vector<std::size_t> all(setup.trials.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    const auto predicted = [&](const JudgedFit& fit, const NumericalError& error) {
+        return shifted_run(setup, fit.fit.values, error.shift,
+                           fitted_predictions(setup, all, fit.fit.values, log.progress()), all);
+    };
+    FinalFit result;
+    result.fit = in.decision.fit;
+    result.before = log.timed("prediction", 2 * static_cast<int>(all.size()),
+                              [&] { return predicted(context.declared, in.declared_error); });
+    if (!result.fit.numerics) {
+        FitData data = context.data;
+        data.shift = in.shift;
+        std::optional<JudgedFit> corrected = correct_discretisation(
+            {setup, data, context.settings, context.refinement, "last fit",
+             correction_of(kind, context.policy().search)},
+            result.fit, store, log);
+        if (!corrected) return result;
+        result.fit = std::move(*corrected);
+        if (!result.fit.numerics) result.fit.numerics = in.declared_error;
+    }
+    result.fit.numerics = with_error_of_other_trials(context, result.fit, log);
+    result.after = kind == VerdictKind::none ? result.before : predicted(result.fit, *result.fit.numerics);
+    result.complete = !log.cancelled();
+    return result;
+}
+
+}  // namespace myo::diagnosis
