@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that Myoloop needs and that are missing. Does nothing, and needs no rights, when all are
-# there. Use: install_packages.sh [--tests]      (--tests: also what the tests of the window need)
+# there. Use: install_packages.sh [--tests]      (--tests: also what the tests of window and style need)
 set -euo pipefail
 
 packages=(
@@ -15,7 +15,7 @@ packages=(
 )
 for argument in "$@"; do
   case "$argument" in
-    --tests) packages+=(xvfb xdotool imagemagick x11-utils libgl1-mesa-dri) ;;
+    --tests) packages+=(xvfb xdotool imagemagick x11-utils libgl1-mesa-dri clang-format-14 clang-tidy-14) ;;
     *) echo "install_packages.sh: unknown argument $argument (known: --tests)" >&2; exit 2 ;;
   esac
 done

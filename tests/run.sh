@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds everything, and runs all tests in one run of ctest: the Release build's, and those of
+# Installs what is missing, builds everything, and runs all tests in one run of ctest: style, the Release build's, those of
 # the numerical modules once more with assertions and sanitizers. Ends with ctest's summary; its exit code is the
 # verdict.
 set -euo pipefail
@@ -61,6 +61,9 @@ phase "Build, sanitizers (subset)" build_sanitized
 # One ctest over both builds: their test names differ by the prefix "sanitize.".
 mkdir -p "$both"
 printf 'subdirs("%s" "%s")\n' "$release" "$sanitize" >"$both/CTestTestfile.cmake"
+# The style of the sources is one more test: first, and alone, since it uses all processors.
+printf 'add_test(style bash "%s")\nset_tests_properties(style PROPERTIES COST 1000 PROCESSORS %s TIMEOUT 600)\n' \
+  "$root/tests/style.sh" "$jobs" >>"$both/CTestTestfile.cmake"
 
 echo "== Minutes"
 printf '%s\n' "${phases[@]}"

@@ -24,7 +24,6 @@ struct ModePolicy {
 constexpr ModePolicy mode_policy;
 
 using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 /// Start vectors without structure, so that each has a component along every mode. Deterministic: runs repeat.
 MatrixXd start_block(int rows, int columns) {

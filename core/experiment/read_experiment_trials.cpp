@@ -25,7 +25,7 @@ std::vector<ActuationStep> read_steps(const toml::TomlReader& trial) {
 }
 
 std::string read_trial_name(const toml::TomlReader& table) {
-    const std::string name = table.name("name");
+    std::string name = table.name("name");
     // Results are written to <trial>.csv.
     if (name.find_first_of("/\\") != std::string::npos || name == "." || name == "..")
         table.fail("name", "names the trial's result file, so it must not hold a slash");

@@ -10,7 +10,6 @@ namespace myo::material {
 namespace {
 
 using Eigen::Matrix3d;
-using Eigen::Vector3d;
 
 /// Closed-form derivative of the polar rotation for both scalar types.
 template <class T>

@@ -156,7 +156,7 @@ Result<C3dParameters> read_c3d_parameters(const C3dWords& words, std::size_t sta
     while (words.holds(at, 2) && words.byte(at) != 0) {
         const auto name_length = static_cast<std::size_t>(
             std::abs(int{words.signed_byte(at)}));  // a negative length marks a locked record
-        const int group = words.signed_byte(at + 1);
+        const int group = int{words.signed_byte(at + 1)};
         const std::size_t pointer = at + 2 + name_length;
         if (!words.holds(pointer, 2)) {
             return Error{"the parameter record " + at_byte(at) + " runs over the end of the file", file};

@@ -14,7 +14,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::Matrix3Xd;
-using Eigen::Vector3d;
 using Triple = std::array<Index, 3>;
 
 struct MarkerMatchPolicy {

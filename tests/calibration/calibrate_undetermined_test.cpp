@@ -16,7 +16,6 @@
 namespace myo::calibration {
 namespace {
 
-using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::Not;

@@ -16,7 +16,6 @@
 namespace myo::calibration {
 namespace {
 
-using testing::Contains;
 using testing::HasSubstr;
 
 constexpr double modulus_Pa = 2.5e5;

@@ -16,7 +16,6 @@
 namespace myo::check {
 namespace {
 
-using Eigen::Vector3d;
 using testing::HasSubstr;
 
 std::string with(std::string text, const std::string& old, const std::string& other) {

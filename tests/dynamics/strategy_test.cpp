@@ -9,8 +9,6 @@
 namespace myo::dynamics {
 namespace {
 
-using Eigen::Matrix3Xd;
-
 Trace run(const model::Model& model, Strategy strategy, Integrator integrator, double tolerance) {
     SimulationOptions options;
     options.integrator = integrator;

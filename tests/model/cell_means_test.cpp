@@ -12,7 +12,6 @@ namespace myo::model {
 namespace {
 
 using Eigen::Matrix3d;
-using Eigen::Matrix3Xd;
 
 constexpr double E_Pa = 2e5, poisson = 0.4;
 

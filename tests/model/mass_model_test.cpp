@@ -5,9 +5,6 @@
 namespace myo::model {
 namespace {
 
-using Eigen::Vector3d;
-using Eigen::VectorXd;
-
 /// A box of n cells has more vertices than cells, and tetrahedra fewer: the body weighs too much or too little.
 TEST(MassModel, EqualVertexMassesWeighByTheNumberOfVertices) {
     for (const fem::ElementKind kind : {fem::ElementKind::hex8_full, fem::ElementKind::tet4, fem::ElementKind::tet10}) {

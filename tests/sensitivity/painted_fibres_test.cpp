@@ -14,8 +14,6 @@
 namespace myo::sensitivity {
 namespace {
 
-using Eigen::Vector3d;
-
 /// The driven beam with a painted muscle, its lines turning along the beam, shares between 0 and 1, and one along a
 /// bent line.
 model::Model painted_beam(fem::ElementKind kind) {

@@ -9,7 +9,6 @@ namespace myo::statistics {
 namespace {
 
 using test::make_layout;
-using test::signal;
 using test::white;
 
 TEST(Folds, AreTrialsWhereThereAreSeveral) {

@@ -11,7 +11,6 @@ namespace {
 
 using test::autoregressive;
 using test::make_layout;
-using test::Recorded;
 using test::signal;
 using test::white;
 

@@ -9,7 +9,6 @@ namespace myo::statistics {
 namespace {
 
 using test::make_layout;
-using test::signal;
 
 TEST(ResidualLayout, TellsWhatDoesNotFitTogether) {
     const ResidualLayout good = make_layout({.gaps = 0.2});

@@ -10,7 +10,6 @@
 namespace myo::statistics {
 namespace {
 
-using test::autoregressive;
 using test::make_layout;
 using test::Recorded;
 using test::signal;

@@ -8,7 +8,6 @@ namespace myo::diagnosis {
 namespace {
 
 using Eigen::Index;
-using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
 /// Whether a sample of a marker is compared: not before the first compared sample, and only if measured.
