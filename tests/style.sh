@@ -2,7 +2,7 @@
 # Checks the layout of all C++ files with clang-format, and files with clang-tidy. Ends with status 1 at a finding.
 # Use: style.sh [--all | --since COMMIT] [--fix]
 #   --since COMMIT  clang-tidy for the files changed since it (default: the parent of HEAD)
-#   --all           clang-tidy for every file, by the batches of the build folder (half an hour of one core)
+#   --all           clang-tidy for every file, by the batches of the build folder (most of an hour of one core)
 #   --fix           rewrites the layout instead of checking it
 # Without history (a shallow clone, an export) no file counts as changed, and the layout alone is checked.
 set -euo pipefail

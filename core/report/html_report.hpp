@@ -85,7 +85,7 @@ struct Block;
 /// Collapsed content. Browsers that support it print it expanded.
 struct Details {
     std::string summary = {};
-    std::vector<Block> blocks = {};
+    std::vector<Block> blocks;  // an initialiser would need the complete type
 };
 
 /// Any content of a section. Converts implicitly from each kind.
