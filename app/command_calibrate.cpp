@@ -152,6 +152,7 @@ int calibrate_command(const CalibrateCall& call) {
         const Result<calibration::EarlierCalibration> read = calibration::read_calibration(call.out, *setup, settings);
         if (!read) return console.refuse(read.error());
         earlier = *read;
+        for (const std::string& note : earlier.notes) console.warn(note);
         settings.from = earlier.values;
     }
     for (const std::string& warning : setup->warnings) console.warn(warning);

@@ -129,6 +129,7 @@ int optimize_command(const OptimizeCall& call) {
         const Result<results::EarlierOptimization> earlier = results::read_optimization(call.out, setup, *problem);
         if (!earlier) return console.refuse(earlier.error());
         from = *earlier;
+        for (const std::string& note : from.notes) console.warn(note);
     }
     for (const std::string& warning : setup.warnings) console.warn(warning);
     const std::vector<check::Finding> before = check::check_before(setup);

@@ -97,6 +97,7 @@ Calibration calibrate_with_chosen_steps(setup::Setup& setup, CalibrationSettings
 struct EarlierCalibration {
     std::map<std::string, double> values;  // by parameter name, SI
     int evaluations = 0;                   // in all
+    std::vector<std::string> notes;        // what was written by an earlier version and read differently
 };
 /// Reads the state of an earlier calibration from calibrate.json.
 ///

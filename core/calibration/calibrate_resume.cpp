@@ -1,9 +1,43 @@
+#include <cmath>
+
 #include "calibration/calibrate.hpp"
+#include "effect/direction.hpp"
 #include "report/json.hpp"
 
 namespace myo::calibration {
 
+namespace {
+
 namespace fs = std::filesystem;
+
+/// Value of a parameter as the file holds it; NaN if there is none.
+double held_value(const report::Json& parameters, const std::string& name) {
+    if (!parameters.contains(name)) return std::nan("");
+    const report::Json& entry = parameters.at(name);
+    const bool held = entry.is_object() && entry.contains("value") && entry.at("value").is_number();
+    return held ? entry.at("value").get<double>() : std::nan("");
+}
+
+/// Replaces the three components of fitted directions, which were written before directions had two angles, by the
+/// angles. Notes say which.
+void read_components_as_angles(const std::vector<prediction::ModelParameter>& wanted, report::Json& parameters,
+                               std::vector<std::string>& notes) {
+    for (std::size_t i = 0; i + 1 < wanted.size(); ++i) {
+        if (!wanted[i].is_angle() || wanted[i].component != 0) continue;
+        const std::string& first = wanted[i].parameter.name;
+        const std::string stem = first.substr(0, first.rfind('.'));
+        const Eigen::Vector3d direction(held_value(parameters, stem + ".x"), held_value(parameters, stem + ".y"),
+                                        held_value(parameters, stem + ".z"));
+        if (parameters.contains(first) || !direction.allFinite() || direction.isZero(0.0)) continue;
+        const Eigen::Vector2d angles = effect::direction_angles(wanted[i].base, direction);
+        for (const char* axis : {".x", ".y", ".z"}) parameters.erase(stem + axis);
+        parameters[first] = {{"value", angles(0)}};
+        parameters[wanted[i + 1].parameter.name] = {{"value", angles(1)}};
+        notes.push_back(stem + ": the components x, y and z of an earlier version are read as two angles");
+    }
+}
+
+}  // namespace
 
 Result<EarlierCalibration> read_calibration(const fs::path& folder, const setup::Setup& setup,
                                             const CalibrationSettings& settings) {
@@ -19,10 +53,11 @@ Result<EarlierCalibration> read_calibration(const fs::path& folder, const setup:
     if (!json->is_object() || !json->contains("schema") || json->at("schema") != "calibrate/1" ||
         !json->contains("parameters"))
         return refuse("is not of the form calibrate/1");
-    const report::Json& parameters = json->at("parameters");
+    report::Json parameters = json->at("parameters");
     const std::vector<prediction::ModelParameter> wanted = prediction::free_parameters(setup, settings.names);
-    if (!parameters.is_object() || parameters.size() != wanted.size()) return refuse("has other parameters");
     EarlierCalibration earlier;
+    if (parameters.is_object()) read_components_as_angles(wanted, parameters, earlier.notes);
+    if (!parameters.is_object() || parameters.size() != wanted.size()) return refuse("has other parameters");
     for (const prediction::ModelParameter& p : wanted) {
         const std::string& name = p.parameter.name;
         if (!parameters.contains(name)) return refuse("has no value of " + name);

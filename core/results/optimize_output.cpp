@@ -140,6 +140,17 @@ report::Json rms_of_axes(const prediction::TrialPrediction& prediction) {
     return report::json_array(Eigen::VectorXd(axes));
 }
 
+/// Values of a signal as written. Files from before the level before t = 0 was sought hold it as `before` only; where
+/// it is the first of the values now, it is put in front.
+/// @return  whether it was
+bool put_level_in_front(report::Json& signal, const inverse::SoughtSignals& sought) {
+    if (!sought.seek_before || signal.contains("before_sought")) return false;
+    if (!signal.contains("before") || !signal.contains("values") || !signal.at("values").is_array()) return false;
+    report::Json& values = signal.at("values");
+    values.insert(values.begin(), signal.at("before"));
+    return true;
+}
+
 }  // namespace
 
 Result<EarlierOptimization> read_optimization(const fs::path& folder, const setup::Setup& setup,
@@ -163,12 +174,16 @@ Result<EarlierOptimization> read_optimization(const fs::path& folder, const setu
         return refuse("has signals with other knots");
     EarlierOptimization earlier;
     earlier.values = inverse::unmoved_values(problem.sought);
-    const report::Json& signals = json->contains("signals") ? json->at("signals") : *json;
+    report::Json signals = json->contains("signals") ? json->at("signals") : *json;
     if (!signals.is_array() || signals.size() != problem.sought.signals.size()) return refuse("has other signals");
     for (std::size_t s = 0; s < signals.size(); ++s) {
-        const report::Json& signal = signals[s];
+        report::Json& signal = signals[s];
         if (!signal.is_object() || !signal.contains("name") || signal.at("name") != problem.sought.signals[s].name)
             return refuse("has other signals");
+        if (put_level_in_front(signal, problem.sought))
+            earlier.notes.push_back(problem.sought.signals[s].name +
+                                    ": the level before t = 0, which an earlier version did not seek, is where the "
+                                    "search for it begins");
         if (!signal.contains("values") || !signal.at("values").is_array() ||
             static_cast<Index>(signal.at("values").size()) != earlier.values.cols())
             return refuse("has signals with other knots");

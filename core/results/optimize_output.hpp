@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -14,8 +15,9 @@ namespace myo::results {
 
 /// State of an earlier search, read from its optimize.json.
 struct EarlierOptimization {
-    Eigen::MatrixXd values;  // signals x knots
-    int evaluations = 0;     // in all
+    Eigen::MatrixXd values;               // signals x knots
+    int evaluations = 0;                  // in all
+    std::vector<std::string> notes = {};  // what was written by an earlier version and read differently
 };
 /// Reads the state of an earlier search from optimize.json.
 ///

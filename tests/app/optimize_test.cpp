@@ -10,6 +10,7 @@
 #include "base/text.hpp"
 #include "measurement/actuation_csv.hpp"
 #include "measurement/text_table.hpp"
+#include "support/corpus.hpp"
 
 namespace myo::test {
 namespace {
@@ -74,6 +75,7 @@ TEST(Optimize, FindsTheSignalsThatMadeTheTrace) {
     EXPECT_EQ(j.at("muscles")[1].at("factor"), -0.5);
     EXPECT_LT(j.at("rms_after_m").get<double>(), 1e-3 * j.at("rms_before_m").get<double>());
     EXPECT_EQ(j.at("history").size(), j.at("evaluations").get<std::size_t>());
+    expect_keys_of(j, "optimize/optimize.json", {".trials.[].markers"});
     EXPECT_EQ(content_of(folder.path() / "out/optimize.json").find("null"), std::string::npos);
     const std::string page = content_of(folder.path() / "out/report.html");
     for (const char* text :

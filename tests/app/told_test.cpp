@@ -6,6 +6,7 @@
 
 #include "app/program.hpp"
 #include "app/small_experiment.hpp"
+#include "support/corpus.hpp"
 
 // What commands on an experiment tell beside their results.
 
@@ -60,6 +61,8 @@ TEST(Told, WhatTheBodyIsMadeOf) {
         EXPECT_EQ(told.result.at("layers"), 2.0);
         EXPECT_DOUBLE_EQ(told.result.at("layers_across_m").get<double>(), 0.02);
         EXPECT_EQ(told.result.at("dofs"), 135);
+        const std::string file = std::string(command) + "/" + command + ".json";
+        expect_keys_of(told.result, file, {".parameters", ".noise_m", ".trials.[].markers"});
     }
 }
 
