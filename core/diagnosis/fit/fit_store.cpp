@@ -14,8 +14,9 @@ constexpr const char* schema = "fits/1";
 
 FitStore::FitStore(std::filesystem::path file, std::string setup) : file_(std::move(file)), setup_(std::move(setup)) {
     const Result<report::Json> json = report::read_json(*file_);
-    if (!json || !json->is_object() || json->value("schema", "") != schema || json->value("study", "") != setup_)
-        return;
+    if (!json) return;
+    holds_other_fits_ = !json->is_object() || json->value("schema", "") != schema || json->value("study", "") != setup_;
+    if (holds_other_fits_) return;
     for (const auto& [fit, values] : (*json)["fits"].items()) {
         if (!values.is_array()) continue;
         std::vector<double> numbers;

@@ -22,6 +22,9 @@ public:
     /// @param setup  description of everything that all fits depend on
     FitStore(std::filesystem::path file, std::string setup);
 
+    /// Whether the file holds fits of another setup, mesh or version, which are not used.
+    bool holds_other_fits() const { return holds_other_fits_; }
+
     /// Values of a stored fit; empty if there is none.
     std::optional<Eigen::VectorXd> find(const std::string& fit) const;
     /// Stores the values of a fit and writes the file. Errors: the file cannot be written.
@@ -30,6 +33,7 @@ public:
 private:
     std::optional<std::filesystem::path> file_;
     std::string setup_;
+    bool holds_other_fits_ = false;
     std::map<std::string, Eigen::VectorXd> fits_;
     mutable std::mutex mutex_;
 };
