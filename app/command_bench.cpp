@@ -8,13 +8,13 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "bench/bench_case.hpp"
+#include "chart/svg.hpp"
 #include "commands.hpp"
 #include "console.hpp"
 #include "exit_status.hpp"
 #include "options.hpp"
 #include "own_process.hpp"
 #include "reference_files.hpp"
-#include "report/chart.hpp"
 #include "report/json.hpp"
 #include "solver/sparse_cholesky.hpp"
 #include "standard_output.hpp"
@@ -161,20 +161,20 @@ std::string scaling_figure(const report::Json& rows, double time_exponent, doubl
         ms.push_back(row["ms_per_step"].get<double>());
         megabytes.push_back(row["peak_memory_bytes"].get<double>() / 1e6);
     }
-    report::LineChart chart;
+    chart::Chart chart;
     chart.title = "Time per step and memory over degrees of freedom";
     chart.x = {.label = "degrees of freedom", .logarithmic = true};
     chart.panels = {{.y = {.label = "time per step", .unit = "ms", .logarithmic = true},
                      .series = {{.name = "exponent " + format_number(time_exponent, 3),
                                  .x = dofs,
                                  .y = ms,
-                                 .style = report::SeriesStyle::line_and_dots}}},
+                                 .style = chart::SeriesStyle::line_and_dots}}},
                     {.y = {.label = "peak memory", .unit = "MB", .logarithmic = true},
                      .series = {{.name = "exponent " + format_number(memory_exponent, 3),
                                  .x = dofs,
                                  .y = megabytes,
-                                 .style = report::SeriesStyle::line_and_dots}}}};
-    return report::svg(chart);
+                                 .style = chart::SeriesStyle::line_and_dots}}}};
+    return chart::svg(chart);
 }
 
 /// Prints and returns the exponents of a case whose rows differ in size only.

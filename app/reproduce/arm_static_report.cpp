@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "base/text.hpp"
-#include "report/chart.hpp"
+#include "chart/svg.hpp"
 
 namespace myo::reproduce {
 namespace {
@@ -181,15 +181,15 @@ report::Json grid_json(const Assessment& early, const Assessment& late) {
 }
 
 std::string map_figure(const std::vector<ArmVariant>& list, const Assessments& all) {
-    report::LineChart chart{.title = "Activation of muscle 1 over pressure",
-                            .x = {.label = "pressure", .unit = "mbar", .lowest = 0.0},
-                            .panels = {}};
-    report::ChartPanel panel{.y = {.label = "a"}, .series = {}, .height_px = 320.0};
+    chart::Chart chart{.title = "Activation of muscle 1 over pressure",
+                       .x = {.label = "pressure", .unit = "mbar", .lowest = 0.0},
+                       .panels = {}};
+    chart::Panel panel{.y = {.label = "a"}, .series = {}, .height_px = 320.0};
     for (std::size_t v = 0; v <= chosen_variant; ++v) {
         const FittedArm& arm = all[v][1]->arm;
         std::vector<double> lengths, pressures;
         Eigen::MatrixXd signals(list[v].configuration.signals, static_cast<Index>(arm.fits.size()));
-        report::Series dots{.style = report::SeriesStyle::dots, .colour = static_cast<int>(v)},
+        chart::Series dots{.style = chart::SeriesStyle::dots, .colour = static_cast<int>(v)},
             curve{.name = list[v].name, .colour = static_cast<int>(v)};
         for (std::size_t i = 0; i < arm.fits.size(); ++i) {
             signals.col(static_cast<Index>(i)) = arm.fits[i].signals;
@@ -208,37 +208,37 @@ std::string map_figure(const std::vector<ArmVariant>& list, const Assessments& a
         panel.series.push_back(dots);
     }
     chart.panels = {panel};
-    return report::svg(chart);
+    return chart::svg(chart);
 }
 
 std::string error_figure(const std::vector<ArmVariant>& list, const Assessments& all) {
-    report::BarChart chart{.title = "Error on pressures left out",
-                           .categories = {},
-                           .y = {.label = "error of the displacement", .unit = "%"},
-                           .groups = {{"0.7 s after the onset", {}}, {"end of the record", {}}}};
+    chart::BarChart chart{.title = "Error on pressures left out",
+                          .categories = {},
+                          .y = {.label = "error of the displacement", .unit = "%"},
+                          .groups = {{"0.7 s after the onset", {}}, {"end of the record", {}}}};
     for (std::size_t v = 0; v < list.size(); ++v) {
         chart.categories.push_back(list[v].name);
         for (std::size_t k = 0; k < 2; ++k)
             chart.groups[k].values.push_back(100.0 * mean_error(all[v][k]->every_second));
     }
-    return report::svg(chart);
+    return chart::svg(chart_of(chart));
 }
 
 std::string pose_figure(const Assessments& all) {
     const Assessment &published = *all[1][1], &own = *all[chosen_variant][1];
-    report::LineChart chart{
+    chart::Chart chart{
         .title = "Tip centre at the end of the record", .x = {.label = "pressure", .unit = "mbar"}, .panels = {}};
     const char* const axes[] = {"x", "y", "z"};
     for (Index c = 0; c < 3; ++c) {
-        report::Series real{.name = "measured", .style = report::SeriesStyle::dots, .colour = report::ink_colour};
+        chart::Series real{.name = "measured", .style = chart::SeriesStyle::dots, .colour = chart::ink_colour};
         for (std::size_t i = 0; i < own.arm.fits.size(); ++i) {
             real.x.push_back(own.arm.pressures_mbar[i]);
             real.y.push_back(1e3 * own.arm.measured_m[i](c, 0));
         }
-        report::ChartPanel panel{.y = {.label = axes[c], .unit = "mm"}, .series = {real}, .height_px = 180.0};
+        chart::Panel panel{.y = {.label = axes[c], .unit = "mm"}, .series = {real}, .height_px = 180.0};
         for (const Assessment* one : {&own, &published}) {
-            report::Series out{.name = one->arm.variant.name + ", this pressure left out",
-                               .style = report::SeriesStyle::line_and_dots};
+            chart::Series out{.name = one->arm.variant.name + ", this pressure left out",
+                              .style = chart::SeriesStyle::line_and_dots};
             for (const Score& score : one->left_one_out) {
                 out.x.push_back(score.pressure_mbar);
                 out.y.push_back(1e3 * score.prediction.tip_m(c));
@@ -247,7 +247,7 @@ std::string pose_figure(const Assessments& all) {
         }
         chart.panels.push_back(panel);
     }
-    return report::svg(chart);
+    return chart::svg(chart);
 }
 
 std::vector<std::string> findings_of(const Assessments& all) {

@@ -3,8 +3,8 @@
 #include <numbers>
 
 #include "base/text.hpp"
+#include "chart/svg.hpp"
 #include "dynamics/statics.hpp"
-#include "report/chart.hpp"
 #include "reproduce/arm_maps.hpp"
 #include "reproduce/chambered_arm.hpp"
 #include "reproduce/reproduction_cases.hpp"
@@ -134,9 +134,9 @@ double bend_of_curve(const std::vector<double>& x, const std::vector<double>& y,
 }
 
 /// Trajectory of the tip in the bending plane, in mm.
-report::Series path(const std::string& name, const std::vector<Vector3d>& tips, report::SeriesStyle style,
-                    int colour = report::automatic_colour) {
-    report::Series series{.name = name, .style = style, .colour = colour};
+chart::Series path(const std::string& name, const std::vector<Vector3d>& tips, chart::SeriesStyle style,
+                   int colour = chart::automatic_colour) {
+    chart::Series series{.name = name, .style = style, .colour = colour};
     for (const Vector3d& tip : tips) {
         series.x.push_back(-1e3 * tip(0));
         series.y.push_back(1e3 * tip(2));
@@ -201,20 +201,19 @@ Result<Reproduction> run_arm_chamber(const ReproduceSettings& settings, const Pr
         if (real.allFinite()) real_tips.push_back(real);
     }
     result.tables = {table};
-    report::LineChart chart;
+    chart::Chart chart;
     chart.title = "Way of the tip as the pressure rises";
     chart.x = {.label = "towards the unpressurised side", .unit = "mm", .include_zero = true};
-    report::ChartPanel panel;
+    chart::Panel panel;
     panel.y = {.label = "up", .unit = "mm", .include_zero = true};
-    panel.series = {path("chambers", chamber_tips, report::SeriesStyle::line_and_dots),
-                    path("AC1", single_tips, report::SeriesStyle::dashed),
-                    path("AC2", tied_tips, report::SeriesStyle::line)};
+    panel.series = {path("chambers", chamber_tips, chart::SeriesStyle::line_and_dots),
+                    path("AC1", single_tips, chart::SeriesStyle::dashed),
+                    path("AC2", tied_tips, chart::SeriesStyle::line)};
     if (!real_tips.empty())
         panel.series.push_back(
-            path("real arm, other chambers", real_tips, report::SeriesStyle::dots, report::ink_colour));
+            path("real arm, other chambers", real_tips, chart::SeriesStyle::dots, chart::ink_colour));
     chart.panels = {panel};
-    result.figures = {
-        {"", {report::svg(chart), "Tip centre of the lower face, from where it hangs without pressure."}}};
+    result.figures = {{"", {chart::svg(chart), "Tip centre of the lower face, from where it hangs without pressure."}}};
 
     const ChamberPose& last = poses.back();
     int iterations = 0;

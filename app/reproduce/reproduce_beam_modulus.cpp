@@ -5,10 +5,10 @@
 
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "chart/svg.hpp"
 #include "dynamics/statics.hpp"
 #include "inverse/least_squares.hpp"
 #include "measurement/marker_binding.hpp"
-#include "report/chart.hpp"
 #include "reproduce/paper_beam.hpp"
 #include "reproduce/real_beam.hpp"
 #include "reproduce/reproduction_cases.hpp"
@@ -218,11 +218,11 @@ Targets make_targets(const std::vector<BeamTrial>& trials, bool coarse) {
 
 /// Modulus over the simulations of each fit.
 std::string path_figure(const std::vector<Job>& jobs, std::size_t target, const std::string& title) {
-    report::ChartPanel panel{
+    chart::Panel panel{
         .y = {.label = "Young's modulus", .unit = "Pa", .logarithmic = true}, .series = {}, .height_px = 300.0};
     for (const Job& job : jobs) {
         if (job.target != target) continue;
-        report::Series series{.style = report::SeriesStyle::line_and_dots, .colour = 0};
+        chart::Series series{.style = chart::SeriesStyle::line_and_dots, .colour = 0};
         for (const double value : job.fit->path_Pa) {
             series.x.push_back(static_cast<double>(series.x.size() + 1));
             series.y.push_back(value);
@@ -230,7 +230,7 @@ std::string path_figure(const std::vector<Job>& jobs, std::size_t target, const 
         panel.series.push_back(series);
     }
     panel.horizontal = {{paper_Pa, "the paper"}};
-    return report::svg(report::LineChart{.title = title, .x = {.label = "simulation"}, .panels = {panel}});
+    return chart::svg(chart::Chart{.title = title, .x = {.label = "simulation"}, .panels = {panel}});
 }
 
 /// All fits in parallel.

@@ -7,7 +7,7 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "bench/beam_statics.hpp"
-#include "report/chart.hpp"
+#include "chart/svg.hpp"
 #include "reproduce/paper_beam.hpp"
 #include "reproduce/real_beam.hpp"
 #include "reproduce/reproduction_cases.hpp"
@@ -206,12 +206,12 @@ report::Table trial_table(const std::vector<BeamTrial>& trials) {
 
 /// Deflections as bars.
 std::string step_figure(const std::vector<StaticRow>& rows, const std::vector<BeamTrial>& trials) {
-    report::BarChart chart{.title = "Sinking of the tip, case by case",
-                           .categories = {},
-                           .y = {.label = "-dz of Left", .unit = "m"},
-                           .groups = {},
-                           .width_px = 980.0,
-                           .height_px = 320.0};
+    chart::BarChart chart{.title = "Sinking of the tip, case by case",
+                          .categories = {},
+                          .y = {.label = "-dz of Left", .unit = "m"},
+                          .groups = {},
+                          .width_px = 980.0,
+                          .height_px = 320.0};
     for (const char* name : step_names) chart.groups.push_back({name, {}});
     chart.groups.push_back({"commercial", {}});
     if (!trials.empty()) chart.groups.push_back({"real beam", {}});
@@ -223,7 +223,7 @@ std::string step_figure(const std::vector<StaticRow>& rows, const std::vector<Be
         if (!trials.empty())
             chart.groups.back().values.push_back(-1e-3 * measured_dz_mm(trials, commercial[row.one.load].force_N));
     }
-    return report::svg(chart);
+    return chart::svg(chart_of(chart));
 }
 
 const StaticRow& row_of(const std::vector<StaticRow>& rows, bool hexahedra, const std::string& name) {

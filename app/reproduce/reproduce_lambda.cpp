@@ -7,10 +7,10 @@
 
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "chart/svg.hpp"
 #include "dynamics/linearised_step.hpp"
 #include "dynamics/material_damping.hpp"
 #include "dynamics/numerical_damping.hpp"
-#include "report/chart.hpp"
 #include "reproduce/real_beam.hpp"
 #include "reproduce/reproduction_cases.hpp"
 #include "reproduce/ringing_beam.hpp"
@@ -257,32 +257,31 @@ report::Table better_table(const BetterWay& way) {
 
 /// Lambda over the time step.
 std::string lambda_figure(const Work& work, double factor_kg) {
-    report::Series fitted{.name = "fitted, as published, ours"}, critical{.name = "critical, as published, ours"};
-    report::Series paper_fitted{.name = "fitted, the paper", .style = report::SeriesStyle::dots},
-        paper_critical{.name = "critical, the paper", .style = report::SeriesStyle::dots};
-    report::Series own{.name = "fitted, our beam", .style = report::SeriesStyle::dashed};
+    chart::Series fitted{.name = "fitted, as published, ours"}, critical{.name = "critical, as published, ours"};
+    chart::Series paper_fitted{.name = "fitted, the paper", .style = chart::SeriesStyle::dots},
+        paper_critical{.name = "critical, the paper", .style = chart::SeriesStyle::dots};
+    chart::Series own{.name = "fitted, our beam", .style = chart::SeriesStyle::dashed};
     for (std::size_t i = 0; i < paper_step_count; ++i) {
         const double h = 1e3 * paper_steps_s[i];
-        for (report::Series* series : {&fitted, &critical, &paper_fitted, &paper_critical, &own})
-            series->x.push_back(h);
+        for (chart::Series* series : {&fitted, &critical, &paper_fitted, &paper_critical, &own}) series->x.push_back(h);
         fitted.y.push_back(work.published_rows[i].fitted);
         critical.y.push_back(work.published_rows[i].critical_amplitude);
         own.y.push_back(work.own_rows[i].fitted);
         paper_fitted.y.push_back(published_fitted[i] / factor_kg);
         paper_critical.y.push_back(published_critical[i] / factor_kg);
     }
-    return report::svg(report::LineChart{.title = "Velocity force over the time step",
-                                         .x = {.label = "time step", .unit = "ms", .lowest = 0.0},
-                                         .panels = {{.y = {.label = "Lambda", .unit = "1/s", .include_zero = true},
-                                                     .series = {critical, fitted, own, paper_critical, paper_fitted},
-                                                     .height_px = 320.0}}});
+    return chart::svg(chart::Chart{.title = "Velocity force over the time step",
+                                   .x = {.label = "time step", .unit = "ms", .lowest = 0.0},
+                                   .panels = {{.y = {.label = "Lambda", .unit = "1/s", .include_zero = true},
+                                               .series = {critical, fitted, own, paper_critical, paper_fitted},
+                                               .height_px = 320.0}}});
 }
 
 /// The release with one damping at several steps, compared with the real one.
 std::string decay_figure(const Work& work, const std::vector<BeamTrial>& trials) {
-    report::ChartPanel panel{.y = {.label = "dz of Left", .unit = "m"}, .series = {}, .height_px = 300.0};
+    chart::Panel panel{.y = {.label = "dz of Left", .unit = "m"}, .series = {}, .height_px = 300.0};
     const auto add = [&](const std::string& name, const Eigen::VectorXd& t, const Eigen::VectorXd& dz, int colour) {
-        report::Series series{.name = name, .colour = colour};
+        chart::Series series{.name = name, .colour = colour};
         for (Eigen::Index k = 0; k < t.size(); ++k)
             if (t(k) >= 0.0 && t(k) <= 1.2) {
                 series.x.push_back(t(k));
@@ -292,14 +291,14 @@ std::string decay_figure(const Work& work, const std::vector<BeamTrial>& trials)
     };
     for (const std::size_t i : {std::size_t{0}, ten_ms, std::size_t{7}})
         add("TR-BDF2, h = " + format_number(1e3 * paper_steps_s[i], 3) + " ms", work.better.runs[i].times_s,
-            work.better.runs[i].left_dz_m, report::automatic_colour);
+            work.better.runs[i].left_dz_m, chart::automatic_colour);
     for (const BeamTrial& trial : trials)
         if (trial.name == "beam_gravity_V2_b")
             add("real beam, release b", trial.time_s, trial.displacement_m[left_marker].row(2).transpose(),
-                report::ink_colour);
-    return report::svg(report::LineChart{.title = "One damping of the material, every time step",
-                                         .x = {.label = "time", .unit = "s"},
-                                         .panels = {panel}});
+                chart::ink_colour);
+    return chart::svg(chart::Chart{.title = "One damping of the material, every time step",
+                                   .x = {.label = "time", .unit = "s"},
+                                   .panels = {panel}});
 }
 
 /// Largest relative difference over all time steps.

@@ -6,8 +6,8 @@
 
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "chart/svg.hpp"
 #include "dynamics/numerical_damping.hpp"
-#include "report/chart.hpp"
 #include "reproduce/real_beam.hpp"
 #include "reproduce/reproduction_cases.hpp"
 #include "reproduce/ringing_beam.hpp"
@@ -80,13 +80,13 @@ report::Table ratio_table(const std::vector<Setup>& studies) {
 
 /// Damping ratio over the time step.
 std::string ratio_figure(const std::vector<Setup>& studies, double measured) {
-    report::Series formula{.name = "the paper's formula, our beam"},
-        published_formula{.name = "the same, as published", .style = report::SeriesStyle::dashed},
+    chart::Series formula{.name = "the paper's formula, our beam"},
+        published_formula{.name = "the same, as published", .style = chart::SeriesStyle::dashed},
         measured_line{.name = "real beam",
                       .x = {0.0, 21.0},
                       .y = {measured, measured},
-                      .style = report::SeriesStyle::dashed,
-                      .colour = report::ink_colour};
+                      .style = chart::SeriesStyle::dashed,
+                      .colour = chart::ink_colour};
     for (int k = 0; k <= 84; ++k) {
         formula.x.push_back(0.25 * k);
         published_formula.x.push_back(0.25 * k);
@@ -94,12 +94,12 @@ std::string ratio_figure(const std::vector<Setup>& studies, double measured) {
         published_formula.y.push_back(
             dynamics::implicit_euler_numerical_damping(studies[1].beam.mode.omega_rad_s, 0.25e-3 * k));
     }
-    report::ChartPanel panel{.y = {.label = "damping ratio", .include_zero = true},
-                             .series = {formula, published_formula},
-                             .height_px = 300.0};
+    chart::Panel panel{.y = {.label = "damping ratio", .include_zero = true},
+                       .series = {formula, published_formula},
+                       .height_px = 300.0};
     const char* const names[] = {"implicit Euler, our beam", "implicit Euler, as published", "TR-BDF2, our beam"};
     for (std::size_t s = 0; s < studies.size(); ++s) {
-        report::Series dots{.name = names[s], .style = report::SeriesStyle::dots};
+        chart::Series dots{.name = names[s], .style = chart::SeriesStyle::dots};
         for (std::size_t i = 0; i < paper_step_count; ++i) {
             dots.x.push_back(1e3 * paper_steps_s[i]);
             dots.y.push_back(studies[s].ratio(i));
@@ -107,14 +107,14 @@ std::string ratio_figure(const std::vector<Setup>& studies, double measured) {
         panel.series.push_back(dots);
     }
     if (std::isfinite(measured)) panel.series.push_back(measured_line);
-    return report::svg(report::LineChart{.title = "Numerical damping over the time step",
-                                         .x = {.label = "time step", .unit = "ms", .lowest = 0.0},
-                                         .panels = {panel}});
+    return chart::svg(chart::Chart{.title = "Numerical damping over the time step",
+                                   .x = {.label = "time step", .unit = "ms", .lowest = 0.0},
+                                   .panels = {panel}});
 }
 
 // First second of the Left marker.
-report::Series left_series(const std::string& name, const Eigen::VectorXd& t, const Eigen::VectorXd& dz) {
-    report::Series series{.name = name};
+chart::Series left_series(const std::string& name, const Eigen::VectorXd& t, const Eigen::VectorXd& dz) {
+    chart::Series series{.name = name};
     for (Eigen::Index k = 0; k < t.size(); ++k)
         if (t(k) >= 0.0 && t(k) <= 1.0) {
             series.x.push_back(t(k));
@@ -125,11 +125,9 @@ report::Series left_series(const std::string& name, const Eigen::VectorXd& t, co
 
 /// The paper's figure of case A-1, and below it the same steps with a second-order method.
 std::string trace_figure(const std::vector<Setup>& studies, const std::vector<BeamTrial>& trials) {
-    report::LineChart chart{
-        .title = "Left tip point after the release", .x = {.label = "time", .unit = "s"}, .panels = {}};
+    chart::Chart chart{.title = "Left tip point after the release", .x = {.label = "time", .unit = "s"}, .panels = {}};
     for (const std::size_t s : {std::size_t{0}, std::size_t{2}}) {
-        report::ChartPanel panel{.y = {.label = s == 0 ? "dz, implicit Euler" : "dz, TR-BDF2", .unit = "m"},
-                                 .series = {}};
+        chart::Panel panel{.y = {.label = s == 0 ? "dz, implicit Euler" : "dz, TR-BDF2", .unit = "m"}, .series = {}};
         for (const std::size_t i : {std::size_t{0}, std::size_t{1}, std::size_t{3}, std::size_t{7}}) {
             const RungBeam& run = *studies[s].runs[i];
             panel.series.push_back(
@@ -138,11 +136,11 @@ std::string trace_figure(const std::vector<Setup>& studies, const std::vector<Be
         if (!trials.empty()) {
             panel.series.push_back(
                 left_series("real beam", trials[0].time_s, trials[0].displacement_m[left_marker].row(2).transpose()));
-            panel.series.back().colour = report::ink_colour;
+            panel.series.back().colour = chart::ink_colour;
         }
         chart.panels.push_back(panel);
     }
-    return report::svg(chart);
+    return chart::svg(chart);
 }
 
 /// Time step at which implicit Euler by itself damps as much as the material (bisection).

@@ -8,7 +8,7 @@
 
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
-#include "report/chart.hpp"
+#include "chart/svg.hpp"
 
 namespace myo::reproduce {
 namespace {
@@ -201,16 +201,16 @@ report::Table signal_table(const std::string& caption, const std::vector<SignalF
 }
 
 std::string signal_figure(const std::string& title, const std::vector<SignalFit>& fits) {
-    report::LineChart chart{.title = title, .x = {.label = "time", .unit = "s"}, .panels = {}};
+    chart::Chart chart{.title = title, .x = {.label = "time", .unit = "s"}, .panels = {}};
     const char* const axes[] = {"x", "y", "z"};
     const auto as_list = [](const auto& values) { return std::vector<double>(values.begin(), values.end()); };
     for (Index c = 0; c < 3; ++c) {
-        report::ChartPanel panel{.y = {.label = axes[c], .unit = "mm"},
-                                 .series = {{.name = "measured",
-                                             .x = as_list(fits.front().times_s),
-                                             .y = as_list(1e3 * fits.front().measured_m.row(c)),
-                                             .colour = report::ink_colour}},
-                                 .height_px = c == 0 ? 260.0 : 150.0};
+        chart::Panel panel{.y = {.label = axes[c], .unit = "mm"},
+                           .series = {{.name = "measured",
+                                       .x = as_list(fits.front().times_s),
+                                       .y = as_list(1e3 * fits.front().measured_m.row(c)),
+                                       .colour = chart::ink_colour}},
+                           .height_px = c == 0 ? 260.0 : 150.0};
         for (std::size_t i = 0; i < fits.size(); ++i)
             panel.series.push_back({.name = fits[i].variant.name,
                                     .x = as_list(fits[i].times_s),
@@ -218,11 +218,11 @@ std::string signal_figure(const std::string& title, const std::vector<SignalFit>
                                     .colour = static_cast<int>(i)});
         chart.panels.push_back(panel);
     }
-    report::ChartPanel panel{.y = {.label = "activation"}, .series = {}, .height_px = 220.0};
+    chart::Panel panel{.y = {.label = "activation"}, .series = {}, .height_px = 220.0};
     for (std::size_t i = 0; i < fits.size(); ++i)
         for (std::size_t m = 0; m < fits[i].activation.size(); ++m) {
-            report::Series series{.style = m == 0 ? report::SeriesStyle::line : report::SeriesStyle::dashed,
-                                  .colour = static_cast<int>(i)};
+            chart::Series series{.style = m == 0 ? chart::SeriesStyle::line : chart::SeriesStyle::dashed,
+                                 .colour = static_cast<int>(i)};
             for (std::size_t k = 0; k < fits[i].activation[m].times_s.size(); ++k)
                 if (fits[i].activation[m].times_s[k] >= 0.0 &&
                     fits[i].activation[m].times_s[k] <= fits[i].times_s.tail(1)(0)) {
@@ -232,7 +232,7 @@ std::string signal_figure(const std::string& title, const std::vector<SignalFit>
             panel.series.push_back(series);
         }
     chart.panels.push_back(panel);
-    return report::svg(chart);
+    return chart::svg(chart);
 }
 
 report::Json signal_json(const std::vector<SignalFit>& fits) {

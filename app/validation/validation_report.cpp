@@ -5,7 +5,7 @@
 #include <set>
 
 #include "base/text.hpp"
-#include "report/chart.hpp"
+#include "chart/svg.hpp"
 
 namespace myo::validation {
 namespace {
@@ -109,29 +109,29 @@ report::Table wrong_table(const std::vector<CaseRecord>& records) {
 }  // namespace
 
 std::string reliability_figure(const ValidationSummary& summary) {
-    report::LineChart chart;
+    chart::Chart chart;
     chart.title = "Confidence and truth";
     chart.x = {.label = "stated confidence", .lowest = 0.0, .highest = 1.0};
-    report::ChartPanel panel;
+    chart::Panel panel;
     panel.y = {.label = "share of right answers", .lowest = 0.0, .highest = 1.0};
     panel.series.push_back({.name = "ideal",
                             .x = {0.0, 1.0},
                             .y = {0.0, 1.0},
-                            .style = report::SeriesStyle::dashed,
-                            .colour = report::ink_colour});
-    report::Series found{.name = "found", .style = report::SeriesStyle::line_and_dots, .colour = 0};
-    report::Series lower{.name = "90 % interval", .style = report::SeriesStyle::dashed, .colour = 1},
-        upper{.style = report::SeriesStyle::dashed, .colour = 1};
+                            .style = chart::SeriesStyle::dashed,
+                            .colour = chart::ink_colour});
+    chart::Series found{.name = "found", .style = chart::SeriesStyle::line_and_dots, .colour = 0};
+    chart::Series lower{.name = "90 % interval", .style = chart::SeriesStyle::dashed, .colour = 1},
+        upper{.style = chart::SeriesStyle::dashed, .colour = 1};
     for (const ConfidenceBin& bin : summary.reliability) {
         if (bin.right.of == 0) continue;
-        for (report::Series* series : {&found, &lower, &upper}) series->x.push_back(bin.mean);
+        for (chart::Series* series : {&found, &lower, &upper}) series->x.push_back(bin.mean);
         found.y.push_back(bin.right.share());
         lower.y.push_back(bin.right.lower());
         upper.y.push_back(bin.right.upper());
     }
     panel.series.insert(panel.series.end(), {found, lower, upper});
     chart.panels.push_back(panel);
-    return report::svg(chart);
+    return chart::svg(chart);
 }
 
 report::HtmlReport validation_report(const std::vector<CaseRecord>& records, const std::string& command_line) {

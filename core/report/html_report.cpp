@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "base/files.hpp"
+#include "base/markup.hpp"
 #include "report/html_parts.hpp"
-#include "report/markup.hpp"
 
 namespace myo::report {
 namespace {

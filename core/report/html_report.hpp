@@ -20,7 +20,7 @@ namespace myo::report {
 /// print.
 ///
 ///     HtmlReport report{.title = "Silicone beam", .summary = {"Calibrated on two trials."}};
-///     report.sections.push_back({"Fit", {Paragraph{"..."}, Figure{svg(chart), "Tip marker."}, table}});
+///     report.sections.push_back({"Fit", {Paragraph{"..."}, Figure{chart::svg(chart), "Tip marker."}, table}});
 ///     write_html(out / "report.html", report);
 
 /// Plain text; markup in it is escaped. A blank line starts a new paragraph.

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/markup.hpp"
 #include "report/html_parts.hpp"
-#include "report/markup.hpp"
 
 namespace myo::report {
 namespace {

@@ -1,6 +1,6 @@
 #include "report/length.hpp"
 
-#include "report/markup.hpp"
+#include "base/markup.hpp"
 
 namespace myo::report {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/markup.hpp"
 #include "dynamics/material_damping.hpp"
 #include "report/length.hpp"
-#include "report/markup.hpp"
 #include "results/calibration_report_parts.hpp"
 #include "results/finding_output.hpp"
 #include "results/output_motion.hpp"
@@ -38,7 +38,7 @@ report::KeyFigure modulus_figure(const calibration::Calibration& calibration, Ei
                                                      1e-3 * calibration.deviation(static_cast<std::size_t>(row)));
     return {"Young’s modulus", shown.value, "kPa",
             deviation_words(calibration, row, shown, "kPa") + ", declared " +
-                report::readable_number(1e-3 * calibration.fit.start(row), 4) + " kPa"};
+                readable_number(1e-3 * calibration.fit.start(row), 4) + " kPa"};
 }
 
 /// Factor between damping time and damping ratio in the first vibration, which most trials excite; of a slender body if
@@ -58,9 +58,9 @@ report::KeyFigure damping_figure(const setup::Setup& setup, const calibration::C
     std::string note = deviation_words(calibration, row, shown, "ms");
     if (const double f = fitted_frequency(setup, calibration); f > 0.0)
         note += "; damping ratio " +
-                report::readable_number(
-                    dynamics::damping_ratio(damping_factor_of(setup), damping, 2.0 * std::numbers::pi * f), 2) +
-                " at " + report::readable_number(f, 2) + " Hz";
+                readable_number(dynamics::damping_ratio(damping_factor_of(setup), damping, 2.0 * std::numbers::pi * f),
+                                2) +
+                " at " + readable_number(f, 2) + " Hz";
     return {"Damping", shown.value, "ms", note};
 }
 
@@ -112,7 +112,7 @@ std::vector<std::string> summary(const setup::Setup& setup, const calibration::C
         text += "; " + trials(predicted) + (predicted == 1 ? " is" : " are") + " predicted with the result";
     text += ". The fit " + fit_words(calibration) + " after " + std::to_string(calibration.evaluations()) +
             (calibration.evaluations() == 1 ? " evaluation in " : " evaluations in ") +
-            report::readable_number(calibration.seconds, 3) + " s.";
+            readable_number(calibration.seconds, 3) + " s.";
     std::vector<std::string> lines{text};
     if (!setup.experiment.description.empty()) lines.push_back(setup.experiment.description);
     return lines;
@@ -155,16 +155,16 @@ report::Section parameter_section(const setup::Setup& setup, const calibration::
 
 ReadableEstimate readable_estimate(double value, double deviation) {
     if (!std::isfinite(deviation) || !(deviation > 0.0) || !std::isfinite(value))
-        return {report::readable_number(value, 4), ""};
+        return {readable_number(value, 4), ""};
     // Two significant digits of the deviation determine the decimals, but the value has at most five significant
     // digits; a deviation below its last digit keeps one digit of its own.
     const int meaningful = 1 - static_cast<int>(std::floor(std::log10(deviation)));
     const int readable = value != 0.0 ? 4 - static_cast<int>(std::floor(std::log10(std::abs(value)))) : meaningful;
     const int decimals = std::max(0, std::min(meaningful, readable));
-    if (decimals > 6) return {report::readable_number(value, 5), report::readable_number(deviation, 2)};
+    if (decimals > 6) return {readable_number(value, 5), readable_number(deviation, 2)};
     const bool vanishes = deviation < 0.5 * std::pow(10.0, -decimals);
-    return {report::fixed_decimals(value, decimals),
-            vanishes ? report::readable_number(deviation, 1) : report::fixed_decimals(deviation, decimals)};
+    return {fixed_decimals(value, decimals),
+            vanishes ? readable_number(deviation, 1) : fixed_decimals(deviation, decimals)};
 }
 
 report::HtmlReport calibration_report(const setup::Setup& setup, const calibration::Calibration& calibration,

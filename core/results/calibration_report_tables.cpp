@@ -2,8 +2,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/markup.hpp"
 #include "mesh/quality.hpp"
-#include "report/markup.hpp"
 #include "results/calibration_report.hpp"
 #include "results/calibration_report_parts.hpp"
 #include "results/output_json.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 /// Two significant digits; a dash if unknown.
 report::Cell deviation_cell(double deviation) {
-    return std::isfinite(deviation) ? report::Cell(report::readable_number(deviation, 2)) : report::Cell("–");
+    return std::isfinite(deviation) ? report::Cell(readable_number(deviation, 2)) : report::Cell("–");
 }
 
 // NaN for a trial that did not complete; a table shows it as a dash.
@@ -53,7 +53,7 @@ report::Table parameter_table(const setup::Setup& setup, const calibration::Cali
                               estimate.deviation.empty() ? deviation_cell(deviation) : report::Cell(estimate.deviation),
                               part(calibration.fit.deviations), part(calibration.numerical.mesh),
                               part(calibration.numerical.step),
-                              report::readable_number(shown.factor * calibration.fit.start(row), 4)});
+                              readable_number(shown.factor * calibration.fit.start(row), 4)});
     }
     return table;
 }
@@ -101,26 +101,25 @@ report::Section model_section(const setup::Setup& setup, const calibration::Cali
     const prediction::ParameterValues& values = calibration.after.values;
     report::Table facts{"", {{"Model"}, {""}}, {}};
     const auto add = [&](const std::string& name, const std::string& value) { facts.rows.push_back({name, value}); };
-    add("Body", report::readable_number(1e6 * quality.volume, 4) + " cm³, " +
-                    report::readable_number(1e3 * setup.experiment.material.density_kg_m3 * quality.volume, 4) + " g");
-    add("Mesh", setup::mesh_words(setup) + ", edges of " + report::readable_number(1e3 * quality.mean_edge, 3) +
-                    " mm on average");
+    add("Body", readable_number(1e6 * quality.volume, 4) + " cm³, " +
+                    readable_number(1e3 * setup.experiment.material.density_kg_m3 * quality.volume, 4) + " g");
+    add("Mesh",
+        setup::mesh_words(setup) + ", edges of " + readable_number(1e3 * quality.mean_edge, 3) + " mm on average");
     // An exact fill leaves rounding only, which is not worth a number.
     if (quality.volume_error)
-        add("Volume of the mesh",
-            std::abs(*quality.volume_error) < 1e-8
-                ? "that of the surface"
-                : report::readable_number(100.0 * *quality.volume_error, 2) + " % from the surface’s");
-    add("Shape of the elements", quality.measure + " at least " + report::readable_number(quality.least, 3) + ", " +
-                                     report::readable_number(quality.mean, 3) + " on average");
-    add("Material", setup.settings.material.value_or(setup.experiment.material.model) + ", E = " +
-                        report::readable_number(1e-3 * values.youngs_modulus_Pa, 4) + " kPa, Poisson’s ratio " +
-                        report::readable_number(setup.experiment.material.poissons_ratio, 4) + ", density " +
-                        report::readable_number(setup.experiment.material.density_kg_m3, 4) + " kg/m³");
+        add("Volume of the mesh", std::abs(*quality.volume_error) < 1e-8
+                                      ? "that of the surface"
+                                      : readable_number(100.0 * *quality.volume_error, 2) + " % from the surface’s");
+    add("Shape of the elements", quality.measure + " at least " + readable_number(quality.least, 3) + ", " +
+                                     readable_number(quality.mean, 3) + " on average");
+    add("Material", setup.settings.material.value_or(setup.experiment.material.model) +
+                        ", E = " + readable_number(1e-3 * values.youngs_modulus_Pa, 4) + " kPa, Poisson’s ratio " +
+                        readable_number(setup.experiment.material.poissons_ratio, 4) + ", density " +
+                        readable_number(setup.experiment.material.density_kg_m3, 4) + " kg/m³");
     add("Time", to_string(setup.settings.integrator) + ", steps of " +
-                    report::readable_number(1e3 * setup.trials.front().options.h_s, 3) + " ms");
+                    readable_number(1e3 * setup.trials.front().options.h_s, 3) + " ms");
     if (setup.settings.velocity_force_1_s != 0.0)
-        add("Velocity force Λ", report::readable_number(setup.settings.velocity_force_1_s, 4) + " 1/s");
+        add("Velocity force Λ", readable_number(setup.settings.velocity_force_1_s, 4) + " 1/s");
 
     report::Table noise{std::string("Noise of each marker and coordinate, ") +
                             (setup.experiment.markers.noise_m ? "as declared." : "estimated from the traces."),

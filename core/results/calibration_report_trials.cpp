@@ -4,9 +4,9 @@
 #include <numeric>
 #include <optional>
 
-#include "report/chart.hpp"
+#include "base/markup.hpp"
+#include "chart/svg.hpp"
 #include "report/length.hpp"
-#include "report/markup.hpp"
 #include "results/calibration_report_parts.hpp"
 #include "results/output_json.hpp"
 #include "results/output_motion.hpp"
@@ -24,26 +24,25 @@ struct MarkerFigure {
     std::optional<ComparedMotion> before;  // empty if the trial could not be run with the declared values
     ComparedMotion after;
 
-    report::LineChart chart(std::size_t marker) const;
+    chart::Chart chart(std::size_t marker) const;
 };
 
 /// Chart of one marker: x, y, z before and after the fit, and the distance to the measurement.
-report::LineChart MarkerFigure::chart(std::size_t marker) const {
+chart::Chart MarkerFigure::chart(std::size_t marker) const {
     const bool displacement = setup.experiment.markers.compare == experiment::Comparison::displacement;
     const std::vector<double> time(after.time_s.begin(), after.time_s.end());
-    report::LineChart chart{setup.marker_names[marker], {.label = "time", .unit = "s"}, {}};
+    chart::Chart chart{setup.marker_names[marker], {.label = "time", .unit = "s"}, {}};
     const auto compared_axis = [&](Eigen::Index axis) {
-        report::ChartPanel panel{
+        chart::Panel panel{
             {.label = std::string(displacement ? "displacement " : "") + "xyz"[axis], .unit = "mm"}, {}, 130.0};
         const auto row = [&](const std::vector<Matrix3Xd>& tracks) {
             return report::curve_in_mm(tracks[marker].row(axis).transpose());
         };
         // Measured dots are drawn last, on top of the curves.
         if (before)
-            panel.series.push_back({"before the fit", time, row(before->simulated_m), report::SeriesStyle::dashed, 1});
-        panel.series.push_back({"after the fit", time, row(after.simulated_m), report::SeriesStyle::line, 0});
-        panel.series.push_back(
-            {"measured", time, row(after.measured_m), report::SeriesStyle::dots, report::ink_colour});
+            panel.series.push_back({"before the fit", time, row(before->simulated_m), chart::SeriesStyle::dashed, 1});
+        panel.series.push_back({"after the fit", time, row(after.simulated_m), chart::SeriesStyle::line, 0});
+        panel.series.push_back({"measured", time, row(after.measured_m), chart::SeriesStyle::dots, chart::ink_colour});
         return panel;
     };
     for (Eigen::Index axis = 0; axis < 3; ++axis) chart.panels.push_back(compared_axis(axis));
@@ -54,12 +53,12 @@ report::LineChart MarkerFigure::chart(std::size_t marker) const {
             if (!prediction.residual_m[marker].col(t).allFinite()) d(t) = std::nan("");
         return report::curve_in_mm(d);
     };
-    report::ChartPanel residual{{.label = "distance, simulated to measured", .unit = "mm", .lowest = 0.0}, {}, 110.0};
+    chart::Panel residual{{.label = "distance, simulated to measured", .unit = "mm", .lowest = 0.0}, {}, 110.0};
     if (before)
         residual.series.push_back({"before the fit", time, distance(*before, calibration.before.predictions[trial]),
-                                   report::SeriesStyle::dashed, 1});
+                                   chart::SeriesStyle::dashed, 1});
     residual.series.push_back(
-        {"after the fit", time, distance(after, calibration.after.predictions[trial]), report::SeriesStyle::line, 0});
+        {"after the fit", time, distance(after, calibration.after.predictions[trial]), chart::SeriesStyle::line, 0});
     // The distance of three coordinates with noise sigma has a root mean square of sqrt(3) sigma.
     residual.horizontal.push_back({1e3 * std::sqrt(3.0) * setup.noise_m(static_cast<Eigen::Index>(marker)), "noise"});
     chart.panels.push_back(std::move(residual));
@@ -71,16 +70,16 @@ std::string start_paragraph(const setup::Setup& setup, const calibration::Calibr
     const setup::PreparedTrial& trial = setup.trials[index];
     std::string text = trial.start_message.empty() ? "" : "Start: " + trial.start_message + ".";
     const double shift = calibration.after.values.start_shift_s[index];
-    if (shift != 0.0) text += " The fit moved it by " + report::readable_number(1e3 * shift, 3) + " ms.";
+    if (shift != 0.0) text += " The fit moved it by " + readable_number(1e3 * shift, 3) + " ms.";
     if (trial.registration_rms_m)
         text += " Registration: the rest positions of the markers fit the recording to " +
-                report::readable_number(1e3 * *trial.registration_rms_m, 3) + " mm rms.";
+                readable_number(1e3 * *trial.registration_rms_m, 3) + " mm rms.";
     for (std::size_t m = 0; m < trial.occluded_fraction.size(); ++m)
         if (trial.occluded_fraction[m] > 0.005)
             text += " " + setup.marker_names[m] + " was hidden in " +
-                    report::readable_number(100.0 * trial.occluded_fraction[m], 2) + " % of the samples.";
+                    readable_number(100.0 * trial.occluded_fraction[m], 2) + " % of the samples.";
     for (const auto& [muscle, level] : calibration.after.values.levels[index])
-        text += " Level of " + setup.experiment.muscles[muscle].name + ": " + report::readable_number(level, 4) +
+        text += " Level of " + setup.experiment.muscles[muscle].name + ": " + readable_number(level, 4) +
                 (trial.role == experiment::TrialRole::fit ? ", fitted." : ", predicted from the fit trials.");
     return text;
 }
@@ -89,8 +88,8 @@ std::string start_paragraph(const setup::Setup& setup, const calibration::Calibr
 std::string vector_words(const Eigen::Vector3d& metres) {
     if (!metres.allFinite()) return "–";
     const char* const apart = ",\u00a0";  // no-break space keeps the vector on one line
-    return report::fixed_decimals(1e3 * metres.x(), 2) + apart + report::fixed_decimals(1e3 * metres.y(), 2) + apart +
-           report::fixed_decimals(1e3 * metres.z(), 2);
+    return fixed_decimals(1e3 * metres.x(), 2) + apart + fixed_decimals(1e3 * metres.y(), 2) + apart +
+           fixed_decimals(1e3 * metres.z(), 2);
 }
 
 /// Steady state per marker, measured and simulated, and rms over the trial.
@@ -173,14 +172,14 @@ report::Section trial_section(const setup::Setup& setup, const calibration::Cali
         std::string(trial.role == experiment::TrialRole::fit ? "" : "Not used in the fit: a prediction. ") +
         start_paragraph(setup, calibration, index)});
     section.blocks.push_back(report::Figure{
-        report::svg(figures.chart(order.front())),
+        chart::svg(figures.chart(order.front())),
         setup.marker_names[order.front()] + shown.reason + (order.size() > 1 ? " The others are below." : "")});
     section.blocks.push_back(
         steady_table(before, *after, setup.experiment.markers.compare == experiment::Comparison::displacement));
     report::Details others{"Figures of the other markers", {}};
     for (std::size_t i = 1; i < order.size(); ++i)
         others.blocks.push_back(
-            report::Figure{report::svg(figures.chart(order[i])), setup.marker_names[order[i]] + "."});
+            report::Figure{chart::svg(figures.chart(order[i])), setup.marker_names[order[i]] + "."});
     if (!others.blocks.empty()) section.blocks.push_back(std::move(others));
     return section;
 }

@@ -2,10 +2,10 @@
 #include <cmath>
 #include <limits>
 
+#include "base/markup.hpp"
 #include "calibration/calibrate.hpp"
-#include "report/chart.hpp"
+#include "chart/svg.hpp"
 #include "report/length.hpp"
-#include "report/markup.hpp"
 #include "results/calibration_report_parts.hpp"
 #include "results/finding_output.hpp"
 #include "results/optimize_output.hpp"
@@ -34,18 +34,17 @@ std::vector<report::KeyFigure> key_figures(const setup::Setup& setup, const cali
     std::vector<report::KeyFigure> figures;
     figures.push_back({optimization.miss.reached ? "Error (rms)" : "Error (rms): target not reached",
                        report::in_mm(optimization.after.fit_rms_m), "mm",
-                       report::readable_number(optimization.miss.noise_levels, 3) + " times the noise; was " +
+                       readable_number(optimization.miss.noise_levels, 3) + " times the noise; was " +
                            report::in_mm(optimization.before.fit_rms_m) + " mm at the start"});
     for (std::size_t s = 0; s < sought.signals.size(); ++s) {
         const auto row = optimization.fit.values.row(static_cast<Eigen::Index>(s));
-        figures.push_back(
-            {"Signal " + sought.signals[s].name,
-             report::readable_number(row.minCoeff(), 3) + " … " + report::readable_number(row.maxCoeff(), 3), "",
-             std::to_string(row.size()) + " values at " + report::readable_number(sought.frequency_Hz, 3) + " Hz" +
-                 (sought.hold ? ", held" : "")});
+        figures.push_back({"Signal " + sought.signals[s].name,
+                           readable_number(row.minCoeff(), 3) + " … " + readable_number(row.maxCoeff(), 3), "",
+                           std::to_string(row.size()) + " values at " + readable_number(sought.frequency_Hz, 3) +
+                               " Hz" + (sought.hold ? ", held" : "")});
     }
     figures.push_back({"Evaluations", std::to_string(evaluations_of(optimization)), "",
-                       report::readable_number(optimization.seconds, 3) + " s, " + std::to_string(setup.body->dofs()) +
+                       readable_number(optimization.seconds, 3) + " s, " + std::to_string(setup.body->dofs()) +
                            " degrees of freedom"});
     return figures;
 }
@@ -74,16 +73,16 @@ std::string band_words(const calibration::Optimization& optimization) {
 }
 
 /// Activations of all muscles over time, with bands of one standard deviation.
-report::LineChart signal_chart(const setup::Setup& setup, const calibration::Optimization& optimization) {
+chart::Chart signal_chart(const setup::Setup& setup, const calibration::Optimization& optimization) {
     const inverse::SoughtSignals& sought = optimization.problem.sought;
     const std::vector<fibre::Signal> signals = inverse::activations_of(sought, optimization.fit.values);
     const std::vector<fibre::Signal> widths = band_of(optimization);
-    report::ChartPanel panel{{.label = "activation a"}, {}, 220.0};
+    chart::Panel panel{{.label = "activation a"}, {}, 220.0};
     for (std::size_t g = 0; g < signals.size(); ++g) {
-        report::Series series{setup.experiment.muscles[g].name,
-                              {},
-                              {},
-                              sought.hold ? report::SeriesStyle::line : report::SeriesStyle::line_and_dots};
+        chart::Series series{setup.experiment.muscles[g].name,
+                             {},
+                             {},
+                             sought.hold ? chart::SeriesStyle::line : chart::SeriesStyle::line_and_dots};
         for (std::size_t k = 0; k < signals[g].times_s.size(); ++k) {
             series.x.push_back(std::max(0.0, signals[g].times_s[k]));
             series.y.push_back(signals[g].values[k]);
@@ -100,11 +99,11 @@ report::LineChart signal_chart(const setup::Setup& setup, const calibration::Opt
 }
 
 /// Loss and gradient over the evaluations, logarithmic.
-report::LineChart loss_chart(const calibration::Optimization& optimization) {
-    report::ChartPanel loss{{.label = "rms of the loss", .unit = "mm", .logarithmic = true}, {}, 170.0},
+chart::Chart loss_chart(const calibration::Optimization& optimization) {
+    chart::Panel loss{{.label = "rms of the loss", .unit = "mm", .logarithmic = true}, {}, 170.0},
         gradient{{.label = "gradient", .unit = "mm²", .logarithmic = true}, {}, 130.0};
-    report::Series each{"evaluation", {}, {}, report::SeriesStyle::dots},
-        best{"best so far", {}, {}, report::SeriesStyle::line}, norm{"", {}, {}, report::SeriesStyle::dots};
+    chart::Series each{"evaluation", {}, {}, chart::SeriesStyle::dots},
+        best{"best so far", {}, {}, chart::SeriesStyle::line}, norm{"", {}, {}, chart::SeriesStyle::dots};
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < optimization.fit.log.size(); ++i) {
         const inverse::ActuationIterate& line = optimization.fit.log[i];
@@ -137,25 +136,25 @@ report::HtmlReport optimize_report(const setup::Setup& setup, const calibration:
     report.title = setup.experiment.name;
     report.summary = {"The actuation that makes the markers follow trial " + setup.trials.front().name +
                       ": muscle signals with values " +
-                      report::readable_number(1e3 / optimization.problem.sought.frequency_Hz, 3) +
-                      " ms apart, found by " + std::to_string(evaluations_of(optimization)) +
-                      " runs with their gradients in " + report::readable_number(optimization.seconds, 3) + " s."};
+                      readable_number(1e3 / optimization.problem.sought.frequency_Hz, 3) + " ms apart, found by " +
+                      std::to_string(evaluations_of(optimization)) + " runs with their gradients in " +
+                      readable_number(optimization.seconds, 3) + " s."};
     report.key_figures = key_figures(setup, optimization);
     report.warnings.lines = optimization.warnings;
     report.warnings.lines.insert(report.warnings.lines.end(), setup.warnings.begin(), setup.warnings.end());
     if (const std::string end = ending(optimization); !end.empty())
         report.warnings.lines.insert(report.warnings.lines.begin(), end);
     report.sections.push_back({"Signals",
-                               {report::Figure{report::svg(signal_chart(setup, optimization)),
+                               {report::Figure{chart::svg(signal_chart(setup, optimization)),
                                                "1 is passive; below it a muscle contracts, above it it extends. "
                                                "Muscles that follow another are drawn, too." +
                                                    band_words(optimization)}}});
     report.sections.push_back(trial_section(setup, shown, 0));
     report.sections.push_back(
         {"Search",
-         {report::Figure{report::svg(loss_chart(optimization)),
+         {report::Figure{chart::svg(loss_chart(optimization)),
                          "The loss is the mean square distance of the coordinates plus the square of " +
-                             report::readable_number(1e3 * optimization.problem.smoothness_m_s, 3) +
+                             readable_number(1e3 * optimization.problem.smoothness_m_s, 3) +
                              " mm·s times the mean square rate of the signals; its root is shown."}}});
     report.sections.push_back(model_section(setup, shown));
     if (!facts.findings.empty()) report.sections.insert(report.sections.end() - 1, findings_section(facts.findings));

@@ -203,7 +203,7 @@ std::vector<Fault> tuning_faults(const SourceFile& file) {
         "core/mesh/connectivity.cpp",                        // corners of a face
         "core/mesh/tetgen_exchange.hpp",                     // exit codes and magic number of the worker
         "core/measurement/trace_csv.cpp",                    // an absent column
-        "core/report/chart.hpp",                             // colours that are no slots
+        "core/chart/chart.hpp",                              // colours that are no slots
         "core/diagnosis/report/diagnosis_report_parts.hpp",  // colour slots
         "core/solver/factor_block.hpp"};                     // block size of the storage layout
     static const std::regex declaration(

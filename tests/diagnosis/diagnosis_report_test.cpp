@@ -6,10 +6,10 @@
 #include <cctype>
 #include <numeric>
 
+#include "base/markup.hpp"
 #include "diagnosis/report/diagnosis_json.hpp"
 #include "diagnosis/selection/judgement.hpp"
-#include "report/markup.hpp"
-#include "report/markup_check.hpp"
+#include "support/markup_check.hpp"
 #include "support/recorded_motion.hpp"
 #include "support/swung_beam.hpp"
 
@@ -128,8 +128,7 @@ TEST_F(DiagnosisReport, ShowsTheNumbersOfTheJson) {
     const std::string text = page();
     const report::Json json = diagnosis_json(setup_, diagnosis_, "swung beam");
     for (const char* key : {"before_rms_m", "after_rms_m"})
-        EXPECT_NE(text.find(report::readable_number(1e3 * json["validation"][key].get<double>(), 3) + " mm"),
-                  std::string::npos)
+        EXPECT_NE(text.find(readable_number(1e3 * json["validation"][key].get<double>(), 3) + " mm"), std::string::npos)
             << key;
     EXPECT_EQ(json["details"]["candidates"][0]["fit"]["weight"], 0.987);
     EXPECT_NE(text.find("0.987"), std::string::npos);

@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "report/chart.hpp"
-#include "report/markup_check.hpp"
+#include "chart/svg.hpp"
+#include "support/markup_check.hpp"
 
 namespace myo::report {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 const std::string nasty = "</script><script>alert(1)</script> & \"x\" 'y' <b>\x01\xFF";
 
 HtmlReport report_with_everything() {
-    const LineChart chart{
+    const chart::Chart chart{
         .title = nasty, .x = {"time", "s"}, .panels = {{.y = {"z", "mm"}, .series = {{nasty, {0, 1}, {0, 1}}}}}};
     Json data;
     data[nasty] = nasty;
@@ -25,9 +25,9 @@ HtmlReport report_with_everything() {
                       .footer = nasty};
     report.sections.push_back(
         {nasty,
-         {Paragraph{nasty}, BulletList{{nasty}}, Table{nasty, {{nasty, nasty}}, {{nasty}}}, Figure{svg(chart), nasty},
-          WarningBox{{nasty}}, Preformatted{nasty}, EmbeddedJson{nasty, data},
-          Details{nasty, {Paragraph{nasty}, Details{nasty, {Figure{svg(chart), ""}}}}}}});
+         {Paragraph{nasty}, BulletList{{nasty}}, Table{nasty, {{nasty, nasty}}, {{nasty}}},
+          Figure{chart::svg(chart), nasty}, WarningBox{{nasty}}, Preformatted{nasty}, EmbeddedJson{nasty, data},
+          Details{nasty, {Paragraph{nasty}, Details{nasty, {Figure{chart::svg(chart), ""}}}}}}});
     return report;
 }
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "base/files.hpp"
-#include "report/not_finite.hpp"
+#include "support/not_finite.hpp"
 
 namespace myo::report {
 namespace {

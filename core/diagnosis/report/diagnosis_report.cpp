@@ -5,12 +5,12 @@
 #include <cctype>
 #include <cmath>
 
+#include "base/markup.hpp"
 #include "diagnosis/report/diagnosis_json.hpp"
 #include "diagnosis/report/diagnosis_report_parts.hpp"
 #include "diagnosis/screening/confusion.hpp"
 #include "effect/catalogue.hpp"
 #include "report/length.hpp"
-#include "report/markup.hpp"
 #include "results/finding_output.hpp"
 #include "results/readable_parameter.hpp"
 
@@ -32,7 +32,7 @@ std::string capital(std::string text) {
 }
 
 std::string times_noise(double rms_m, const Diagnosis& d) {
-    return report::readable_number(rms_m / d.noise_m, 3) + " times the noise";
+    return readable_number(rms_m / d.noise_m, 3) + " times the noise";
 }
 /// Error of the predicted trials, or of the fitted trials if there are no others.
 report::KeyFigure error_figure(const Diagnosis& d) {
@@ -40,7 +40,7 @@ report::KeyFigure error_figure(const Diagnosis& d) {
     const double before = predicted ? d.before.validation_rms_m : d.before.fit_rms_m,
                  after = predicted ? d.after.validation_rms_m : d.after.fit_rms_m;
     const std::string label = predicted ? "Error on predicted trials" : "Error on fitted trials";
-    if (!has_two_fits(d)) return {label, report::readable_number(1e3 * before, 3), "mm", times_noise(before, d)};
+    if (!has_two_fits(d)) return {label, readable_number(1e3 * before, 3), "mm", times_noise(before, d)};
     return {label, report::in_mm(after), "mm",
             times_noise(after, d) + "; before " + report::length_words(before) + ", " + times_noise(before, d)};
 }
@@ -55,10 +55,9 @@ std::vector<report::KeyFigure> key_figures(const setup::Setup& setup, const Diag
                                e.deviation.empty() ? "" : "± " + e.deviation + (e.unit.empty() ? "" : " " + e.unit)});
         }
     }
-    figures.push_back({"Confidence", report::readable_number(100.0 * d.verdict.confidence, 2), "%", "in this verdict"});
+    figures.push_back({"Confidence", readable_number(100.0 * d.verdict.confidence, 2), "%", "in this verdict"});
     figures.push_back(error_figure(d));
-    figures.push_back(
-        {"Noise", report::readable_number(1e3 * d.noise_m, 3), "mm", "rms that a correct model would leave"});
+    figures.push_back({"Noise", readable_number(1e3 * d.noise_m, 3), "mm", "rms that a correct model would leave"});
     return figures;
 }
 
@@ -75,8 +74,8 @@ std::vector<std::string> summary(const setup::Setup& setup, const Diagnosis& d) 
 std::string reason(const setup::Setup& setup, const Diagnosis& d) {
     if (d.verdict.kind != VerdictKind::effects) return capital(d.verdict.reason);
     std::string text = "With " + names_of(d.verdict.effects) + " the systematic part of the residual falls from " +
-                       report::readable_number(d.declared.tests.systematic.rms, 3) + " to " +
-                       report::readable_number(d.augmented.tests.systematic.rms, 2) + " times the noise. Best value: ";
+                       readable_number(d.declared.tests.systematic.rms, 3) + " to " +
+                       readable_number(d.augmented.tests.systematic.rms, 2) + " times the noise. Best value: ";
     text += fitted_words(setup, d.augmented.fit) + ".";
     return text + d.verdict.cautions;
 }

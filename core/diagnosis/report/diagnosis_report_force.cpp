@@ -1,14 +1,14 @@
 #include <cassert>
 #include <cmath>
 
+#include "base/markup.hpp"
+#include "chart/svg.hpp"
 #include "diagnosis/report/diagnosis_report_parts.hpp"
-#include "report/chart.hpp"
-#include "report/markup.hpp"
 
 namespace myo::diagnosis {
 namespace {
 
-std::string correlation_words(double r) { return std::isfinite(r) ? report::fixed_decimals(r, 2) : "–"; }
+std::string correlation_words(double r) { return std::isfinite(r) ? fixed_decimals(r, 2) : "–"; }
 
 std::string course_words(const statistics::Correlate& c) {
     if (c.name == "position")
@@ -26,8 +26,7 @@ std::string course_words(const statistics::Correlate& c) {
 }
 
 std::string mode_words(const ForceMode& mode) {
-    std::string words = "It acts mainly " + mode.where + ", with up to " + report::readable_number(mode.peak_N(), 2) +
-                        " N.";
+    std::string words = "It acts mainly " + mode.where + ", with up to " + readable_number(mode.peak_N(), 2) + " N.";
     if (mode.steady > 0.8)
         return words + " It is nearly constant: a load, a stress or a shape that the model does not have.";
     if (mode.correlates.empty()) return words;
@@ -40,17 +39,17 @@ std::string mode_words(const ForceMode& mode) {
 }
 
 std::string chart_of(const MissingForce& force) {
-    report::LineChart chart{"", {.label = "time", .unit = "s"}, {}};
-    report::ChartPanel panel{{.label = "force", .unit = "N", .include_zero = true}, {}, 200.0};
+    chart::Chart chart{"", {.label = "time", .unit = "s"}, {}};
+    chart::Panel panel{{.label = "force", .unit = "N", .include_zero = true}, {}, 200.0};
     for (std::size_t k = 0; k < force.modes.size(); ++k)
         panel.series.push_back({std::to_string(k + 1) + ": " + force.modes[k].where,
                                 {force.time_s.begin(), force.time_s.end()},
                                 {force.modes[k].amplitude_N.begin(), force.modes[k].amplitude_N.end()},
-                                report::SeriesStyle::line,
+                                chart::SeriesStyle::line,
                                 static_cast<int>(k)});
     panel.horizontal.push_back({0.0, ""});
     chart.panels.push_back(std::move(panel));
-    return report::svg(chart);
+    return chart::svg(chart);
 }
 
 report::Table mode_table(const MissingForce& force) {
@@ -94,9 +93,9 @@ report::Section force_section(const Diagnosis& d) {
     std::string words = "Below is the smallest smooth force that would have to act in " + force.trial +
                         ", in addition to the best attempt, for the model to move as it was measured. With it "
                         "the residual falls from " +
-                        report::readable_number(force.before_over_noise, 3) + " to " +
-                        report::readable_number(force.after_over_noise, 3) + " times the noise: it takes away " +
-                        report::readable_number(100.0 * force.removed(), 3) + " % of its square.";
+                        readable_number(force.before_over_noise, 3) + " to " +
+                        readable_number(force.after_over_noise, 3) + " times the noise: it takes away " +
+                        readable_number(100.0 * force.removed(), 3) + " % of its square.";
     if (!force.modes.empty()) words += "\n\n" + mode_words(force.modes.front());
     return {
         "The missing force",

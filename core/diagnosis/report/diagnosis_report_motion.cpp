@@ -4,8 +4,8 @@
 #include <numeric>
 #include <optional>
 
+#include "chart/svg.hpp"
 #include "diagnosis/report/diagnosis_report_parts.hpp"
-#include "report/chart.hpp"
 #include "report/length.hpp"
 #include "results/calibration_report_parts.hpp"
 #include "results/output_json.hpp"
@@ -57,43 +57,42 @@ std::vector<double> rms_over_markers(const setup::Setup& setup, const prediction
 std::string overlay(const setup::Setup& setup, const Diagnosis& d, const TrialMotion& motion, std::size_t marker) {
     const bool displacement = setup.experiment.markers.compare == experiment::Comparison::displacement;
     const results::ComparedMotion& any = motion.before ? *motion.before : *motion.after;
-    report::LineChart chart{setup.marker_names[marker], {.label = "time", .unit = "s"}, {}};
+    chart::Chart chart{setup.marker_names[marker], {.label = "time", .unit = "s"}, {}};
     for (Index axis = 0; axis < 3; ++axis) {
-        report::ChartPanel panel{
+        chart::Panel panel{
             {.label = std::string(displacement ? "displacement " : "") + "xyz"[axis], .unit = "mm"}, {}, 120.0};
         const auto row = [&](const std::vector<Matrix3Xd>& tracks) {
             return report::curve_in_mm(tracks[marker].row(axis).transpose());
         };
         if (motion.before)
             panel.series.push_back({"declared model", motion.time_s, row(motion.before->simulated_m),
-                                    report::SeriesStyle::dashed, before_colour});
+                                    chart::SeriesStyle::dashed, before_colour});
         if (motion.after)
             panel.series.push_back({after_words(d), motion.time_s, row(motion.after->simulated_m),
-                                    report::SeriesStyle::line, after_colour});
+                                    chart::SeriesStyle::line, after_colour});
         panel.series.push_back(
-            {"measured", motion.time_s, row(any.measured_m), report::SeriesStyle::dots, report::ink_colour});
+            {"measured", motion.time_s, row(any.measured_m), chart::SeriesStyle::dots, chart::ink_colour});
         chart.panels.push_back(std::move(panel));
     }
-    return report::svg(chart);
+    return chart::svg(chart);
 }
 
 std::string residual_over_time(const setup::Setup& setup, const Diagnosis& d, std::size_t trial,
                                const std::vector<double>& time) {
     const auto samples = static_cast<Index>(time.size());
-    report::LineChart chart{"", {.label = "time", .unit = "s"}, {}};
-    report::ChartPanel panel{
-        {.label = "residual, rms over the markers", .unit = "× noise", .logarithmic = true}, {}, 150.0};
-    const auto add = [&](const prediction::SetupRun& run, const std::string& name, report::SeriesStyle style,
+    chart::Chart chart{"", {.label = "time", .unit = "s"}, {}};
+    chart::Panel panel{{.label = "residual, rms over the markers", .unit = "× noise", .logarithmic = true}, {}, 150.0};
+    const auto add = [&](const prediction::SetupRun& run, const std::string& name, chart::SeriesStyle style,
                          int colour) {
         if (run.predictions[trial].ok())
             panel.series.push_back(
                 {name, time, rms_over_markers(setup, run.predictions[trial], samples), style, colour});
     };
-    add(d.before, "declared model", report::SeriesStyle::line, before_colour);
-    if (has_two_fits(d)) add(d.after, after_words(d), report::SeriesStyle::line, after_colour);
+    add(d.before, "declared model", chart::SeriesStyle::line, before_colour);
+    if (has_two_fits(d)) add(d.after, after_words(d), chart::SeriesStyle::line, after_colour);
     panel.horizontal.push_back({1.0, "noise"});
     chart.panels.push_back(std::move(panel));
-    return report::svg(chart);
+    return chart::svg(chart);
 }
 
 /// Markers by decreasing error before; markers that were never seen are last.

@@ -2,9 +2,9 @@
 #include <cmath>
 #include <limits>
 
+#include "base/markup.hpp"
+#include "chart/svg.hpp"
 #include "diagnosis/report/diagnosis_report_parts.hpp"
-#include "report/chart.hpp"
-#include "report/markup.hpp"
 #include "statistics/autocorrelation.hpp"
 #include "statistics/periodogram.hpp"
 #include "statistics/residual_patterns.hpp"
@@ -30,16 +30,16 @@ std::vector<Compared> compared(const Diagnosis& d) {
 }
 
 std::string spectrum(const Diagnosis& d, int trial) {
-    report::LineChart chart{"", {.label = "frequency", .unit = "Hz"}, {}};
-    report::ChartPanel panel{{.label = "power over that of white noise", .logarithmic = true}, {}, 190.0};
+    chart::Chart chart{"", {.label = "frequency", .unit = "Hz"}, {}};
+    chart::Panel panel{{.label = "power over that of white noise", .logarithmic = true}, {}, 190.0};
     for (const Compared& fit : compared(d)) {
         const statistics::Spectrum found = statistics::mean_spectrum(*fit.residual, d.data.layout, trial);
         panel.series.push_back(
-            {fit.name, numbers(found.frequency_Hz), numbers(found.power), report::SeriesStyle::line, fit.colour});
+            {fit.name, numbers(found.frequency_Hz), numbers(found.power), chart::SeriesStyle::line, fit.colour});
     }
     panel.horizontal.push_back({1.0, "noise"});
     chart.panels.push_back(std::move(panel));
-    return report::svg(chart);
+    return chart::svg(chart);
 }
 
 /// Mean sampling interval of a trial [s]; 0 if it has no two samples.
@@ -53,8 +53,8 @@ double interval_s(const statistics::ResidualLayout& layout, int trial) {
 }
 
 std::string memory(const Diagnosis& d, int trial) {
-    report::LineChart chart{"", {.label = "lag", .unit = "ms"}, {}};
-    report::ChartPanel panel{{.label = "autocorrelation", .include_zero = true}, {}, 170.0};
+    chart::Chart chart{"", {.label = "lag", .unit = "ms"}, {}};
+    chart::Panel panel{{.label = "autocorrelation", .include_zero = true}, {}, 170.0};
     double pairs = 0.0;
     for (const Compared& fit : compared(d)) {
         const statistics::Autocovariance found = statistics::pooled_autocovariance(*fit.residual, d.data.layout,
@@ -63,12 +63,12 @@ std::string memory(const Diagnosis& d, int trial) {
         const VectorXd at = 1e3 * interval_s(d.data.layout, trial) *
                             VectorXd::LinSpaced(correlation.size(), 0.0, static_cast<double>(correlation.size() - 1));
         panel.series.push_back(
-            {fit.name, numbers(at), numbers(correlation), report::SeriesStyle::line_and_dots, fit.colour});
+            {fit.name, numbers(at), numbers(correlation), chart::SeriesStyle::line_and_dots, fit.colour});
         if (found.pairs.size() > 0) pairs = found.pairs(0);
     }
     if (pairs > 0.0) panel.horizontal = {{2.0 / std::sqrt(pairs), "noise"}, {-2.0 / std::sqrt(pairs), ""}};
     chart.panels.push_back(std::move(panel));
-    return report::svg(chart);
+    return chart::svg(chart);
 }
 
 /// Rms of each marker over the fit trials [noise levels].
@@ -87,10 +87,10 @@ std::vector<double> marker_rms(const setup::Setup& setup, const Diagnosis& d, co
 
 report::Block over_the_body(const setup::Setup& setup, const Diagnosis& d) {
     if (setup.marker_names.size() <= diagnosis_report_policy.bars) {
-        report::BarChart chart{"", setup.marker_names, {.label = "rms over the fit trials", .unit = "× noise"}, {}};
+        chart::BarChart chart{"", setup.marker_names, {.label = "rms over the fit trials", .unit = "× noise"}, {}};
         chart.height_px = 220.0;
         for (const Compared& fit : compared(d)) chart.groups.push_back({fit.name, marker_rms(setup, d, *fit.residual)});
-        return report::Figure{report::svg(chart), "Over the body: residual at each marker."};
+        return report::Figure{chart::svg(chart_of(chart)), "Over the body: residual at each marker."};
     }
     report::Table table{"Over the body: rms over the fit trials in units of the noise.", {{"Marker"}}, {}};
     for (const std::string& name : setup.marker_names) table.rows.push_back({name});
@@ -113,7 +113,7 @@ std::vector<report::Block> patterns(const setup::Setup& setup, const Diagnosis& 
             if (found.trial != trial || found.modes.empty()) continue;
             const statistics::ResidualMode& mode = found.modes.front();
             words += (words.empty() ? "One pattern over the markers carries " : ", ") +
-                     report::readable_number(100.0 * mode.share, 3) + " % of the residual of " +
+                     readable_number(100.0 * mode.share, 3) + " % of the residual of " +
                      setup.trials[static_cast<std::size_t>(trial)].name + " (" + fit.name + ")";
             if (fit.colour != before_colour) continue;
             report::Table table{"First pattern of the declared model’s residual (root mean square 1)",

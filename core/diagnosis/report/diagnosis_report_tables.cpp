@@ -2,11 +2,11 @@
 #include <cmath>
 #include <limits>
 
+#include "base/markup.hpp"
 #include "diagnosis/discretisation/longer_steps.hpp"
 #include "diagnosis/report/diagnosis_report_parts.hpp"
 #include "diagnosis/screening/confusion.hpp"
 #include "diagnosis/selection/judgement.hpp"
-#include "report/markup.hpp"
 #include "results/calibration_report.hpp"
 #include "results/calibration_report_parts.hpp"
 #include "results/output_json.hpp"
@@ -142,17 +142,15 @@ report::Section significance_section(const setup::Setup&, const Diagnosis& d) {
         [](const statistics::ResidualTests& t) { return t.periodicity.p; });
     add("Space", "do the markers move together?", [](const statistics::ResidualTests& t) { return t.space.p; });
     const auto systematic = [](const statistics::ResidualTests& t) {
-        return report::readable_number(t.systematic.rms, 3) +
-               (std::isfinite(t.systematic.deviation) ? " ± " + report::readable_number(t.systematic.deviation, 2)
-                                                      : "");
+        return readable_number(t.systematic.rms, 3) +
+               (std::isfinite(t.systematic.deviation) ? " ± " + readable_number(t.systematic.deviation, 2) : "");
     };
     std::string words = "A test fires where noise alone would give its sign with a probability p below " +
                         p_words(d.declared.tests.threshold) + ", so that all four together are wrong in " +
-                        report::readable_number(100.0 * d.settings.alpha, 2) + " % of all cases. Of the residual, " +
+                        readable_number(100.0 * d.settings.alpha, 2) + " % of all cases. Of the residual, " +
                         systematic(d.declared.tests) + " times the noise is systematic before";
     if (two) words += ", " + systematic(d.augmented.tests) + " after";
-    words += "; up to " +
-             report::readable_number(numerical_allowance(d.data, d.numerics, d.settings.policy.judgement), 2) +
+    words += "; up to " + readable_number(numerical_allowance(d.data, d.numerics, d.settings.policy.judgement), 2) +
              " is attributed to numerical error.";
     if (d.declared.drifts() || (two && d.augmented.drifts()))
         words +=
@@ -171,16 +169,15 @@ report::Section numerics_section(const setup::Setup& setup, const Diagnosis& d) 
     };
     const std::string step = steps_in_words(setup, d.step_factors);
     add("Numerical damping, time step",
-        n.step_ratio > 0.0 ? "steps of " + step + " times " + report::readable_number(n.step_ratio, 2)
-                           : "steps of " + step,
+        n.step_ratio > 0.0 ? "steps of " + step + " times " + readable_number(n.step_ratio, 2) : "steps of " + step,
         n.step_ratio > 0.0 ? n.step_rms_m : no_value);
     add("Discretisation",
-        n.mesh_ratio > 0.0 ? "cells of " + report::readable_number(n.mesh_ratio, 2) + " times the edge"
+        n.mesh_ratio > 0.0 ? "cells of " + readable_number(n.mesh_ratio, 2) + " times the edge"
                            : "no finer mesh was made",
         n.mesh_ratio > 0.0 ? n.mesh_rms_m : no_value);
     if (n.effective_modulus.any())
         add("Remainder of both",
-            "with cells of " + report::readable_number(n.effective_modulus.factor(), 4) + " times the body's modulus",
+            "with cells of " + readable_number(n.effective_modulus.factor(), 4) + " times the body's modulus",
             n.rest_rms_m);
     add("Uncertainty of the extrapolation", "share of both that is uncertain", n.left_rms_m);
     report::Section section{
@@ -190,8 +187,7 @@ report::Section numerics_section(const setup::Setup& setup, const Diagnosis& d) 
                            "modulus: where this matters, an effective modulus is used first."},
          table}};
     section.blocks.push_back(report::Paragraph{"The time scheme adds a damping ratio of " +
-                                               report::readable_number(n.numerical_damping, 2) +
-                                               " to the first vibration."});
+                                               readable_number(n.numerical_damping, 2) + " to the first vibration."});
     if (!n.message.empty()) section.blocks.push_back(report::WarningBox{{n.message}});
     return section;
 }

@@ -2,8 +2,8 @@
 #include <cctype>
 #include <cmath>
 
+#include "base/markup.hpp"
 #include "diagnosis/report/diagnosis_report_parts.hpp"
-#include "report/markup.hpp"
 #include "results/calibration_report.hpp"
 #include "results/readable_parameter.hpp"
 
@@ -67,7 +67,7 @@ bool has_two_fits(const Diagnosis& d) {
 
 std::string p_words(double p) {
     if (!std::isfinite(p)) return "–";
-    return p < 1e-12 ? "< 10⁻¹²" : report::readable_number(std::min(p, 1.0), 2);
+    return p < 1e-12 ? "< 10⁻¹²" : readable_number(std::min(p, 1.0), 2);
 }
 
 std::vector<EffectEstimate> effect_estimates(const setup::Setup& setup, const JointFit& fit) {

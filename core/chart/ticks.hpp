@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace myo::report {
+namespace myo::chart {
 
 /// Range, tick positions and tick labels of an axis.
 struct Ticks {
@@ -13,6 +13,9 @@ struct Ticks {
     std::vector<std::string> labels;  // of the values divided by `factor`
     std::string factor;               // e.g. "10⁻³" if the labels are scaled, otherwise empty
 };
+
+/// Smallest of 1, 2, 5 times a power of ten that is not below `raw`. Asserts that `raw` is positive and finite.
+double round_step(double raw);
 
 /// Adjusts [lowest, highest] to a drawable range: finite, and wide enough for distinct ticks. An empty or non-finite
 /// range becomes [0, 1].
@@ -26,4 +29,4 @@ Ticks linear_ticks(double lowest, double highest, int wanted);
 /// than one decade without two such values.
 Ticks logarithmic_ticks(double lowest, double highest, int wanted);
 
-}  // namespace myo::report
+}  // namespace myo::chart

@@ -1,4 +1,4 @@
-#include "report/ticks.hpp"
+#include "chart/ticks.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,9 +7,9 @@
 #include <random>
 #include <set>
 
-#include "report/not_finite.hpp"
+#include "support/not_finite.hpp"
 
-namespace myo::report {
+namespace myo::chart {
 namespace {
 
 using test::infinity;
@@ -60,6 +60,27 @@ TEST(LinearTicks, AreReadableForEveryRange) {
     }
 }
 
+TEST(LinearTicks, HaveAtMostTheWantedIntervalsUnlessTwoTicksNeedMore) {
+    for (double lowest = -50.0; lowest < 50.0; lowest += 7.3)
+        for (double span = 1e-6; span < 1e6; span *= 3.1)
+            for (int wanted = 2; wanted < 12; ++wanted) {
+                const Ticks ticks = linear_ticks(lowest, lowest + span, wanted);
+                EXPECT_LE(static_cast<int>(ticks.values.size()) - 1, std::max(wanted, 4));
+                for (const double v : ticks.values) {
+                    EXPECT_GE(v, ticks.lowest);
+                    EXPECT_LE(v, ticks.highest);
+                    // Multiples of the distance of two ticks.
+                    const double k = v / (ticks.values[1] - ticks.values[0]);
+                    EXPECT_NEAR(k, std::round(k), 1e-6 * std::max(1.0, std::abs(k)));
+                }
+            }
+    EXPECT_EQ(linear_ticks(-3.2, 17.9, 6).values, (std::vector<double>{0.0, 5.0, 10.0, 15.0}));
+    EXPECT_EQ(linear_ticks(-20.0, 20.0, 4).labels.front(), "−20");
+    EXPECT_EQ(round_step(0.2 * (1.0 + 1e-12)), 0.2);
+    EXPECT_EQ(round_step(0.21), 0.5);
+    EXPECT_EQ(round_step(600.0), 1000.0);
+}
+
 TEST(LinearTicks, SurviveEveryDegenerateRange) {
     const double largest = std::numeric_limits<double>::max(), smallest = std::numeric_limits<double>::denorm_min();
     for (const auto& [low, high] : std::vector<std::pair<double, double>>{{0, 0},
@@ -99,4 +120,4 @@ TEST(LogarithmicTicks, AreReadableForEveryRange) {
 }
 
 }  // namespace
-}  // namespace myo::report
+}  // namespace myo::chart

@@ -1,4 +1,4 @@
-#include "report/markup.hpp"
+#include "base/markup.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace myo::report {
+namespace myo {
 namespace {
 
 struct MarkupLayout {
@@ -95,7 +95,7 @@ int character_count(std::string_view text) {
         std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-std::string pixel(double value) {
+std::string svg_number(double value) {
     // NaN would make the whole path invalid SVG.
     if (std::isnan(value)) value = -markup_layout.outside;
     std::string text = fixed_ascii(std::clamp(value, -markup_layout.outside, markup_layout.outside), 2);
@@ -133,4 +133,4 @@ std::string readable_number(double value, int digits) {
     return with_true_minus(text.substr(0, e)) + " × " + power_of_ten(exponent);
 }
 
-}  // namespace myo::report
+}  // namespace myo

@@ -1,13 +1,13 @@
-#include "report/decimate.hpp"
+#include "chart/decimate.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "report/not_finite.hpp"
+#include "support/not_finite.hpp"
 
-namespace myo::report {
+namespace myo::chart {
 namespace {
 
 using test::nan;
@@ -55,4 +55,4 @@ TEST(Decimate, NothingIsLeftOfACurveOfGaps) {
 }
 
 }  // namespace
-}  // namespace myo::report
+}  // namespace myo::chart

@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-namespace myo::report {
+namespace myo::chart {
 
 /// Series colours on white. Each has a contrast of at least 3 : 1, and every pair has a CIE76 difference above 30, also
 /// for readers without red, green or blue cones. Found by random search under these conditions, which a test verifies.
@@ -25,4 +25,4 @@ inline constexpr std::string_view grid = "#e6e8eb";
 inline constexpr std::string_view shade = "#f1f3f5";
 }  // namespace ink
 
-}  // namespace myo::report
+}  // namespace myo::chart

@@ -5,15 +5,24 @@
 #include <string>
 #include <vector>
 
-namespace myo::report {
+#include "chart/colour.hpp"
 
-// A figure is described by data only, so that it can be tested and drawn without a window. Layout (margins, ticks,
-// legend, clipping) is decided in svg().
+namespace myo::chart {
 
-/// Figures as values. svg() converts each to one SVG document without fixed width, which fills its column.
-/// Equal values give equal text. NaN and infinite samples are gaps; only finite numbers are written.
+// A chart is described by data only, so that it can be tested and drawn without a window. lay_out() places it, draw()
+// turns it into marks, and svg() or the window draw the marks.
 
-/// Axis of a chart. The range follows the data unless it is given.
+/// Charts as values. Equal values give equal pictures. NaN and infinite samples are gaps.
+
+/// Closed interval on an axis, in the unit of the axis.
+struct Range {
+    double lowest = 0.0;
+    double highest = 1.0;
+    double span() const { return highest - lowest; }
+    bool operator==(const Range&) const = default;
+};
+
+/// Axis of a chart: quantity and unit. The range follows the data unless it is given.
 struct Axis {
     std::string label = {};
     std::string unit = {};                         // in brackets after the label; empty: dimensionless
@@ -21,14 +30,16 @@ struct Axis {
     std::optional<double> highest = std::nullopt;  // given end of the range
     bool logarithmic = false;                      // values <= 0 are gaps
     bool include_zero = false;                     // extend the range to zero
+    std::vector<double> include = {};              // values that the range contains at least
+    std::vector<std::string> categories = {};      // names at 0, 1, 2, ... instead of numbers
 };
 
-/// How a series is drawn.
-enum class SeriesStyle { line, dashed, dots, line_and_dots };
+/// How a series is drawn. Bars need `ends`; diamonds mark references.
+enum class SeriesStyle { line, dashed, dots, line_and_dots, bars, diamonds };
 
-/// Values of Series::colour: 0 ... 5 are slots of series_palette, or one of these.
+/// Values of Series::colour: slots of Palette::series from 0, or one of these.
 inline constexpr int automatic_colour = -1;  // the next slot; equal names have equal colours in all panels
-inline constexpr int ink_colour = -2;        // black, for measured data
+inline constexpr int ink_colour = -2;        // the colour of text, for measured data
 
 /// A curve with its style.
 struct Series {
@@ -38,6 +49,9 @@ struct Series {
     SeriesStyle style = SeriesStyle::line;
     int colour = automatic_colour;
     std::vector<double> half_width = {};  // pale band y ± half_width; empty or same length as y
+    std::vector<Range> ends = {};         // bars: their ends in x; other styles: intervals in x, NaN for none
+    std::optional<Colour> own_colour = std::nullopt;  // instead of a slot
+    bool hidden = false;                              // not drawn; its legend entry is pale
 };
 
 /// Thin line across the panel at one value, with a label.
@@ -53,25 +67,32 @@ struct Span {
     std::string label = {};
 };
 
-/// One coordinate system of a line chart.
-struct ChartPanel {
+/// Remark at the left edge of a panel, e.g. "no value".
+struct Note {
+    double y = 0.0;
+    std::string text = {};
+};
+
+/// One coordinate system of a chart.
+struct Panel {
     Axis y = {};
     std::vector<Series> series = {};
     double height_px = 240.0;
     std::vector<ReferenceLine> horizontal = {};
     std::vector<ReferenceLine> vertical = {};
     std::vector<Span> spans = {};
+    std::vector<Note> notes = {};
 };
 
 /// Curves in one or several panels with a common x axis, from top to bottom.
-struct LineChart {
+struct Chart {
     std::string title = {};
     Axis x = {};
-    std::vector<ChartPanel> panels = {};
+    std::vector<Panel> panels = {};
     double width_px = 760.0;
+    bool legend = true;    // from the number of entries on that the style of the layout names
+    bool x_labels = true;  // tick labels and title of the x axis; false if the chart below shows them
 };
-/// SVG document of a line chart. Asserts equal lengths of x, y and half_width.
-std::string svg(const LineChart& chart);
 
 /// Values of one legend entry, one bar per category.
 struct BarGroup {
@@ -87,8 +108,8 @@ struct BarChart {
     double width_px = 760.0;
     double height_px = 260.0;
 };
-/// SVG document of a bar chart. Asserts one value per category.
-std::string svg(const BarChart& chart);
+/// Chart of bars. Asserts one value per category.
+Chart chart_of(const BarChart& bars);
 
 /// Counts in bins; bin i is [edges[i], edges[i + 1]].
 struct Histogram {
@@ -101,8 +122,8 @@ struct Histogram {
     double width_px = 760.0;
     double height_px = 240.0;
 };
-/// SVG document of a histogram.
-std::string svg(const Histogram& histogram);
+/// Chart of a histogram.
+Chart chart_of(const Histogram& histogram);
 
 /// Histogram of the finite samples with equal bins and round edges. Values beyond 1e150 are omitted.
 ///
@@ -126,7 +147,7 @@ struct ErrorBarChart {
     std::vector<ReferenceLine> vertical = {};
     double width_px = 760.0;
 };
-/// SVG document of an error bar chart.
-std::string svg(const ErrorBarChart& chart);
+/// Chart of estimates with intervals.
+Chart chart_of(const ErrorBarChart& chart);
 
-}  // namespace myo::report
+}  // namespace myo::chart

@@ -1,13 +1,13 @@
-#include "report/markup.hpp"
+#include "base/markup.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "report/markup_check.hpp"
-#include "report/not_finite.hpp"
+#include "support/markup_check.hpp"
+#include "support/not_finite.hpp"
 
-namespace myo::report {
+namespace myo {
 namespace {
 
 using test::infinity;
@@ -36,13 +36,13 @@ TEST(EscapeMarkup, ReplacesWhatXmlForbids) {
 }
 
 TEST(Pixel, IsAlwaysAFiniteNumber) {
-    EXPECT_EQ(pixel(12.0), "12");
-    EXPECT_EQ(pixel(12.345), "12.35");
-    EXPECT_EQ(pixel(-0.001), "0");
-    EXPECT_EQ(pixel(100.0), "100");
-    EXPECT_EQ(pixel(nan), "-100000");
-    EXPECT_EQ(pixel(infinity), "100000");
-    EXPECT_EQ(pixel(-1e300), "-100000");
+    EXPECT_EQ(svg_number(12.0), "12");
+    EXPECT_EQ(svg_number(12.345), "12.35");
+    EXPECT_EQ(svg_number(-0.001), "0");
+    EXPECT_EQ(svg_number(100.0), "100");
+    EXPECT_EQ(svg_number(nan), "-100000");
+    EXPECT_EQ(svg_number(infinity), "100000");
+    EXPECT_EQ(svg_number(-1e300), "-100000");
 }
 
 TEST(ReadableNumber, RoundsAndScales) {
@@ -64,4 +64,4 @@ TEST(FixedDecimals, HasNoNegativeZero) {
 }
 
 }  // namespace
-}  // namespace myo::report
+}  // namespace myo

@@ -1,21 +1,14 @@
-#include "report/ticks.hpp"
+#include "chart/ticks.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <initializer_list>
 
-#include "report/markup.hpp"
+#include "base/markup.hpp"
 
-namespace myo::report {
+namespace myo::chart {
 namespace {
-
-/// Smallest of 1, 2, 5 times a power of ten that is not below `raw`.
-double round_step(double raw) {
-    const double power = std::pow(10.0, std::floor(std::log10(raw)));
-    for (const double factor : {1.0, 2.0, 5.0})
-        if (raw <= factor * power * (1.0 + 1e-9)) return factor * power;
-    return 10.0 * power;
-}
 
 // Ticks at powers of ten whose exponent is a multiple of `every`, and at 2 and 5 times these if `between`.
 Ticks decade_ticks(double lowest, double highest, int every, bool between) {
@@ -42,6 +35,15 @@ Ticks decade_ticks(double lowest, double highest, int every, bool between) {
 int floor_log10(double value) { return static_cast<int>(std::floor(std::log10(value) + 1e-9)); }
 
 }  // namespace
+
+double round_step(double raw) {
+    assert(raw > 0.0 && std::isfinite(raw));
+    const double power = std::pow(10.0, std::floor(std::log10(raw)));
+    // A rounding error must not increase 0.2 to 0.5.
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (raw <= factor * power * (1.0 + 1e-9)) return factor * power;
+    return 10.0 * power;
+}
 
 void make_drawable(double& lowest, double& highest) {
     if (!std::isfinite(lowest) || !std::isfinite(highest) || lowest > highest) {
@@ -113,4 +115,4 @@ Ticks logarithmic_ticks(double lowest, double highest, int wanted) {
     return linear_ticks(lowest, highest, wanted);  // range between two neighbouring round numbers
 }
 
-}  // namespace myo::report
+}  // namespace myo::chart

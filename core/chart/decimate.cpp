@@ -1,4 +1,4 @@
-#include "report/decimate.hpp"
+#include "chart/decimate.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace myo::report {
+namespace myo::chart {
 namespace {
 
 void append(Polyline& out, const Polyline& in, std::size_t i) {
@@ -55,4 +55,4 @@ Polyline decimate(const Polyline& curve, double columns_per_px) {
     return out;
 }
 
-}  // namespace myo::report
+}  // namespace myo::chart

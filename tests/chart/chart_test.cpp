@@ -1,14 +1,14 @@
-#include "report/chart.hpp"
+#include "chart/svg.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numeric>
 
-#include "report/markup_check.hpp"
-#include "report/not_finite.hpp"
+#include "support/markup_check.hpp"
+#include "support/not_finite.hpp"
 
-namespace myo::report {
+namespace myo::chart {
 namespace {
 
 using test::infinity;
@@ -22,12 +22,12 @@ void expect_sound(const std::string& figure) {
     EXPECT_EQ(figure.substr(0, figure.find('>')).find(" width="), std::string::npos);  // fills its column
 }
 
-LineChart chart_of(std::vector<double> x, std::vector<double> y) {
+Chart curve_of(std::vector<double> x, std::vector<double> y) {
     return {.title = "t", .x = {"time", "s"}, .panels = {{.y = {"z", "mm"}, .series = {{"simulated", x, y}}}}};
 }
 
 TEST(LineChart, DrawsAPointWhereTheScaleSaysItIs) {
-    LineChart chart = chart_of({0, 1, 2}, {0, 5, 10});
+    Chart chart = curve_of({0, 1, 2}, {0, 5, 10});
     chart.panels[0].y.lowest = 0.0;
     chart.panels[0].y.highest = 10.0;
     const std::string figure = svg(chart);
@@ -45,7 +45,7 @@ TEST(LineChart, DrawsAPointWhereTheScaleSaysItIs) {
 }
 
 TEST(LineChart, BreaksAtNanAndShowsLonelySamples) {
-    const std::string figure = svg(chart_of({0, 1, 2, 3, 4, 5, 6}, {1, 2, nan, 3, nan, 2, 1}));
+    const std::string figure = svg(curve_of({0, 1, 2, 3, 4, 5, 6}, {1, 2, nan, 3, nan, 2, 1}));
     expect_sound(figure);
     const std::size_t begin = figure.find("<path d=\"M");
     const std::string line = figure.substr(begin, figure.find("/>", begin) - begin);
@@ -60,7 +60,7 @@ TEST(LineChart, WritesOnlyNumbersWhateverIsInTheData) {
     for (const bool logarithmic : {false, true})
         for (const SeriesStyle style :
              {SeriesStyle::line, SeriesStyle::dots, SeriesStyle::dashed, SeriesStyle::line_and_dots}) {
-            LineChart chart = chart_of(x, odd);
+            Chart chart = curve_of(x, odd);
             chart.panels[0].series[0].style = style;
             chart.panels[0].series[0].half_width = {1, nan, 3, infinity, 5, 1, 1, 1};
             chart.panels[0].y.logarithmic = chart.x.logarithmic = logarithmic;
@@ -75,13 +75,13 @@ TEST(LineChart, WritesOnlyNumbersWhateverIsInTheData) {
     for (const auto& only : std::vector<std::vector<double>>{{}, {nan, nan}, {infinity}, {3, 3, 3}}) {
         std::vector<double> steps(only.size());
         std::iota(steps.begin(), steps.end(), 0.0);
-        expect_sound(svg(chart_of(steps, only)));
+        expect_sound(svg(curve_of(steps, only)));
     }
-    expect_sound(svg(LineChart{}));
+    expect_sound(svg(Chart{}));
 }
 
 TEST(LineChart, EscapesEveryWord) {
-    LineChart chart = chart_of({0, 1}, {0, 1});
+    Chart chart = curve_of({0, 1}, {0, 1});
     chart.title = chart.x.label = chart.x.unit = "<&\"'>\x01\xFF";
     chart.panels[0].y.label = chart.panels[0].series[0].name = chart.title;
     chart.panels[0].series.push_back({"b<", {0, 1}, {1, 0}});
@@ -92,7 +92,7 @@ TEST(LineChart, EscapesEveryWord) {
 }
 
 TEST(LineChart, OneNameHasOneColourInAllPanels) {
-    LineChart chart = chart_of({0, 1}, {0, 1});
+    Chart chart = curve_of({0, 1}, {0, 1});
     chart.panels[0].series.push_back({"measured", {0, 1}, {0, 1}, SeriesStyle::dots});
     chart.panels.push_back({.y = {"residual", "mm"}, .series = {{"measured", {0, 1}, {0, 1}}}, .height_px = 90});
     const std::string figure = svg(chart);
@@ -109,7 +109,7 @@ TEST(LineChart, IsTheSameTextEachTimeAndShortForLongTraces) {
         t[i] = 1e-4 * static_cast<double>(i);
         z[i] = std::sin(40.0 * t[i]) + 0.1 * std::sin(0.7 * static_cast<double>(i));
     }
-    const LineChart chart = chart_of(t, z);
+    const Chart chart = curve_of(t, z);
     const std::string figure = svg(chart);
     EXPECT_EQ(figure, svg(chart));
     EXPECT_LT(figure.size(), 150000u);
@@ -117,21 +117,21 @@ TEST(LineChart, IsTheSameTextEachTimeAndShortForLongTraces) {
 }
 
 TEST(LineChart, PutsTheScaleFactorIntoTheUnit) {
-    const std::string figure = svg(chart_of({0, 1}, {0.0, 3e6}));
+    const std::string figure = svg(curve_of({0, 1}, {0.0, 3e6}));
     EXPECT_NE(figure.find("z [10⁶ mm]"), std::string::npos);
 }
 
 TEST(BarChart, DrawsOneBarPerFiniteValue) {
-    const BarChart chart{.categories = {"none", "drag <1>", "lag"},
-                         .y = {"rms", "mm"},
-                         .groups = {{"before", {3.0, nan, 1.0}}, {"after", {1.0, 0.5, infinity}}}};
-    const std::string figure = svg(chart);
+    const BarChart bars{.categories = {"none", "drag <1>", "lag"},
+                        .y = {"rms", "mm"},
+                        .groups = {{"before", {3.0, nan, 1.0}}, {"after", {1.0, 0.5, infinity}}}};
+    const std::string figure = svg(chart_of(bars));
     expect_sound(figure);
     EXPECT_EQ(test::count_of(figure, "fill=\"#0072b2\""), 2 + 1);  // and one in the legend
     EXPECT_EQ(test::count_of(figure, "fill=\"#d55e00\""), 2 + 1);
-    expect_sound(svg(BarChart{}));
-    expect_sound(
-        svg(BarChart{.categories = {"a"}, .y = {.label = "x", .logarithmic = true}, .groups = {{"", {-1.0}}}}));
+    expect_sound(svg(chart_of(BarChart{})));
+    expect_sound(svg(
+        chart_of(BarChart{.categories = {"a"}, .y = {.label = "x", .logarithmic = true}, .groups = {{"", {-1.0}}}})));
 }
 
 TEST(Histogram, CountsEveryFiniteSampleOnce) {
@@ -148,24 +148,24 @@ TEST(Histogram, CountsEveryFiniteSampleOnce) {
             };
             EXPECT_EQ(histogram.counts[b], static_cast<double>(std::count_if(samples.begin(), samples.end(), inside)));
         }
-        expect_sound(svg(histogram));
+        expect_sound(svg(chart_of(histogram)));
     }
     EXPECT_TRUE(histogram_of({nan}).counts.empty());
     EXPECT_EQ(histogram_of({2.0, 2.0}).counts.size(), histogram_of({2.0, 2.0}).edges.size() - 1);
-    expect_sound(svg(Histogram{}));
+    expect_sound(svg(chart_of(Histogram{})));
 }
 
 TEST(ErrorBarChart, ShowsEveryRow) {
-    const ErrorBarChart chart{
+    const ErrorBarChart rows{
         .x = {"relative error", "%"},
         .rows = {{"Young's modulus", 1.0, 0.5, 1.5, 0.0}, {"damping", nan}, {"<third>", 2.0, -infinity, infinity}},
         .reference_name = "truth"};
-    const std::string figure = svg(chart);
+    const std::string figure = svg(chart_of(rows));
     expect_sound(figure);
-    EXPECT_EQ(test::count_of(figure, "<circle"), 2 + 1);  // two values and the legend
+    EXPECT_EQ(test::count_of(figure, "h0"), 2 + 1);  // two values and the legend
     EXPECT_EQ(test::count_of(figure, "no value"), 1);
-    expect_sound(svg(ErrorBarChart{}));
+    expect_sound(svg(chart_of(ErrorBarChart{})));
 }
 
 }  // namespace
-}  // namespace myo::report
+}  // namespace myo::chart

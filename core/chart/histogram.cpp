@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "report/chart.hpp"
-#include "report/ticks.hpp"
+#include "chart/chart.hpp"
+#include "chart/ticks.hpp"
 
-namespace myo::report {
+namespace myo::chart {
 namespace {
 
 /// Quantile of sorted values without interpolation.
@@ -49,4 +49,4 @@ Histogram histogram_of(const std::vector<double>& samples, int wanted_bins) {
     return histogram;
 }
 
-}  // namespace myo::report
+}  // namespace myo::chart

@@ -1,4 +1,4 @@
-#include "report/palette.hpp"
+#include "chart/palette.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string>
 
-namespace myo::report {
+namespace myo::chart {
 namespace {
 
 Eigen::Vector3d linear_rgb(std::string_view colour) {
@@ -54,4 +54,4 @@ TEST(Palette, StaysApartWithoutOneKindOfCone) {
 }
 
 }  // namespace
-}  // namespace myo::report
+}  // namespace myo::chart
