@@ -18,22 +18,32 @@ std::vector<double> numbers_of(const std::string& svg, const std::string& patter
     return numbers;
 }
 
+/// The element of the curve in the colour "#ff0000".
+std::string curve_of(const std::string& svg) {
+    const std::size_t colour = svg.find("stroke=\"#ff0000\" stroke-width=\"1.6\"", svg.find("overflow=\"hidden\""));
+    return svg.substr(svg.rfind('<', colour), colour - svg.rfind('<', colour));
+}
+
 TEST(PlotSvg, HoldsTheVisibleRangeOnlyWithGapsAndEscapedNames) {
-    plot::SeenPlot seen{{}, {1.0, 3.0}, {0.0, 10.0}};
-    Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(9, 0.0, 4.0), y = 2.0 * x;
-    seen.plot.legend = true;
-    seen.plot.series = {{"a < b & c", x, y, {1, 0, 0, 1}, false}, {"dots", x, y, {0, 0, 1, 1}, true}};
-    seen.plot.series[0].x.array() += 0.25;  // both edges fall between samples
+    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(9, 0.0, 4.0), y = 2.0 * x;
+    chart::Chart seen{.x = {.unit = "s", .lowest = 1.0, .highest = 3.0}, .panels = {{}}};
+    chart::Panel& panel = seen.panels[0];
+    panel.y = {.lowest = 0.0, .highest = 10.0};
+    // Both edges fall between samples.
+    panel.series = {plot::plot_series("a < b & c", x.array() + 0.25, y, {1, 0, 0, 1}),
+                    plot::plot_series("dots", x, y, {0, 0, 1, 1}, true)};
     const std::string whole = plot::plots_svg({seen}, platform::Theme{});
     EXPECT_NE(whole.find("a &lt; b &amp; c"), std::string::npos);
-    const std::vector<double> path = numbers_of(whole, "[ML]([0-9.]+) ");
+    const double left = numbers_of(whole, "<svg x=\"([0-9.]+)\"").at(0);
+    const double width = numbers_of(whole, "<svg x=[^>]*width=\"([0-9.]+)\"").at(0);
+    const std::vector<double> path = numbers_of(curve_of(whole), "[ML]([0-9.]+) ");
     ASSERT_EQ(path.size(), 6u) << "four samples inside and the two edges";
-    EXPECT_NEAR(path.front(), 64.0, 0.01);
-    EXPECT_NEAR(path.back(), 784.0, 0.01);
-    EXPECT_EQ(numbers_of(whole, "<circle cx=\"([0-9.]+)\"[^>]*r=\"1.80\"").size(), 5u);
-    EXPECT_EQ(numbers_of(whole, "M([0-9.]+) ").size(), 1u);
-    seen.plot.series[0].y[4] = NAN;
-    EXPECT_EQ(numbers_of(plot::plots_svg({seen}, platform::Theme{}), "M([0-9.]+) ").size(), 2u) << "a gap";
+    EXPECT_NEAR(path.front(), left, 0.01);
+    EXPECT_NEAR(path.back(), left + width, 0.01);
+    EXPECT_EQ(numbers_of(whole, "M[0-9.]+ ([0-9.]+)h0").size(), 5u + 1u) << "samples inside and the legend";
+    EXPECT_EQ(numbers_of(curve_of(whole), "M([0-9.]+) ").size(), 1u);
+    panel.series[0].y[4] = NAN;
+    EXPECT_EQ(numbers_of(curve_of(plot::plots_svg({seen}, platform::Theme{})), "M([0-9.]+) ").size(), 2u) << "a gap";
 }
 
 TEST(PlotSvg, IsSavedFromTheMarkersPanel) {
@@ -50,7 +60,7 @@ TEST(PlotSvg, IsSavedFromTheMarkersPanel) {
     const Result<std::string> svg = read_file(file);
     ASSERT_TRUE(svg) << told;
     std::filesystem::remove(file);
-    EXPECT_GE(numbers_of(*svg, "translate\\(0 ([0-9.]+)\\)").size(), 3u) << "x, y and z";
+    EXPECT_GE(numbers_of(*svg, "<svg x=\"([0-9.]+)\"").size(), 3u) << "x, y and z";
     EXPECT_GT(numbers_of(*svg, "L([0-9.]+) ").size(), 10u);
 }
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "commands/workbench_state.hpp"
-#include "plot/ticks.hpp"
+#include "plot/number_text.hpp"
 
 namespace myo::ui::commands {
 

@@ -4,7 +4,7 @@
 #include <functional>
 #include <optional>
 
-#include "plot/ticks.hpp"
+#include "plot/number_text.hpp"
 
 namespace myo::ui::commands {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "commands/force_arrows.hpp"
 #include "commands/workbench.hpp"
-#include "plot/ticks.hpp"
+#include "plot/number_text.hpp"
 
 // Diagnosis: started, shown while it runs, and its effects added to the model.
 

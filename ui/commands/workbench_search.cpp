@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "commands/workbench.hpp"
-#include "plot/ticks.hpp"
+#include "plot/number_text.hpp"
 
 // Simulations, and searches for parameters and signals that reproduce the measurement.
 

@@ -7,7 +7,7 @@
 #include "panels/file_dialogs.hpp"
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
-#include "plot/ticks.hpp"
+#include "plot/number_text.hpp"
 
 namespace myo::ui::panels {
 

@@ -13,6 +13,7 @@
 #include "panels/tables.hpp"
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
+#include "plot/number_text.hpp"
 
 namespace myo::ui::panels {
 namespace {

@@ -9,6 +9,7 @@
 #include "panels/tables.hpp"
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
+#include "plot/number_text.hpp"
 
 // The charts of the panel: residual, force, and numerical errors.
 
@@ -32,22 +33,24 @@ void DiagnosePanel::draw_residual(PanelContext& context, const commands::Diagnos
     plot.id = "diagnose/plot";
     // The legend needs the room more than the title does.
     const std::string axis = axis_names[static_cast<std::size_t>(axis_)];
-    plot.title = ImGui::GetContentRegionAvail().x > 440.0f * theme.scale
-                     ? axis + " \xe2\x88\x92 that of the declared model [mm]"
-                     : "\xce\x94" + axis + " [mm]";
+    plot.panel.y = {.label = ImGui::GetContentRegionAvail().x > 440.0f * theme.scale
+                                 ? axis + " \xe2\x88\x92 that of the declared model"
+                                 : "\xce\x94" + axis,
+                    .unit = "mm",
+                    .include_zero = true};
     plot.cursor = state.time_s;
-    plot.mark = 0.0;
+    plot.panel.vertical = {{0.0, ""}};
     plot.legend = true;
-    plot.zero_line = true;
     // Residuals have the sample times of the trial.
     const Eigen::VectorXd& time = state.scene_trial()->time_s;
-    plot.series.push_back(
-        {"measured", time, 1e3 * d.trials[trial].residual_m[marker].row(axis_).transpose(), theme.measured, true});
+    plot.panel.series.push_back(plot::plot_series(
+        "measured", time, 1e3 * d.trials[trial].residual_m[marker].row(axis_).transpose(), theme.measured, true));
     // A row that was not predicted for this trial shows the measurement only.
     const bool predicted = trial < row.predicted_m.size() && marker < row.predicted_m[trial].size();
     if (predicted)
-        plot.series.push_back({"with " + lower_first(row.name), time,
-                               1e3 * row.predicted_m[trial][marker].row(axis_).transpose(), theme.simulated, false});
+        plot.panel.series.push_back(plot::plot_series("with " + lower_first(row.name), time,
+                                                      1e3 * row.predicted_m[trial][marker].row(axis_).transpose(),
+                                                      theme.simulated));
     const plot::PlotResult result = plot::draw_plot(plot, ImGui::GetContentRegionAvail(), theme, context.items, time_,
                                                     plot_, hidden_);
     if (result.cursor) context.emit(commands::SetTime{*result.cursor});
@@ -66,16 +69,14 @@ void DiagnosePanel::draw_force(PanelContext& context) {
     const bool small = largest < 0.1;
     plot::Plot plot;
     plot.id = "diagnose/plot";
-    plot.y_unit = small ? "mN" : "N";
-    plot.title = "missing in " + force.trial + " [" + plot.y_unit + "]";
+    plot.panel.y = {.label = "missing in " + force.trial, .unit = small ? "mN" : "N", .include_zero = true};
     plot.cursor = state.time_s;
-    plot.mark = 0.0;
+    plot.panel.vertical = {{0.0, ""}};
     plot.legend = true;
-    plot.zero_line = true;
     const std::array<ImVec4, 3> colors{theme.force, theme.simulated, theme.success};
     for (std::size_t k = 0; k < force.amplitude_N.size(); ++k)
-        plot.series.push_back({force.names[k], force.time_s, (small ? 1e3 : 1.0) * force.amplitude_N[k],
-                               colors[k % colors.size()], false});
+        plot.panel.series.push_back(plot::plot_series(
+            force.names[k], force.time_s, (small ? 1e3 : 1.0) * force.amplitude_N[k], colors[k % colors.size()]));
     const plot::PlotResult result = plot::draw_plot(plot, ImGui::GetContentRegionAvail(), theme, context.items, time_,
                                                     plot_, hidden_);
     if (result.cursor) context.emit(commands::SetTime{*result.cursor});

@@ -6,7 +6,7 @@
 
 #include "panels/fibre_panel.hpp"
 #include "platform/fonts.hpp"
-#include "plot/ticks.hpp"
+#include "plot/number_text.hpp"
 
 // The brush: its radius, strength, direction and mirror.
 

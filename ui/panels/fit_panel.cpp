@@ -7,7 +7,7 @@
 
 #include "panels/check_marks.hpp"
 #include "platform/fonts.hpp"
-#include "plot/ticks.hpp"
+#include "plot/number_text.hpp"
 
 namespace myo::ui::panels {
 

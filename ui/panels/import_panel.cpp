@@ -10,7 +10,7 @@
 #include "panels/file_dialogs.hpp"
 #include "panels/tables.hpp"
 #include "platform/fonts.hpp"
-#include "plot/ticks.hpp"
+#include "plot/number_text.hpp"
 
 namespace myo::ui::panels {
 namespace {

@@ -7,7 +7,7 @@
 #include "commands/settings_difference.hpp"
 #include "panels/tables.hpp"
 #include "panels/widgets.hpp"
-#include "plot/ticks.hpp"
+#include "plot/number_text.hpp"
 
 namespace myo::ui::panels {
 namespace {

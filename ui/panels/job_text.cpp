@@ -1,7 +1,7 @@
 #include "panels/job_text.hpp"
 
 #include "panels/widgets.hpp"
-#include "plot/ticks.hpp"
+#include "plot/number_text.hpp"
 
 namespace myo::ui::panels {
 namespace {

@@ -10,7 +10,9 @@
 #include "panels/file_dialogs.hpp"
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
+#include "plot/draw_chart.hpp"
 #include "plot/legend.hpp"
+#include "plot/number_text.hpp"
 
 namespace myo::ui::panels {
 namespace {
@@ -35,7 +37,7 @@ bool is_narrow(const platform::Theme& theme) { return ImGui::GetContentRegionAva
 
 /// The curves of one trial for one coordinate.
 struct TrialCurves {
-    plot::PlotSeries measured, simulated, residual;  // simulated and residual are NaN without a run
+    chart::Series measured, simulated, residual;  // simulated and residual are NaN without a run
 };
 
 /// The curves of another trial [mm], in its own colour.
@@ -48,9 +50,9 @@ TrialCurves overlaid_curves(const commands::OverlaidMarker& other, std::size_t m
     if (other.simulated_m) simulated = 1e3 * other.simulated_m->row(axis).transpose();
     const ImVec4 color = faint;
     faint.w = 0.7f;  // keeps the line visible where dots cover it
-    return {{trial.name + ", measured", trial.time_s, measured, faint, true},
-            {trial.name + ", simulated", trial.time_s, simulated, color, false},
-            {trial.name, trial.time_s, simulated - measured, color, false}};
+    return {plot::plot_series(trial.name + ", measured", trial.time_s, measured, faint, true),
+            plot::plot_series(trial.name + ", simulated", trial.time_s, simulated, color),
+            plot::plot_series(trial.name, trial.time_s, simulated - measured, color)};
 }
 
 }  // namespace
@@ -221,20 +223,24 @@ void MarkerPanel::draw_trials(PanelContext& context, bool narrow) {
 /// One legend for all coordinates: above a single plot there is no room for the names of several trials.
 void MarkerPanel::draw_legend(PanelContext& context) {
     const platform::Theme& theme = context.theme;
-    std::vector<plot::LegendEntry> entries{{"measured", theme.measured, true}};
+    std::vector<chart::LegendEntry> entries;
+    const auto add = [&](const std::string& name, const ImVec4& color, chart::SeriesStyle style) {
+        entries.push_back({.name = name, .colour = plot::chart_colour(color), .style = style});
+    };
+    add("measured", theme.measured, chart::SeriesStyle::dots);
     // Only curves that exist have an entry.
-    if (context.state.simulated_trial()) entries.push_back({"simulated", theme.simulated, false});
+    if (context.state.simulated_trial()) add("simulated", theme.simulated, chart::SeriesStyle::line);
     for (const commands::ComparedMarker& other : commands::compared_markers(context.state))
-        entries.push_back({other.name, theme.muscle(static_cast<int>(other.record)), false});
+        add(other.name, theme.muscle(static_cast<int>(other.record)), chart::SeriesStyle::line);
     for (const commands::OverlaidMarker& other : commands::overlaid_markers(context.state, overlaid_)) {
         const ImVec4& color = overlay_color(theme, other.trial);
-        entries.push_back({other.measured->name + ", measured", color, true});
-        if (other.simulated_m) entries.push_back({other.measured->name + ", simulated", color, false});
+        add(other.measured->name + ", measured", color, chart::SeriesStyle::dots);
+        if (other.simulated_m) add(other.measured->name + ", simulated", color, chart::SeriesStyle::line);
     }
     ImGui::PushFont(theme.small);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float gap = 12.0f * theme.scale, right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
-    for (const plot::LegendEntry& entry : entries) {
+    for (const chart::LegendEntry& entry : entries) {
         const float width = plot::legend_width(entry, theme);
         if (&entry != &entries.front()) {
             ImGui::SameLine(0.0f, gap);
@@ -254,7 +260,7 @@ void MarkerPanel::draw_export(PanelContext& context, const std::string& name) {
     if (ImGui::MenuItem("Table (CSV)\xe2\x80\xa6")) {
         // Without a zoom the whole trial is exported.
         constexpr double infinite = std::numeric_limits<double>::infinity();
-        const plot::Range range = time_.range.value_or(plot::Range{-infinite, infinite});
+        const chart::Range range = time_.range.value_or(chart::Range{-infinite, infinite});
         context.window.file = table_dialog(
             "Save the marker's curves", name,
             commands::marker_curves_csv(context.state, range.lowest, range.highest, overlaid_));
@@ -276,13 +282,6 @@ void MarkerPanel::draw_export(PanelContext& context, const std::string& name) {
     ImGui::EndPopup();
 }
 
-/// Keeps what is visible of a plot, for export as SVG.
-void MarkerPanel::see(const plot::Plot& plot, const plot::PlotResult& drawn, const plot::HiddenSeries& hidden) {
-    plot::SeenPlot seen{plot, drawn.area.x, drawn.area.y};
-    std::erase_if(seen.plot.series, [&](const plot::PlotSeries& series) { return hidden.count(series.name) > 0; });
-    seen_.push_back(std::move(seen));
-}
-
 /// The plot of one coordinate and, if there is a run and enough height, its residual below with the same time axis.
 /// Measured samples are dots, simulations lines.
 void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& size) {
@@ -299,9 +298,9 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
 
     plot::Plot plot;
     plot.id = "plot/" + axis_name;
-    plot.title = axis_name + " [mm]";
+    plot.panel.y = {.label = axis_name, .unit = "mm"};
     plot.cursor = state.time_s;
-    plot.mark = 0.0;
+    plot.panel.vertical = {{0.0, ""}};
     // With other trials, one legend above all plots replaces the legend of each.
     const std::vector<commands::OverlaidMarker> others = commands::overlaid_markers(state, overlaid_);
     plot.legend = others.empty();
@@ -312,46 +311,48 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
         TrialCurves curves = overlaid_curves(other, m, axis, theme);
         // The residual has no legend of its own; hiding the simulated curve hides its residual, too.
         if (hidden_.count(curves.simulated.name) > 0)
-            curves.residual.y.setConstant(std::numeric_limits<double>::quiet_NaN());
-        plot.series.push_back(std::move(curves.measured));
-        if (other.simulated_m) plot.series.push_back(std::move(curves.simulated));
-        strip.series.push_back(
+            std::fill(curves.residual.y.begin(), curves.residual.y.end(), std::numeric_limits<double>::quiet_NaN());
+        plot.panel.series.push_back(std::move(curves.measured));
+        if (other.simulated_m) plot.panel.series.push_back(std::move(curves.simulated));
+        strip.panel.series.push_back(
             std::move(curves.residual));  // also without values, so that both plots get the same time range
     }
     const Eigen::VectorXd measured = 1e3 * trial.measured[m].row(axis).transpose();
-    plot.series.push_back({"measured", trial.time_s, measured, theme.measured, true});
+    plot.panel.series.push_back(plot::plot_series("measured", trial.time_s, measured, theme.measured, true));
     if (compare) {
         const Eigen::VectorXd predicted = 1e3 * simulated->markers[m].row(axis).transpose();
-        plot.series.push_back({"simulated", trial.time_s, predicted, theme.simulated, false});
-        strip.series.push_back(
-            {"simulated \xe2\x88\x92 measured", trial.time_s, predicted - measured, theme.failure, false});
+        plot.panel.series.push_back(plot::plot_series("simulated", trial.time_s, predicted, theme.simulated));
+        strip.panel.series.push_back(
+            plot::plot_series("simulated \xe2\x88\x92 measured", trial.time_s, predicted - measured, theme.failure));
     }
     for (const commands::ComparedMarker& other : commands::compared_markers(state))
-        plot.series.push_back({other.name, trial.time_s, 1e3 * other.position_m->row(axis).transpose(),
-                               theme.muscle(static_cast<int>(other.record)), false});
+        plot.panel.series.push_back(plot::plot_series(other.name, trial.time_s,
+                                                      1e3 * other.position_m->row(axis).transpose(),
+                                                      theme.muscle(static_cast<int>(other.record))));
     // In a low strip the motion keeps all the room.
     const bool residual = compare && size.y > 110.0f * theme.scale;
-    plot.x_axis = !residual;
+    plot.x_labels = !residual;
     // At least high enough for its axis labels.
     const float residual_height = residual ? std::max(76.0f * theme.scale, 0.42f * size.y) : 0.0f;
     const plot::PlotResult main = plot::draw_plot(plot, {size.x, size.y - residual_height}, theme, context.items, time_,
                                                   main_[a], hidden_);
-    see(plot, main, hidden_);
+    seen_.push_back(plot::seen_chart(plot, main.area, hidden_));
     // A click in any plot moves the shown time of the whole window.
     if (main.cursor) context.emit(commands::SetTime{*main.cursor});
     if (!residual) return;
     // Both plots share the time axis, so they are drawn without a gap.
     ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
     strip.id = "residual/" + axis_name;
-    strip.title = size.x > 240.0f * theme.scale ? "simulated \xe2\x88\x92 measured [mm]" : "difference [mm]";
+    strip.panel.y = {.label = size.x > 240.0f * theme.scale ? "simulated \xe2\x88\x92 measured" : "difference",
+                     .unit = "mm",
+                     .include_zero = true};
     strip.cursor = state.time_s;
-    strip.mark = 0.0;
-    strip.zero_line = true;
+    strip.panel.vertical = {{0.0, ""}};
     strip.selectable = true;
     plot::HiddenSeries none;
     const plot::PlotResult below = plot::draw_plot(strip, {size.x, residual_height}, theme, context.items, time_,
                                                    residual_[a], none);
-    see(strip, below, none);
+    seen_.push_back(plot::seen_chart(strip, below.area, none));
     if (below.cursor) context.emit(commands::SetTime{*below.cursor});
 }
 

@@ -32,8 +32,6 @@ private:
     void draw_error(PanelContext& context);
     /// Popup with the ways to save what is seen. `name` is the proposed file name.
     void draw_export(PanelContext& context, const std::string& name);
-    /// Remembers a plot as it was drawn, for the SVG export.
-    void see(const plot::Plot& plot, const plot::PlotResult& drawn, const plot::HiddenSeries& hidden);
     /// Plot of one coordinate with its residual below. `size` in pixels.
     void draw_component(PanelContext& context, int axis, const ImVec2& size);
 
@@ -44,7 +42,7 @@ private:
     std::array<plot::PlotState, 3> main_;           // per coordinate
     std::array<plot::PlotState, 3> residual_;       // per coordinate
     plot::HiddenSeries hidden_;                     // curves switched off in the legend
-    std::vector<plot::SeenPlot> seen_;              // plots of the last frame, for export as SVG
+    std::vector<chart::Chart> seen_;                // plots of the last frame, for export as SVG
     std::shared_ptr<const commands::Scene> scene_;  // scene of the zoom
     int trial_ = -1;                                // trial of the zoom
     int marker_ = -1;                               // marker of the zoom

@@ -8,7 +8,7 @@
 #include "panels/setting_rows.hpp"
 #include "panels/wrapped_text.hpp"
 #include "platform/fonts.hpp"
-#include "plot/ticks.hpp"
+#include "plot/number_text.hpp"
 
 namespace myo::ui::panels {
 namespace {

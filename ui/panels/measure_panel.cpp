@@ -9,7 +9,7 @@
 #include "panels/file_dialogs.hpp"
 #include "panels/tables.hpp"
 #include "panels/widgets.hpp"
-#include "plot/ticks.hpp"
+#include "plot/number_text.hpp"
 
 namespace myo::ui::panels {
 

@@ -7,7 +7,7 @@
 #include "commands/body_size.hpp"
 #include "mesh/cell_traits.hpp"
 #include "platform/fonts.hpp"
-#include "plot/ticks.hpp"
+#include "plot/number_text.hpp"
 
 namespace myo::ui::panels {
 namespace {

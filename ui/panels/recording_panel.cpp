@@ -58,9 +58,11 @@ void RecordingPanel::draw(PanelContext& context) {
         if (axis > 0) ImGui::SameLine(0.0f, 0.0f);
         plot::Plot plot;
         plot.id = std::string("recording/") + "xyz"[axis];
-        plot.title = std::string(1, "xyz"[axis]) + " of " + elided(recording.labels[label], 0.4f * third) + " [mm]";
+        plot.panel.y = {.label = std::string(1, "xyz"[axis]) + " of " + elided(recording.labels[label], 0.4f * third),
+                        .unit = "mm"};
         plot.cursor = import.choices.start_s;
-        plot.series.push_back({"recorded", recording.time_s, track.row(axis).transpose(), theme.measured, true});
+        plot.panel.series.push_back(
+            plot::plot_series("recorded", recording.time_s, track.row(axis).transpose(), theme.measured, true));
         const plot::PlotResult drawn = plot::draw_plot(plot, {third, space.y - gaps - ImGui::GetStyle().ItemSpacing.y},
                                                        theme, context.items, time_,
                                                        plots_[static_cast<std::size_t>(axis)], hidden_);

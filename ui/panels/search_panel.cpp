@@ -8,6 +8,7 @@
 #include "panels/tables.hpp"
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
+#include "plot/number_text.hpp"
 
 namespace myo::ui::panels {
 
@@ -70,29 +71,28 @@ void SearchPanel::draw(PanelContext& context) {
     ImGui::EndChild();
     ImGui::SameLine();
     ImGui::BeginChild("curves", {0.0f, 0.0f}, false, ImGuiWindowFlags_NoScrollbar);
-    // Loss and gradient fall by orders of magnitude, so they are shown as logarithms. A failed evaluation leaves a gap.
+    // Loss and gradient fall by orders of magnitude, so their axes are logarithmic. A failed evaluation leaves a gap.
     const auto count = static_cast<Eigen::Index>(search.log.size());
     const Eigen::VectorXd number = Eigen::VectorXd::LinSpaced(count, 1.0, static_cast<double>(count));
     Eigen::VectorXd rms(count), loss(count), gradient(count);
     for (Eigen::Index i = 0; i < count; ++i) {
         const commands::SearchPoint& point = search.log[static_cast<std::size_t>(i)];
         rms(i) = 1e3 * point.rms_m;
-        loss(i) = point.loss > 0.0 ? std::log10(point.loss) : std::nan("");
-        gradient(i) = point.gradient_norm > 0.0 ? std::log10(point.gradient_norm) : std::nan("");
+        loss(i) = point.loss;
+        gradient(i) = point.gradient_norm;
     }
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const ImVec2 size{std::floor((room.x - 4.0f * s * static_cast<float>(curves - 1)) / static_cast<float>(curves)),
                       room.y};
     // Line and dots: the line shows the course, the dots the single evaluations.
-    const auto curve = [&](const char* id, const std::string& title, const std::string& tip,
+    const auto curve = [&](const char* id, const chart::Axis& axis, const std::string& tip,
                            const Eigen::VectorXd& values, const ImVec4& color, plot::PlotState& plot_state) {
         plot::Plot plot;
         plot.id = id;
-        plot.title = title;
-        plot.x_unit = "";
-        plot.y_unit = "";
-        plot.series.push_back({"line", number, values, color, false});
-        plot.series.push_back({"dots", number, values, color, true});
+        plot.x = {.label = "evaluation"};
+        plot.panel.y = axis;
+        plot.panel.series.push_back(plot::plot_series("value", number, values, color));
+        plot.panel.series.back().style = chart::SeriesStyle::line_and_dots;
         const plot::PlotResult drawn = plot::draw_plot(plot, size, theme, context.items, evaluations_, plot_state,
                                                        hidden_);
         // Above the drawing area only; inside it the crosshair shows the values.
@@ -107,18 +107,16 @@ void SearchPanel::draw(PanelContext& context) {
         calibrates
             ? "the loss |r|² / 2, r = (simulated − measured) / noise"
             : "the loss [mm²], the markers' mean square distance plus a small penalty on the rate of the signals";
-    const std::string unit = search.loss_unit.empty() ? "" : " [" + search.loss_unit + "]";
-    curve("search/rms", "rms error [mm]",
+    curve("search/rms", {.label = "rms error", .unit = "mm"},
           "Root mean square distance of simulated and measured coordinates [mm], over the evaluations of the search",
           rms, theme.simulated, error_);
     if (curves > 1)
         ImGui::SameLine(0.0f, 4.0f * s),
-            curve("search/loss", "log\xe2\x82\x81\xe2\x82\x80 loss" + unit,
-                  "Quantity that the search minimises: " + what + ". One unit on the scale is a factor of ten.", loss,
-                  theme.accent, loss_);
+            curve("search/loss", {.label = "loss", .unit = search.loss_unit, .logarithmic = true},
+                  "Quantity that the search minimises: " + what + ".", loss, theme.accent, loss_);
     if (curves > 2)
         ImGui::SameLine(0.0f, 4.0f * s),
-            curve("search/gradient", "log\xe2\x82\x81\xe2\x82\x80 |gradient|" + unit,
+            curve("search/gradient", {.label = "|gradient|", .unit = search.loss_unit, .logarithmic = true},
                   "Length of the gradient of " + what +
                       (calibrates ? ", each parameter in its scale" : ", without the part that the bounds block") +
                       ". It is 0 at the optimum.",

@@ -7,13 +7,14 @@
 
 #include "panels/tables.hpp"
 #include "platform/fonts.hpp"
+#include "plot/number_text.hpp"
 
 namespace myo::ui::panels {
 namespace {
 
 /// Distance to a knot within which the mouse takes it [pixels at scale 1].
 constexpr float reach = 9.0f;
-constexpr plot::Range min_range{0.9, 1.1};  // always visible, so that a constant signal is not magnified
+constexpr chart::Range min_range{0.9, 1.1};  // always visible, so that a constant signal is not magnified
 
 // In the order of commands::SignalShape.
 const std::vector<commands::Choice>& shape_choices() {
@@ -33,21 +34,19 @@ void give_signal(PanelContext& context, std::optional<fibre::Signal> signal, con
 }
 
 /// A signal over a time range. Beyond its knots it is constant, so points are added at the ends of the range.
-plot::PlotSeries series_of(const std::string& name, const fibre::Signal& signal, const plot::Range& span,
-                           const ImVec4& color) {
+chart::Series series_of(const std::string& name, const fibre::Signal& signal, const chart::Range& span,
+                        const ImVec4& color) {
     std::vector<double> x = signal.times_s, y = signal.values;
     if (span.lowest < x.front()) x.insert(x.begin(), span.lowest), y.insert(y.begin(), y.front());
     if (span.highest > x.back()) x.push_back(span.highest), y.push_back(y.back());
     const auto count = static_cast<Eigen::Index>(x.size());
-    return {name, Eigen::Map<const Eigen::VectorXd>(x.data(), count),
-            Eigen::Map<const Eigen::VectorXd>(y.data(), count), color, false};
+    return plot::plot_series(name, Eigen::Map<const Eigen::VectorXd>(x.data(), count),
+                             Eigen::Map<const Eigen::VectorXd>(y.data(), count), color);
 }
 
 /// Pixel of a knot in the window.
 ImVec2 pixel_of(const plot::PlotArea& area, double time_s, double value) {
-    const auto wide = [](float v) { return static_cast<double>(v); };
-    return {static_cast<float>(plot::to_pixel(area.x, time_s, wide(area.pixels.lowest.x), wide(area.pixels.highest.x))),
-            static_cast<float>(plot::to_pixel(area.y, value, wide(area.pixels.highest.y), wide(area.pixels.lowest.y)))};
+    return {static_cast<float>(area.x(time_s)), static_cast<float>(area.y(value))};
 }
 
 /// Folder of the experiment, as the start of the file dialogs.
@@ -268,15 +267,13 @@ void SignalPanel::draw_curve(PanelContext& context) {
     const fibre::Signal signal = commands::signal_of(state, muscle);
     // The range covers trial and signal, at least a tenth of a second.
     const std::array<double, 2> trial = commands::time_span(state);
-    const plot::Range span{std::min(trial[0], signal.times_s.front()),
-                           std::max({trial[1], signal.times_s.back(), signal.times_s.front() + 0.1})};
+    const chart::Range span{std::min(trial[0], signal.times_s.front()),
+                            std::max({trial[1], signal.times_s.back(), signal.times_s.front() + 0.1})};
     plot::Plot plot;
     plot.id = "plot/signal";
-    plot.title = "target stretch a";
-    plot.y_unit = "";
+    plot.panel.y = {.label = "target stretch a", .include = {min_range.lowest, min_range.highest}};
     plot.cursor = state.time_s;
     plot.legend = state.settings.muscles.size() > 1;
-    plot.y_least = min_range;
     plot.editable = muscle.follows.empty();
     // While a knot is dragged, the plot must not pan.
     plot.held = grabbed_.has_value();
@@ -286,9 +283,9 @@ void SignalPanel::draw_curve(PanelContext& context) {
         // Faint, so that the edited curve stands out.
         ImVec4 faint = theme.muscle(other.color);
         faint.w = 0.45f;
-        plot.series.push_back(series_of(other.name, commands::signal_of(state, other), span, faint));
+        plot.panel.series.push_back(series_of(other.name, commands::signal_of(state, other), span, faint));
     }
-    plot.series.push_back(series_of(muscle.name, signal, span, theme.muscle(muscle.color)));
+    plot.panel.series.push_back(series_of(muscle.name, signal, span, theme.muscle(muscle.color)));
     const plot::PlotResult drawn = plot::draw_plot(plot, ImGui::GetContentRegionAvail(), theme, context.items, time_,
                                                    plot_, hidden_);
     if (!plot.editable) {
@@ -322,11 +319,8 @@ void SignalPanel::edit_knots(PanelContext& context, const fibre::Signal& signal,
         context.items.add("signals/knot/" + std::to_string(k), {{p.x - 4.0f, p.y - 4.0f}, {p.x + 4.0f, p.y + 4.0f}});
     }
     ImGui::PopClipRect();
-    const auto wide = [](float v) { return static_cast<double>(v); };
-    const double time = plot::from_pixel(area.x, wide(mouse.x), wide(area.pixels.lowest.x),
-                                         wide(area.pixels.highest.x));
-    const double value = plot::from_pixel(area.y, wide(mouse.y), wide(area.pixels.highest.y),
-                                          wide(area.pixels.lowest.y));
+    const double time = area.x.value(static_cast<double>(mouse.x));
+    const double value = area.y.value(static_cast<double>(mouse.y));
     // Released, or the plot lost the mouse.
     if (!drawn.active) grabbed_.reset();
     if (drawn.hovered && near && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {

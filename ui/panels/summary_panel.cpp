@@ -8,7 +8,7 @@
 #include "panels/tables.hpp"
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
-#include "plot/ticks.hpp"
+#include "plot/number_text.hpp"
 
 namespace myo::ui::panels {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "panels/check_marks.hpp"
 #include "panels/preview_rows.hpp"
-#include "plot/ticks.hpp"
+#include "plot/number_text.hpp"
 
 namespace myo::ui::panels {
 namespace {
@@ -245,17 +245,17 @@ void TimePanel::draw_damping_curve(PanelContext& context, const commands::Choice
     }
     plot::Plot plot;
     plot.id = "damping";
-    plot.title = "\xce\xb6 over h [ms]";
-    plot.x_unit = "ms";
-    plot.y_unit = "";
+    plot.x = {.label = "h", .unit = "ms"};
+    // The range begins at zero and does not magnify a scheme without damping.
+    plot.panel.y = {.label = "\xce\xb6 over h", .include = {0.0, 0.01}};
     plot.legend = true;
-    plot.y_least = plot::Range{0.0, 0.01};
-    plot.series.push_back({"scheme", step_ms_, ratio_, theme.simulated});
+    plot.panel.series.push_back(plot::plot_series("scheme", step_ms_, ratio_, theme.simulated));
     // Damping of the measured vibration at its own frequency.
     const double measured = state.scene ? state.scene->damping_ratio : std::numeric_limits<double>::quiet_NaN();
     if (std::isfinite(measured))
-        plot.series.push_back({"measured " + plot::value_label(measured, 2), step_ms_,
-                               Eigen::VectorXd::Constant(step_ms_.size(), measured), theme.measured});
+        plot.panel.series.push_back(plot::plot_series("measured " + plot::value_label(measured, 2), step_ms_,
+                                                      Eigen::VectorXd::Constant(step_ms_.size(), measured),
+                                                      theme.measured));
     plot.cursor = 1e3 * state.settings.time_step_s;
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 size{ImGui::GetContentRegionAvail().x, 150.0f * theme.scale};

@@ -6,9 +6,11 @@
 #include <array>
 #include <cmath>
 
+#include "base/markup.hpp"
+#include "chart/scale.hpp"
 #include "panels/tables.hpp"
 #include "platform/fonts.hpp"
-#include "plot/ticks.hpp"
+#include "plot/number_text.hpp"
 
 namespace myo::ui::panels {
 namespace {
@@ -48,19 +50,16 @@ void draw_track(PanelContext& context, const std::array<double, 2>& span, float 
     const float left = at.x + 8.0f * s;
     const float right = at.x + width - 8.0f * s;
     const float middle = at.y + 0.5f * height;
-    const plot::Range range{span[0], span[1]};
-    const auto x_of = [&](double t) {
-        return static_cast<float>(plot::to_pixel(range, t, static_cast<double>(left), static_cast<double>(right)));
-    };
+    const chart::Scale scale{span[0], span[1], static_cast<double>(left), static_cast<double>(right)};
+    const auto x_of = [&](double t) { return static_cast<float>(scale(t)); };
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled({left, middle - 2.0f * s}, {right, middle + 2.0f * s}, platform::packed(theme.raised), 2.0f * s);
     // A trial with one sample has nothing to move through.
-    if (!(range.span() > 0.0)) return;
+    if (!(scale.range().span() > 0.0)) return;
     // Dragging stops playing, as both would set the time.
     if (ImGui::IsItemActive()) {
         context.emit(commands::Play{false});
-        context.emit(commands::SetTime{plot::from_pixel(range, static_cast<double>(ImGui::GetIO().MousePos.x),
-                                                        static_cast<double>(left), static_cast<double>(right))});
+        context.emit(commands::SetTime{scale.value(static_cast<double>(ImGui::GetIO().MousePos.x))});
     }
     const float x = x_of(std::clamp(state.time_s, span[0], span[1]));
     list.AddRectFilled({left, middle - 2.0f * s}, {x, middle + 2.0f * s}, platform::packed(theme.accent), 2.0f * s);
@@ -106,7 +105,7 @@ void draw_timeline(PanelContext& context) {
     // Slow motion for vibrations, faster for long trials.
     static constexpr std::array<double, 5> speeds{0.1, 0.25, 0.5, 1.0, 2.0};
     // The time has a fixed width, so that the track does not change while playing.
-    const std::string time = plot::tick_label(state.time_s, 0.001) + " s";
+    const std::string time = fixed_decimals(state.time_s, 3) + " s";
     const float speed_width = 72.0f * s;
     const float time_width = ImGui::CalcTextSize(
                                  "\xe2\x88\x92"

@@ -9,49 +9,41 @@
 #include <string>
 #include <vector>
 
+#include "chart/layout.hpp"
 #include "platform/item_rectangles.hpp"
 #include "platform/theme.hpp"
-#include "plot/ticks.hpp"
 
 namespace myo::ui::plot {
 
-/// One curve of a plot. x is ascending; a NaN in y (or x) interrupts the line. If the lengths differ, the shorter one
-/// counts.
-struct PlotSeries {
-    std::string name;  // in the legend; also identifies the curve in HiddenSeries
-    Eigen::VectorXd x;
-    Eigen::VectorXd y;
-    ImVec4 color;
-    bool dots = false;  // dots at the samples instead of a line
-};
+/// A curve of a plot; if the lengths differ, the shorter one counts. x is ascending.
+///
+/// @param name  in the legend; also identifies the curve in HiddenSeries
+/// @param dots  dots at the samples instead of a line
+chart::Series plot_series(std::string name, const Eigen::VectorXd& x, const Eigen::VectorXd& y, const ImVec4& color,
+                          bool dots = false);
 
 /// Content of a plot in this frame. A panel builds a new one for each frame; the plot keeps nothing of it.
 struct Plot {
-    std::string id;             // unique in the window; also the item name for tests
-    std::string title;          // upper left, with unit: "x [mm]"
-    std::string x_unit = "s";   // unit of x at the crosshair and the ticks
-    std::string y_unit = "mm";  // unit of y at the crosshair
-    bool x_axis = true;         // tick labels below; false if the plot below shows them
-    std::vector<PlotSeries> series;
-    std::optional<double> cursor;  // x of a vertical line that can be dragged; empty: none
-    std::optional<double> mark;    // x of a fixed vertical line, such as the start of motion; empty: none
-    bool legend = false;           // drawn at the upper right
-    bool zero_line = false;        // draws y = 0 and keeps it inside the range
-    std::optional<Range> y_least;  // range of y that is always visible; empty: follows the data
-    bool selectable = false;       // Shift and left drag select a range of x
-    bool editable = false;         // the left button is left to the panel that draws over the plot
+    std::string id;                                  // unique in the window; also the item name for tests
+    chart::Axis x = {.label = "time", .unit = "s"};  // the unit is shown at the ticks and at the crosshair
+    chart::Panel panel = {};                         // y axis, its title in the upper left, and curves
+    bool x_labels = true;                            // labels below; false if the plot below shows them
+    std::optional<double> cursor = {};               // x of a vertical line that can be dragged; empty: none
+    bool legend = false;                             // drawn at the upper right
+    bool selectable = false;                         // Shift and left drag select a range of x
+    bool editable = false;                           // the left button is left to the panel that draws over the plot
     bool held = false;  // editable plots only: an element over the plot is being dragged, so left drags do not pan
 };
 
 /// The x axis that several plots share, such as the time axis of x, y and z. Owned by the panel.
 struct LinkedAxis {
-    std::optional<Range> range;   // visible range; empty = all data
-    std::optional<Range> chosen;  // selected by the user, evaluated separately; empty: none
+    std::optional<chart::Range> range;   // visible range; empty = all data
+    std::optional<chart::Range> chosen;  // selected by the user, evaluated separately; empty: none
 };
 
 /// Interaction state of one plot between frames. Owned by the panel; a default value resets zoom and drags.
 struct PlotState {
-    std::optional<Range> y;             // visible range; empty = all data
+    std::optional<chart::Range> y;      // visible range; empty = all data
     std::optional<ImVec2> box_start;    // first corner of a zoom box in progress [pixels in the window]
     std::optional<double> chosen_from;  // first end of an x selection in progress
     bool dragging_cursor = false;       // with the left button
@@ -61,11 +53,11 @@ struct PlotState {
 /// Names of the curves that the user has switched off in the legend. Shared by all plots of a panel.
 using HiddenSeries = std::set<std::string>;
 
-/// Drawing area of a plot and the data ranges that it shows. Used by tests and by panels that draw over a plot.
+/// Drawing area of a plot and the scales of its axes. Used by tests and by panels that draw over a plot.
 struct PlotArea {
     platform::Rectangle pixels;  // in the window
-    Range x;
-    Range y;
+    chart::Scale x;              // between values and pixels of the window
+    chart::Scale y;
 };
 
 /// What happened to a plot in this frame.
@@ -93,5 +85,11 @@ float plot_margin_left(const platform::Theme& theme);
 /// @return the drawing area, and the cursor if the user moved it. An area smaller than 20 x 10 pixels draws nothing.
 PlotResult draw_plot(const Plot& plot, const ImVec2& size, const platform::Theme& theme,
                      platform::ItemRectangles& items, LinkedAxis& x_axis, PlotState& state, HiddenSeries& hidden);
+
+/// The visible part of a plot as a chart: ranges as drawn, hidden curves left out.
+chart::Chart seen_chart(const Plot& plot, const PlotArea& area, const HiddenSeries& hidden);
+
+/// Index of the sample whose x is nearest to `value`. x is ascending. Empty if there are no samples.
+std::optional<std::size_t> nearest_sample(const std::vector<double>& x, double value);
 
 }  // namespace myo::ui::plot

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plot/ticks.hpp"
+#include "chart/ticks.hpp"
 
 namespace myo::ui::viewport {
 namespace {
@@ -29,7 +29,7 @@ std::vector<float> grid_segments(const Box& extent, const Color& color) {
     // About five squares along the longest side, with a size that is easy to read.
     const double reach = extent.size().maxCoeff();
     if (!(reach > 0.0)) return segments;
-    const double cell = plot::nice_step(reach / 5.0);
+    const double cell = chart::round_step(reach / 5.0);
     const Eigen::Vector3d center = 0.5 * (extent.lowest + extent.highest);
     // Lines at multiples of the square, so that the grid does not move with small changes of the body.
     const double x0 = std::round(center.x() / cell) * cell;

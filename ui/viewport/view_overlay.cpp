@@ -8,7 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "plot/ticks.hpp"
+#include "chart/scale.hpp"
+#include "plot/number_text.hpp"
 #include "viewport/color_map.hpp"
 
 namespace myo::ui::viewport {
@@ -166,7 +167,12 @@ void draw_field_legend(ImDrawList& list, const platform::Rectangle& view, const 
     const float s = theme.scale;
     const float height = std::min(160.0f * s, view.height() - 150.0f * s);
     if (height < 40.0f) return;
-    const std::string title = field.name + (field.unit.empty() ? "" : " [" + field.unit + "]");
+    // The axis of a chart gives ticks and title: a power of ten that the labels share belongs to the unit.
+    const chart::Axis axis{.label = field.name, .unit = field.unit, .lowest = field.lowest, .highest = field.highest};
+    const double at_top = static_cast<double>(view.lowest.y + 40.0f * s);
+    const chart::PlannedAxis plan = chart::plan_axis(
+        axis, chart::DataRange(axis), 0.0, at_top + static_cast<double>(height), at_top, 28.0 * static_cast<double>(s));
+    const std::string title = chart::axis_title(axis, plan.ticks);
     const float title_width = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, title.c_str()).x;
     const float right = view.highest.x - 16.0f * s;
     const float top = view.lowest.y + 40.0f * s;
@@ -186,12 +192,9 @@ void draw_field_legend(ImDrawList& list, const platform::Rectangle& view, const 
         list.AddRectFilled({left, y0}, {right, y1}, platform::packed({c[0], c[1], c[2], 1.0f}));
     }
     list.AddRect({left, top}, {right, top + height}, platform::packed(theme.muted), 0.0f, 0, s);
-    const plot::Ticks ticks = plot::make_ticks({field.lowest, field.highest},
-                                               std::max(2, static_cast<int>(height / (28.0f * s))));
-    for (const double v : ticks.values) {
-        const float y = static_cast<float>(plot::to_pixel({field.lowest, field.highest}, v,
-                                                          static_cast<double>(top + height), static_cast<double>(top)));
-        const std::string label = plot::tick_label(v, ticks.step);
+    for (std::size_t i = 0; i < plan.ticks.values.size(); ++i) {
+        const auto y = static_cast<float>(plan.scale(plan.ticks.values[i]));
+        const std::string& label = plan.ticks.labels[i];
         const ImVec2 extent = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, label.c_str());
         list.AddLine({left - 4.0f * s, y}, {left, y}, platform::packed(theme.muted), s);
         outlined(list, theme, {left - 8.0f * s - extent.x, y - 0.5f * extent.y}, platform::packed(theme.text), halo,
@@ -203,9 +206,9 @@ void draw_field_legend(ImDrawList& list, const platform::Rectangle& view, const 
 
 ScaleBar make_scale_bar(double per_pixel, double longest, const std::string& unit) {
     ScaleBar bar;
-    bar.length = plot::nice_step(per_pixel * longest);
-    // nice_step() rounds up, so the bar may be too long. The next smaller nice step fits.
-    if (bar.length > per_pixel * longest) bar.length = plot::nice_step(bar.length / 2.6);
+    bar.length = chart::round_step(per_pixel * longest);
+    // round_step() rounds up, so the bar may be too long. The next smaller round step fits.
+    if (bar.length > per_pixel * longest) bar.length = chart::round_step(bar.length / 2.6);
     bar.pixels = bar.length / per_pixel;
     bar.label = with_unit(bar.length, unit);
     return bar;
