@@ -53,7 +53,7 @@ bool same_shape(const Geometry& a, const Geometry& b) {
 
 struct PackedCellsPolicy {
     /// Number of previous shapes a pack is compared with. A grid with non-uniform lines has a few distinct shapes.
-    std::size_t most_compared = 16;
+    std::size_t max_compared = 16;
 };
 inline constexpr PackedCellsPolicy packed_cells_policy;
 
@@ -76,8 +76,8 @@ PackedCells<Geometry> pack_cells(const typename Geometry::Block& block) {
             set_lane_of(geometry, lane, block.geometry[static_cast<std::size_t>(cell)]);
         }
         // Only the most recent shapes are compared, which bounds the cost for unstructured meshes.
-        const std::size_t known = packed.shapes.size(), first = known > packed_cells_policy.most_compared
-                                                                    ? known - packed_cells_policy.most_compared
+        const std::size_t known = packed.shapes.size(), first = known > packed_cells_policy.max_compared
+                                                                    ? known - packed_cells_policy.max_compared
                                                                     : 0;
         std::size_t shape = first;
         while (shape < known && !same_shape(packed.shapes[shape], geometry)) ++shape;
