@@ -24,10 +24,22 @@ struct MarkPainter {
 
     void operator()(const chart::Stroke& stroke) const {
         const chart::Polyline& curve = stroke.points;
+        ImVec2 start{};  // of the next piece
+        bool joined = false;
         double along = 0.0;  // length of the curve so far, for the dashes
         for (std::size_t i = 1; i < curve.x.size(); ++i) {
-            if (!curve.has_point(i) || !curve.has_point(i - 1)) continue;
-            ImVec2 from = window_point(curve.x[i - 1], curve.y[i - 1]), to = window_point(curve.x[i], curve.y[i]);
+            if (!curve.has_point(i) || !curve.has_point(i - 1)) {
+                joined = false;
+                continue;
+            }
+            const bool continues = joined;
+            joined = true;
+            if (!continues) start = window_point(curve.x[i - 1], curve.y[i - 1]);
+            ImVec2 from = start, to = window_point(curve.x[i], curve.y[i]);
+            // Steps far below a pixel are joined, as traces may hold many samples per pixel.
+            const bool ends = i + 1 == curve.x.size() || !curve.has_point(i + 1);
+            if (!ends && std::abs(from.x - to.x) < 0.3f && std::abs(from.y - to.y) < 0.3f) continue;
+            start = to;
             // Straight lines along the axes lie on pixels, or they would be blurred.
             if (curve.x.size() == 2 && from.x == to.x) from.x = to.x = std::round(from.x);
             if (curve.x.size() == 2 && from.y == to.y) from.y = to.y = std::round(from.y);
@@ -49,10 +61,15 @@ struct MarkPainter {
     }
 
     void operator()(const chart::Dots& dots) const {
-        for (std::size_t i = 0; i < dots.centres.x.size(); ++i)
-            if (dots.centres.has_point(i))
-                list.AddCircleFilled(window_point(dots.centres.x[i], dots.centres.y[i]),
-                                     static_cast<float>(0.5 * dots.diameter), packed_colour(dots.colour), 10);
+        // Dots within one pixel are drawn once, as traces may hold many samples per pixel.
+        ImVec2 last{-1e9f, -1e9f};
+        for (std::size_t i = 0; i < dots.centres.x.size(); ++i) {
+            if (!dots.centres.has_point(i)) continue;
+            const ImVec2 p = window_point(dots.centres.x[i], dots.centres.y[i]);
+            if (std::abs(p.x - last.x) + std::abs(p.y - last.y) <= 0.7f) continue;
+            list.AddCircleFilled(p, static_cast<float>(0.5 * dots.diameter), packed_colour(dots.colour), 8);
+            last = p;
+        }
     }
 
     void operator()(const chart::Polygon& polygon) const {
