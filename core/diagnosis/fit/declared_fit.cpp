@@ -28,7 +28,7 @@ bool lengthen_steps(DeclaredFit& result, double most_m, PhaseLog& log) {
 /// Stops later runs of the fit trials at a multiple of the iterations of this fit.
 void limit_iterations(DeclaredFit& result, const JointFit& fit, const DeclaredFitPolicy& policy) {
     for (std::size_t i = 0; i < result.data.trials.size(); ++i)
-        result.setup.trials[result.data.trials[i]].options.most_iterations = policy.most_iteration_ratio *
+        result.setup.trials[result.data.trials[i]].options.max_iterations = policy.most_iteration_ratio *
                                                                              fit.predictions[i].trace.newton_iterations;
 }
 

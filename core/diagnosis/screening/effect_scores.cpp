@@ -80,7 +80,7 @@ void run_columns(const setup::Setup& setup, const FitData& data, const effect::E
         ProbeColumn& column = columns[static_cast<std::size_t>(task) / trials];
         const std::size_t i = static_cast<std::size_t>(task) % trials;
         const Stopwatch watch;
-        column.predictions[i] = probed(setup, data.trials[i], search.sites[i], column.values, unaffected[i], progress);
+        column.predictions[i] = probed(setup, data.trials[i], search.trials[i], column.values, unaffected[i], progress);
         column.predictions[i].trace = {};
         const std::lock_guard<std::mutex> lock(mutex);
         scores[column.probe].seconds += watch.seconds();
