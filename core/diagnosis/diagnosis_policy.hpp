@@ -10,13 +10,13 @@ struct Effort {
     /// A fit has converged if an iteration is predicted to reduce the squared residual by a smaller share. For squared
     /// residuals in the thousands, 1e-4 is a quarter of a standard deviation; the iteration before was larger.
     double relative_decrease = 1e-4;
-    int most_jacobians = 1000;  // in addition to the Jacobian known at the start
+    int max_jacobians = 1000;  // in addition to the Jacobian known at the start
 };
 
 /// Repetition of a fit with the numerical error of its own motion removed.
 struct ErrorCorrection {
     Effort effort;
-    double most_change = 0.0;  // of predictions [noise levels, rms]; above it the error is computed again
+    double max_change = 0.0;  // of predictions [noise levels, rms]; above it the error is computed again
 };
 
 // All tuning numbers of the diagnosis. "Seed" in a source: number of the record in assets/validation on whose cases the
@@ -35,7 +35,7 @@ struct NumericsPolicy {
     /// Steps are lengthened while predictions change by at most this [noise levels, rms]: so small an error follows
     /// its order and can be removed. The limit is this share of the residual of the declared fit if that is more: a law
     /// of another form than an effect's leaves a twentieth.
-    double most_step_change = 1.0;
+    double max_step_change = 1.0;
     double step_change_of_left = 0.03;
 
     /// Orders of convergence of displacements with the edge length, without locking. hex8: 2.5 by a manufactured
@@ -59,23 +59,23 @@ struct NumericsPolicy {
 
     /// The effective modulus is computed if the numerical error exceeds this [noise levels, rms]; a smaller error is
     /// corrected by the shift of predictions alone.
-    double least_error_for_modulus = 0.5;
-    double modulus_step = 0.003;       // relative step of its difference quotient
-    double most_modulus_change = 0.3;  // relative; a larger change is not due to the mesh
+    double min_error_for_modulus = 0.5;
+    double modulus_step = 0.003;      // relative step of its difference quotient
+    double max_modulus_change = 0.3;  // relative; a larger change is not due to the mesh
 
     /// The error is computed again while its removal changes predictions by more than this share of the residual.
     double converged_share = 0.3;
-    int most_rounds = 3;
+    int max_rounds = 3;
     /// A corrected fit is discarded if its squared residual exceeds that of the previous fit by this factor.
-    double most_growth = 1.2;
+    double max_growth = 1.2;
     /// Parameters are matched between the coarse and the refined runs if the error exceeds the first value, until it
     /// falls below the second [noise levels, or the rms of the residual if that is larger].
-    double least_matched_error = 1.0;
+    double min_matched_error = 1.0;
     double matched_error = 0.2;
-    int most_matching_steps = 6;
-    double least_matching_gain = 0.9;  // an iteration that leaves a larger share of the error is the last
+    int max_matching_steps = 6;
+    double min_matching_gain = 0.9;  // an iteration that leaves a larger share of the error is the last
     /// Matching does not change directions of parameters whose singular value is below this share of the largest.
-    double least_singular_value = 1e-2;
+    double min_singular_value = 1e-2;
 };
 
 /// Fit of the declared parameters, the reference of all comparisons.
@@ -83,14 +83,14 @@ struct DeclaredFitPolicy {
     Effort effort{30};
     ErrorCorrection correction{{12}, 1.0};
     /// A run with this many times the iterations of the declared fit is stopped: its parameters are implausible.
-    int most_iteration_ratio = 4;
+    int max_iteration_ratio = 4;
     /// A fitted damping this many times the expected one compensates for something else.
-    double most_damping_ratio = 3.0;
+    double max_damping_ratio = 3.0;
     /// Width of the prior of an effect's vectors, in units of their scales: the data determine a place on a surface in
     /// two directions only.
     double prior_widths = 10.0;
     /// An undeclared mass is at most this many times the body's.
-    double most_mass_ratio = 3.0;
+    double max_mass_ratio = 3.0;
 };
 
 /// Score tests of all candidates. Source: Rao 1948.
@@ -98,24 +98,24 @@ struct ScreeningPolicy {
     /// Scores may be computed with longer steps if that changes predictions by less than this share of the residual.
     double step_error_share = 0.3;
     /// A probe that explains less of the residual's squares is not fitted.
-    double least_explained = 0.02;
+    double min_explained = 0.02;
     /// Other places of an effect are fitted if their predicted reduction is at least this share of the best place's.
     double comparable_place = 0.5;
-    int most_places = 2;                 // of one effect
-    std::size_t most_places_of_all = 6;  // of all effects together
+    int max_places = 2;                 // of one effect
+    std::size_t max_places_of_all = 6;  // of all effects together
 
     /// Largest amount of a probe, by the norm of its response over that of the residual: of the part that other
     /// parameters do not compensate, and of the whole. A softer material with a higher modulus compensates most.
-    double most_outside = 2.0;
-    double most_over_residual = 30.0;
+    double max_outside = 2.0;
+    double max_over_residual = 30.0;
     /// A probe whose response is more than this many times the residual is not in the linear range of smaller amounts.
     double nonlinear_ratio = 2.0;
     /// A second start is used if its amount differs from the first by this factor.
     double distinct_start = 2.0;
     /// Exchanged names and slipped markers are scored if undoing them removes this share of the squared residual.
     /// Markers are centimetres apart: an exchange that happened causes most of the residual.
-    double least_swap_gain = 0.2;
-    double least_slip_gain = 0.05;
+    double min_swap_gain = 0.2;
+    double min_slip_gain = 0.05;
     /// Damping of the columns of a probe, over its largest column: a column far below it gets hardly any amount.
     double negligible_column = 0.05;
 };
@@ -129,7 +129,7 @@ struct CandidateFitPolicy {
     Effort other{20, 1e-3, 1};    // all parameters of the others
     double relative_step = 1e-5;  // relative change of the parameters below which a fit has converged
     /// The first step of a parameter of unknown order of magnitude changes it by at most this factor, e squared.
-    double most_factor = 7.38905609893065;
+    double max_factor = 7.38905609893065;
     /// Candidates with a larger predicted reduction get new derivatives: secant updates are too inaccurate for them.
     double large_reduction = 0.3;
     /// Candidates whose predicted reduction is at least this share of the leader's are pruned later.
@@ -137,7 +137,7 @@ struct CandidateFitPolicy {
     /// A fit is repeated if its squared residual exceeds the predicted one by the first factor and is below the second
     /// share of the base's, and if its predicted reduction is at least the third share of the largest.
     double missed_reduction = 1.5;
-    double least_progress = 0.95;
+    double min_progress = 0.95;
     double worth_repeating = 0.8;
 };
 
@@ -151,8 +151,8 @@ struct SearchPolicy {
     /// Once the best fit explains the residual, or leaves at most this share of its squares and a systematic part below
     /// the noise, candidates with less than this share of its predicted reduction are not fitted. Distortion of the
     /// declared fit hides up to two thirds of the reduction by the right effect.
-    double least_relative_reduction = 0.25;
-    double most_left = 0.5;
+    double min_relative_reduction = 0.25;
+    double max_left = 0.5;
     double noise_like = 1.0;  // [noise levels]
     /// A fit with less than this share of the declared excess has a motion nearer to the truth: its numerical error is
     /// computed.
@@ -172,33 +172,33 @@ struct SearchPolicy {
 /// Search for a second effect.
 struct PairPolicy {
     /// Only if the best effect leaves at most this share of the declared excess.
-    double most_left = 0.6;
+    double max_left = 0.6;
     double pruning_factor = 1.5;  // lower than for single effects: one of the two is already fitted
 };
 
 /// Effects that the experiment cannot separate.
 struct ConfusionPolicy {
-    double least_cosine = 0.97;  // of the changes of the residual by two effects
+    double min_cosine = 0.97;  // of the changes of the residual by two effects
     /// An effect with less than this share of the largest predicted reduction is no rival, unless it fits as well.
-    double least_reduction = 0.3;
+    double min_reduction = 0.3;
     double comparable_weight = 0.05;  // share of the evidence, above which two fits are comparable
 };
 
 /// Criteria for a residual that needs an explanation, and for a fit that is one.
 struct JudgementPolicy {
     /// Smallest systematic residual of interest [noise levels]: two simulators of the same model differ by as much.
-    double least_systematic = 0.3;
+    double min_systematic = 0.3;
     /// Largest faint residual [noise levels]: simulators of thin bodies differ by as much.
     double faint = 0.5;
     /// A residual below this share of the mesh error is also faint, up to a limit [noise levels].
     double faint_share_of_mesh = 2.0 / 3.0;
-    double most_faint = 0.8;
+    double max_faint = 0.8;
     /// If little of the mesh error remains after extrapolation, it may be this many times as large, up to a limit
     /// [noise levels].
     double rough_extrapolation = 2.0;
-    double most_rough = 0.8;
+    double max_rough = 0.8;
     /// Largest remaining numerical error that is tolerated [noise levels]; beyond it the mesh has to be refined.
-    double most_allowed = 1.0;
+    double max_allowed = 1.0;
     /// A fit may leave this many times the remaining mesh error, which is itself extrapolated.
     double mesh_error_factor = 1.5;
     /// Largest share of the systematic residual that an explanation leaves: in general, and of a faint one.
@@ -217,7 +217,7 @@ struct JudgementPolicy {
     double significant_deviations = 3.0;
     /// Largest share of the excess squares on held-out data that an effect leaves, and excess that is attributed to
     /// chance.
-    double most_held_out = 0.5;
+    double max_held_out = 0.5;
     double chance_held_out = 0.05;
     /// Information criteria of dynamic fits exaggerate, because residuals share errors of the model's form: their
     /// differences are divided by this for the weights. The most likely value for pairs of effects of seed 1 that both
@@ -228,7 +228,7 @@ struct JudgementPolicy {
     /// Guard between blocks of time in cross-validation [s]: the longest correlation time of a residual.
     double guard_s = 0.05;
     /// Largest drift of a measurement [noise levels].
-    double most_drift = 3.0;
+    double max_drift = 3.0;
 };
 
 /// The verdict and its confidence.
@@ -239,8 +239,8 @@ struct VerdictPolicy {
     /// If the noise was not declared, that of cameras at rest is far below the error of any model of a real body: an
     /// effect is named if it leaves at most this share of the rms, and this share on held-out samples (of the squares
     /// 1/4 and 1/2).
-    double most_left = 0.5;
-    double most_left_held_out = 0.7;
+    double max_left = 0.5;
+    double max_left_held_out = 0.7;
     /// The confidence then falls by this times the share of the rms that is left.
     double discount_of_left = 0.5;
     /// An effect that leaves less than this share of the systematic part is named although a test is still significant:
@@ -270,14 +270,14 @@ struct VerdictPolicy {
     /// Confidence in `none` for a faint residual: this minus the residual's share of the allowance, but at least the
     /// second value.
     double faint_allowance = 1.5;
-    double least_faint = 0.3;
+    double min_faint = 0.3;
 };
 
 /// The missing force. Source: Morozov 1984 (discrepancy principle); Hansen 1998, ch. 5 (Tikhonov regularisation).
 struct MissingForcePolicy {
     int stations = 3;               // of the force fields along the body: clamp, middle, far end
     double knot_spacing_s = 0.025;  // of the force courses
-    int least_knots = 12, most_knots = 60;
+    int min_knots = 12, max_knots = 60;
     int path_samples = 101;      // of a signal, for its mean
     int curve_points = 201;      // samples of a course, for correlations
     double smoothing_s = 0.025;  // of courses
@@ -285,24 +285,24 @@ struct MissingForcePolicy {
     /// follow.
     double first_share = 0.1;
     double share_factor = 2.0;
-    int most_runs = 8;
+    int max_runs = 8;
     double noise_margin = 1.02;  // the search ends at this multiple of the squared noise
-    double least_gain = 0.97;    // a run that leaves a larger share of the squared residual is the last
+    double min_gain = 0.97;      // a run that leaves a larger share of the squared residual is the last
     /// Factor of the smallest squared residual that a linear response can reach, the lowest target: the last percents
     /// need the largest forces.
     double reachable = 1.1;
     double lowest_lambda = 1e-9, highest_lambda = 1e3;  // regularisation, over the largest diagonal entry
     int bisections = 80;                                // for its logarithm
     /// A force that explains less of the squared residual is not reported: its place would be chance.
-    double least_explained = 0.05;
-    int most_modes = 3;
+    double min_explained = 0.05;
+    int max_modes = 3;
     /// Modes are reported until they hold this share of the force.
     double reported_share = 0.97;
-    double least_mode = 0.01;  // smallest share of a mode that is reported
+    double min_mode = 0.01;  // smallest share of a mode that is reported
     // Limits for the description of a mode. A uniform force has its centre at 0.5 of the length and a spread of 0.29.
-    double least_aligned = 0.3;    // below: opposite directions, like a moment
-    double along_axis = 0.9;       // component of a direction along an axis
-    double least_component = 0.3;  // component that is mentioned otherwise
+    double min_aligned = 0.3;    // below: opposite directions, like a moment
+    double along_axis = 0.9;     // component of a direction along an axis
+    double min_component = 0.3;  // component that is mentioned otherwise
     double at_end = 0.75, near_end = 0.6, near_clamp = 0.4, at_clamp = 0.25;  // of the length
     double concentrated = 0.24;                                               // largest spread of a force at the middle
 };

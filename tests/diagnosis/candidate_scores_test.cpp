@@ -44,18 +44,18 @@ TEST(CandidateScores, OtherPlacesAreTheNextBestProbes) {
 /// A probe is fitted above a least share, places down to half of the best one's, and at most so many.
 TEST(CandidateScores, LimitsAreThoseOfThePolicy) {
     ScreeningPolicy policy;
-    policy.least_explained = 0.199;
+    policy.min_explained = 0.199;
     EXPECT_THAT(best_probes(patches_and_drag, 8, policy), ElementsAre(4, 1, 7));
-    policy.least_explained = 0.201;
+    policy.min_explained = 0.201;
     EXPECT_THAT(best_probes(patches_and_drag, 8, policy), ElementsAre(4, 1));
     const auto all = [](const std::string&) { return true; };
     policy = {};
     policy.comparable_place = 0.3 / 0.6 + 1e-9;
     EXPECT_THAT(other_places(patches_and_drag, all, policy), ElementsAre(2, 3));
     policy.comparable_place = 0.39 / 0.8 - 1e-9;
-    policy.most_places = 9;
+    policy.max_places = 9;
     EXPECT_THAT(other_places(patches_and_drag, all, policy), ElementsAre(2, 3, 5, 0));
-    policy.most_places_of_all = 3;
+    policy.max_places_of_all = 3;
     EXPECT_THAT(other_places(patches_and_drag, all, policy), ElementsAre(2, 3, 5));
 }
 

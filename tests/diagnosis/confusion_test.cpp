@@ -91,7 +91,7 @@ std::size_t confusions(const Candidate& a, const Candidate& b) {
 }
 
 TEST(Confusion, BeginsAtACosine) {
-    const double limit = diagnosis_policy.confusion.least_cosine;
+    const double limit = diagnosis_policy.confusion.min_cosine;
     for (const double sign : {1.0, -1.0}) {
         EXPECT_EQ(
             confusions(at_cosine("linear_drag", 1.0), at_cosine("quadratic_drag", sign * confusion_above * limit)), 1u);
@@ -102,7 +102,7 @@ TEST(Confusion, BeginsAtACosine) {
 
 TEST(Confusion, IsOfEffectsThatPredictAComparableReduction) {
     Candidate strong = at_cosine("linear_drag", 1.0), weak = at_cosine("quadratic_drag", 1.0);
-    const double limit = diagnosis_policy.confusion.least_reduction * strong.score.test.explained;
+    const double limit = diagnosis_policy.confusion.min_reduction * strong.score.test.explained;
     weak.score.test.explained = confusion_above * limit;
     EXPECT_EQ(confusions(strong, weak), 1u);
     weak.score.test.explained = confusion_below * limit;

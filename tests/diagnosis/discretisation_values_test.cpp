@@ -139,7 +139,7 @@ TEST(DebiasedStart, ResetsDistortedParametersOnly) {
         of.values.start_shift_s = {start_s};
         return debiased_start(of, expected, diagnosis_policy.declared);
     };
-    const double most = diagnosis_policy.declared.most_damping_ratio * 0.004;
+    const double most = diagnosis_policy.declared.max_damping_ratio * 0.004;
     EXPECT_FALSE(reset(0.999 * most, 0.019));
     const auto damped = reset(1.001 * most, 0.019);
     ASSERT_TRUE(damped);

@@ -54,16 +54,16 @@ TEST(JudgementLimits, NumericalAllowanceFollowsTheDoubtOfTheExtrapolation) {
         error.left_rms_m = left_over_noise * noise_m;
         return numerical_allowance(of.data, error, policy);
     };
-    EXPECT_DOUBLE_EQ(allowance(0.0), policy.least_systematic);
+    EXPECT_DOUBLE_EQ(allowance(0.0), policy.min_systematic);
     EXPECT_DOUBLE_EQ(allowance(0.2), policy.rough_extrapolation * 0.2);
-    EXPECT_DOUBLE_EQ(allowance(0.5), policy.most_rough);
+    EXPECT_DOUBLE_EQ(allowance(0.5), policy.max_rough);
     EXPECT_DOUBLE_EQ(allowance(0.9), 0.9);
-    EXPECT_DOUBLE_EQ(allowance(7.0), policy.most_allowed);
+    EXPECT_DOUBLE_EQ(allowance(7.0), policy.max_allowed);
 }
 
 TEST(JudgementLimits, AResidualNeedsAnExplanationAboveTheAllowance) {
-    EXPECT_FALSE(needs_explanation(Case(below * policy.least_systematic).baseline()));
-    EXPECT_TRUE(needs_explanation(Case(above * policy.least_systematic).baseline()));
+    EXPECT_FALSE(needs_explanation(Case(below * policy.min_systematic).baseline()));
+    EXPECT_TRUE(needs_explanation(Case(above * policy.min_systematic).baseline()));
     Case silent(2.0);
     silent.declared.tests.variance.p = 1.0;
     EXPECT_FALSE(needs_explanation(silent.baseline())) << "not significant";
@@ -76,7 +76,7 @@ TEST(JudgementLimits, FaintIsBelowAShareOfNoiseOrMesh) {
     EXPECT_TRUE(is_faint(Case(below * policy.faint).baseline()));
     EXPECT_FALSE(is_faint(Case(above * policy.faint).baseline()));
     for (const double mesh : {0.9, 5.0}) {  // noise levels
-        const double limit = std::min(policy.most_faint, policy.faint_share_of_mesh * mesh);
+        const double limit = std::min(policy.max_faint, policy.faint_share_of_mesh * mesh);
         ASSERT_GT(limit, policy.faint);
         for (const bool faint : {true, false}) {
             Case of((faint ? below : above) * limit);
@@ -87,7 +87,7 @@ TEST(JudgementLimits, FaintIsBelowAShareOfNoiseOrMesh) {
 }
 
 TEST(JudgementLimits, AnExplanationPredictsHeldOutData) {
-    const double declared = 2.0, limit = std::sqrt(1.0 + policy.most_held_out * (declared * declared - 1.0));
+    const double declared = 2.0, limit = std::sqrt(1.0 + policy.max_held_out * (declared * declared - 1.0));
     for (const bool in_time : {false, true})
         for (const bool good : {true, false}) {
             Case of(3.0, 0.1);
@@ -182,9 +182,9 @@ TEST(JudgementLimits, ToleranceOfARemainder) {
         double was, left_rms, mesh_rms, limit;  // noise levels
     };
     for (const Reason& reason :
-         {Reason{"two simulators", 2.0, 0.0, 0.0, policy.least_systematic},
+         {Reason{"two simulators", 2.0, 0.0, 0.0, policy.min_systematic},
           Reason{"mesh error", 10.0, 0.8, 0.0, policy.mesh_error_factor * 0.8},
-          Reason{"mesh error at its limit", 10.0, 5.0, 0.0, policy.mesh_error_factor * policy.most_allowed},
+          Reason{"mesh error at its limit", 10.0, 5.0, 0.0, policy.mesh_error_factor * policy.max_allowed},
           Reason{"other form", 20.0, 0.0, 0.0, policy.share_of_form * 20.0},
           Reason{"whole mesh", 2.0, 0.0, 1.2, policy.share_of_mesh * 1.2},
           Reason{"whole mesh at its limit", 2.0, 0.0, 9.0, policy.most_of_mesh}})
@@ -216,7 +216,7 @@ TEST(JudgementLimits, TheWholeMeshExcusesOnlyALittle) {
 }
 
 TEST(JudgementLimits, ChanceMayAddToTheRemainder) {
-    const double deviation = 0.1, limit = policy.least_systematic + policy.chance_deviations * deviation;
+    const double deviation = 0.1, limit = policy.min_systematic + policy.chance_deviations * deviation;
     for (const bool chance : {true, false}) {
         Case of(2.0, (chance ? below : above) * limit);
         of.fit.tests.systematic.deviation = deviation;

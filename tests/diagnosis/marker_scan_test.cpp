@@ -115,7 +115,7 @@ TEST(MarkerScan, ScoresOnlyWhatRemovesAShare) {
     ASSERT_GT(share, 0.5);
     for (const bool scored : {true, false}) {
         ScreeningPolicy policy;
-        policy.least_slip_gain = share * (scored ? 0.99 : 1.01);
+        policy.min_slip_gain = share * (scored ? 0.99 : 1.01);
         const std::vector<EffectScore> scores = scan_markers(
             still.setup, still.data, still.fit, statistics::NuisanceSpace(still.fit.jacobian),
             [](const std::string& id) { return id == "marker_slip"; }, policy);

@@ -35,9 +35,9 @@ TEST(KnotTimes, AreAQuarterOfATenthOfASecondApart) {
     EXPECT_EQ(usual.count, 41);
     EXPECT_NEAR(usual.spacing_s, 0.025, 1e-12);
     EXPECT_NEAR(usual.end_s(), 1.0, 1e-12);
-    EXPECT_EQ(knot_times(0.1).count, policy.least_knots);
+    EXPECT_EQ(knot_times(0.1).count, policy.min_knots);
     EXPECT_NEAR(knot_times(0.1).end_s(), 0.1, 1e-12);
-    EXPECT_EQ(knot_times(10.0).count, policy.most_knots);
+    EXPECT_EQ(knot_times(10.0).count, policy.max_knots);
     EXPECT_NEAR(knot_times(10.0).end_s(), 10.0, 1e-12);
     EXPECT_EQ(knot_times(0.26).count, 12) << "eleven intervals";
     EXPECT_EQ(knot_times(0.28).count, 13);

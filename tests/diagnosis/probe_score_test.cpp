@@ -75,11 +75,11 @@ TEST(ProbeScore, OfTheWrongSignExplainsNothing) {
 TEST(ProbeScore, LimitsTheAmountByTheResponse) {
     const JointFit fit = test::made_fit(-10.0 * unit(0), unit(7));
     ScreeningPolicy policy;
-    policy.most_outside = 0.5;
+    policy.max_outside = 0.5;
     EXPECT_NEAR(effect::number(score(fit, unit(0), policy).best.effect, amount), 5.0 * 50.0, 1e-6);
-    policy.most_outside = 1.5;
+    policy.max_outside = 1.5;
     EXPECT_NEAR(effect::number(score(fit, unit(0), policy).best.effect, amount), 10.0 * 50.0, 1e-6);
-    policy.most_over_residual = 0.2;
+    policy.max_over_residual = 0.2;
     EXPECT_NEAR(effect::number(score(fit, unit(0), policy).best.effect, amount), 2.0 * 50.0, 1e-6);
 }
 

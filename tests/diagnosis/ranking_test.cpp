@@ -128,10 +128,10 @@ TEST(Ranking, KnowsWhatIsLeft) {
     const std::vector<Candidate> candidates{candidate("point_mass", 0.0), candidate("linear_drag", 3.0),
                                             candidate("gravity_tilt", 2.0)};
     EXPECT_NEAR(left_by(candidates, "linear_drag"), 9.0 * samples, 1e-9);
-    EXPECT_NEAR(least_left(candidates), 4.0 * samples, 1e-9);
+    EXPECT_NEAR(min_left(candidates), 4.0 * samples, 1e-9);
     EXPECT_TRUE(std::isinf(left_by(candidates, "point_mass")));
     EXPECT_TRUE(std::isinf(left_by(candidates, "clock_offset")));
-    EXPECT_TRUE(std::isinf(least_left({candidates[0]})));
+    EXPECT_TRUE(std::isinf(min_left({candidates[0]})));
 }
 
 TEST(Ranking, IsExplainedByTheFirstCandidateOnly) {

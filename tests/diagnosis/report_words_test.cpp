@@ -92,10 +92,10 @@ TEST(ReportWords, InterpretTheCourseOfAForce) {
 TEST(ReportWords, InterpretOnlyClearCourses) {
     const DiagnosisReportPolicy policy;
     const std::string none = "follows none of the tested quantities";
-    EXPECT_EQ(force_words("time", 1.01 * policy.least_correlation).find(none), std::string::npos);
-    EXPECT_NE(force_words("time", 0.99 * policy.least_correlation).find(none), std::string::npos);
-    EXPECT_EQ(force_words("time", 0.9, 0.99 * policy.most_p).find(none), std::string::npos);
-    EXPECT_NE(force_words("time", 0.9, 1.01 * policy.most_p).find(none), std::string::npos);
+    EXPECT_EQ(force_words("time", 1.01 * policy.min_correlation).find(none), std::string::npos);
+    EXPECT_NE(force_words("time", 0.99 * policy.min_correlation).find(none), std::string::npos);
+    EXPECT_EQ(force_words("time", 0.9, 0.99 * policy.max_p).find(none), std::string::npos);
+    EXPECT_NE(force_words("time", 0.9, 1.01 * policy.max_p).find(none), std::string::npos);
     EXPECT_NE(force_words("time", 0.9, 1e-6, 0.9).find("nearly constant"), std::string::npos);
 }
 

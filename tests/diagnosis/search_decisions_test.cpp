@@ -66,7 +66,7 @@ TEST(SearchDecisions, AllStartsAreFittedWhileNothingExplains) {
 
 TEST(SearchDecisions, AfterAnExplanationOnlyComparableStartsAreFitted) {
     const JudgedFit declared = with_excess(5000.0);
-    const double worth = 0.8 * policy.least_relative_reduction;
+    const double worth = 0.8 * policy.min_relative_reduction;
     EXPECT_EQ(starts_worth_fitting(starts({0.8, 0.1, 0.1, above * worth, below * worth, 0.1}), nullptr, declared, true,
                                    policy),
               4u);
@@ -80,7 +80,7 @@ TEST(SearchDecisions, AfterAnExplanationOnlyComparableStartsAreFitted) {
 TEST(SearchDecisions, MostOfTheResidualIsNearlyAnExplanation) {
     const JudgedFit declared = fit_that_leaves(10.0);
     const std::vector<CandidateStart> five = starts({0.8, 0.1, 0.1, 0.1, 0.1});
-    const double half = 10.0 * std::sqrt(policy.most_left);
+    const double half = 10.0 * std::sqrt(policy.max_left);
     for (const double share : {below, above})
         for (const double systematic : {below, above}) {
             JudgedFit best = fit_that_leaves(share * half);
@@ -94,7 +94,7 @@ TEST(SearchDecisions, APairIsTriedWhereTheBestLeavesAnExcess) {
     Diagnosis d = with_candidate(0.3);
     EXPECT_FALSE(is_worth_a_pair(*d.candidates[0].judged, d.baseline())) << "one effect explains it";
     d.declared = with_excess(5000.0);
-    const double limit = diagnosis_policy.pairs.most_left * 5000.0;
+    const double limit = diagnosis_policy.pairs.max_left * 5000.0;
     EXPECT_TRUE(is_worth_a_pair(with_excess(below * limit), d.baseline()));
     EXPECT_FALSE(is_worth_a_pair(with_excess(above * limit), d.baseline()));
 }

@@ -25,7 +25,7 @@ Diagnosis measured(double left) {
 TEST(VerdictLimits, NothingIsMissingBelowTheAllowance) {
     for (const bool missing : {false, true}) {
         Diagnosis d = with_candidate(0.1);
-        d.declared = fit_that_leaves((missing ? above : below) * diagnosis_policy.judgement.least_systematic);
+        d.declared = fit_that_leaves((missing ? above : below) * diagnosis_policy.judgement.min_systematic);
         d.declared.tests.variance.p = 0.0;
         EXPECT_EQ(rule_of(d), missing ? "single_effect" : "nothing_missing");
     }
@@ -97,9 +97,9 @@ TEST(VerdictLimits, MostIsRemovedOfWhatNoDeclaredNoiseBounds) {
     for (const bool most : {true, false}) {
         const double side = most ? below : above;
         const std::string expected = most ? "most_by_single" : "unexplained";
-        EXPECT_EQ(rule_of(changed(&JudgedFit::rms_m, side * policy.most_left * 10.0 * noise_m)), expected);
-        EXPECT_EQ(rule_of(changed(&JudgedFit::held_out_rms, side * policy.most_left_held_out * 10.0)), expected);
-        Diagnosis in_time = changed(&JudgedFit::held_out_in_time_rms, side * policy.most_left_held_out * 10.0);
+        EXPECT_EQ(rule_of(changed(&JudgedFit::rms_m, side * policy.max_left * 10.0 * noise_m)), expected);
+        EXPECT_EQ(rule_of(changed(&JudgedFit::held_out_rms, side * policy.max_left_held_out * 10.0)), expected);
+        Diagnosis in_time = changed(&JudgedFit::held_out_in_time_rms, side * policy.max_left_held_out * 10.0);
         EXPECT_EQ(rule_of(in_time), "most_by_single") << "other trials test all numbers";
         in_time.candidates[0].judged->single_trial_directions = 1;
         EXPECT_EQ(rule_of(in_time), expected);
@@ -139,9 +139,9 @@ TEST(VerdictLimits, ConfidencesFollowTheirFormulas) {
         none.declared = fit_that_leaves(declared);
         EXPECT_NEAR(decide(none).verdict.confidence, policy.undoubted, 1e-12) << "nothing is significant";
         none.declared.tests.variance.p = 0.0;
-        const double share = declared / diagnosis_policy.judgement.least_systematic;
+        const double share = declared / diagnosis_policy.judgement.min_systematic;
         EXPECT_NEAR(decide(none).verdict.confidence,
-                    policy.undoubted * std::clamp(policy.faint_allowance - share, policy.least_faint, 1.0), 1e-12);
+                    policy.undoubted * std::clamp(policy.faint_allowance - share, policy.min_faint, 1.0), 1e-12);
     }
 }
 

@@ -91,7 +91,7 @@ TEST(VerdictRules, FollowThePolicy) {
     policy.verdict.nearly_all = 0.1;
     EXPECT_EQ(rule_of(with_candidate(1.23), policy), "unexplained");
     policy = {};
-    policy.verdict.most_left = 0.3;
+    policy.verdict.max_left = 0.3;
     EXPECT_EQ(rule_of(with_noise_from_still_markers(with_candidate(4.0)), policy), "unexplained");
     policy = {};
     policy.verdict.present = 0.95;
@@ -100,7 +100,7 @@ TEST(VerdictRules, FollowThePolicy) {
     policy.judgement.most_of_residual = 0.1;
     EXPECT_EQ(rule_of(with_pair(0.3), policy), "unexplained");
     policy = {};
-    policy.judgement.least_systematic = 20.0;
+    policy.judgement.min_systematic = 20.0;
     EXPECT_EQ(rule_of(with_candidate(8.0), policy), "nothing_missing");
     policy = {};
     policy.judgement.most_of_residual = 0.01;

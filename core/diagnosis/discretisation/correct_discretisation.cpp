@@ -48,12 +48,12 @@ std::optional<NumericalError> matched_error(const CorrectionInput& in, const Joi
                                             const NumericalError& plain, FitStore& store, PhaseLog& log) {
     const NumericsPolicy& policy = in.settings.policy.numerics;
     const double unit_m = std::max(mean_noise_m(data), flat_rms_m(data, fit.residual));
-    if (!(shift_rms_m(plain.shift) > policy.least_matched_error * unit_m)) return {};
+    if (!(shift_rms_m(plain.shift) > policy.min_matched_error * unit_m)) return {};
     // New derivatives: those of a search are secant approximations.
     const JointFit fresh = refit(in, data, fit.values, Effort{1}, {}, store, log);
     if (!fresh.usable()) return {};
     std::optional<NumericalError> best;
-    for (int step = 0; step < policy.most_matching_steps; ++step) {
+    for (int step = 0; step < policy.max_matching_steps; ++step) {
         const NumericalError& before = best ? *best : plain;
         const MatchedValues matched = match_discretisation(data, fresh, before);
         NumericalError numerics = log.timed(error_phase, 4 * fit_count(in), [&] {
@@ -62,7 +62,7 @@ std::optional<NumericalError> matched_error(const CorrectionInput& in, const Joi
         const double was = shift_rms_m(before.shift), is = shift_rms_m(numerics.shift);
         if (log.cancelled() || !(is < was)) break;
         best = std::move(numerics);
-        if (is < policy.matched_error * unit_m || is > policy.least_matching_gain * was) break;
+        if (is < policy.matched_error * unit_m || is > policy.min_matching_gain * was) break;
     }
     return best;
 }
@@ -115,7 +115,7 @@ NumericalError plain_error(const CorrectionInput& in, const JudgedFit& fit, Phas
 bool is_converged(const CorrectionInput& in, const JointFit& fit, const Refit& again) {
     const double left = std::sqrt(again.fit.squares() / static_cast<double>(again.fit.residual.size()));
     return again.matched || change_between(fit, again.fit) <
-                                std::max(in.correction.most_change, in.settings.policy.numerics.converged_share * left);
+                                std::max(in.correction.max_change, in.settings.policy.numerics.converged_share * left);
 }
 
 /// The refit, assessed, with the place of the earlier fit among others.
@@ -131,7 +131,7 @@ JudgedFit replaced(const CorrectionInput& in, const JudgedFit& before, Refit aga
 std::optional<JudgedFit> corrected_in_rounds(const CorrectionInput& in, JudgedFit fit, int round, FitStore& store,
                                              PhaseLog& log) {
     const NumericsPolicy& policy = in.settings.policy.numerics;
-    for (; round < policy.most_rounds; ++round) {
+    for (; round < policy.max_rounds; ++round) {
         NumericalError plain = plain_error(in, fit, log);
         if (log.cancelled()) return {};
         const FitData data = fit.numerics ? with_shift(in.data, fit.numerics->shift) : in.data;
@@ -139,7 +139,7 @@ std::optional<JudgedFit> corrected_in_rounds(const CorrectionInput& in, JudgedFi
         if (log.cancelled()) return {};
         if (!again) again = plain_refit(in, fit.fit, std::move(plain), store, log);
         if (log.cancelled()) return {};
-        if (!again->fit.usable() || again->fit.squares() > policy.most_growth * fit.fit.squares()) break;
+        if (!again->fit.usable() || again->fit.squares() > policy.max_growth * fit.fit.squares()) break;
         const bool converged = is_converged(in, fit.fit, *again);
         fit = replaced(in, fit, std::move(*again));
         if (converged) break;

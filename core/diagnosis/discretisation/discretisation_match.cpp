@@ -31,7 +31,7 @@ prediction::ParameterValues undoing(const JointFit& fit, prediction::ParameterVa
     VectorXd size = fit.jacobian.colwise().norm();
     size = (size.array() > 0.0).select(size, 1.0);
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-    solver.setThreshold(diagnosis_policy.numerics.least_singular_value);
+    solver.setThreshold(diagnosis_policy.numerics.min_singular_value);
     solver.compute(fit.jacobian * size.cwiseInverse().asDiagonal());
     const VectorXd step = -solver.solve(change).cwiseQuotient(size);
     for (std::size_t i = 0; i < fit.parameters.size(); ++i) {

@@ -32,7 +32,7 @@ std::optional<NumericalError> match_modulus(const setup::Setup& setup, const pre
                                             const FitData& data, NumericalError error, const Progress& progress) {
     const Eigen::VectorXd all = flat_shift(data, error.shift), of_step = flat_shift(data, error.step_shift),
                           finer_mesh = flat_shift(data, error.mesh_change);
-    if (all.norm() < diagnosis_policy.numerics.least_error_for_modulus * std::sqrt(static_cast<double>(all.size())))
+    if (all.norm() < diagnosis_policy.numerics.min_error_for_modulus * std::sqrt(static_cast<double>(all.size())))
         return {};
     const std::vector<prediction::TrialPrediction> there = with_factor(setup, values, data, 1.0, progress),
                                                    softer = with_factor(setup, values, data,
@@ -44,8 +44,8 @@ std::optional<NumericalError> match_modulus(const setup::Setup& setup, const pre
     const double squares = flat.squaredNorm();
     if (!(squares > 0.0)) return {};
     const auto share = [&](const Eigen::VectorXd& shift) {
-        return std::clamp(flat.dot(shift) / squares, -diagnosis_policy.numerics.most_modulus_change,
-                          diagnosis_policy.numerics.most_modulus_change);
+        return std::clamp(flat.dot(shift) / squares, -diagnosis_policy.numerics.max_modulus_change,
+                          diagnosis_policy.numerics.max_modulus_change);
     };
     EffectiveModulus found;
     found.mesh = share(all - of_step);

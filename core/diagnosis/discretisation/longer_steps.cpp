@@ -11,7 +11,7 @@
 
 namespace myo::diagnosis {
 
-LongerSteps longer_steps(const setup::Setup& setup, const prediction::ParameterValues& values, double most_m,
+LongerSteps longer_steps(const setup::Setup& setup, const prediction::ParameterValues& values, double max_m,
                          const Progress& progress) {
     LongerSteps found;
     found.factors.assign(setup.trials.size(), 1.0);
@@ -35,7 +35,7 @@ LongerSteps longer_steps(const setup::Setup& setup, const prediction::ParameterV
         std::vector<std::size_t> serve;
         for (std::size_t i = 0; i < open.size(); ++i) {
             const std::size_t t = open[i];
-            if (coarse[i].ok() && prediction::rms_between(coarse[i], fine[t]) <= most_m) {
+            if (coarse[i].ok() && prediction::rms_between(coarse[i], fine[t]) <= max_m) {
                 found.factors[t] *= 2.0;
                 serve.push_back(t);
             }

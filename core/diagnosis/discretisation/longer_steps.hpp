@@ -19,9 +19,9 @@ struct LongerSteps {
     int runs = 0;                 // trial runs
 };
 
-/// Longest steps for which the predictions of a trial change by at most most_m [m, rms], and which do not exceed a
+/// Longest steps for which the predictions of a trial change by at most max_m [m, rms], and which do not exceed a
 /// sampling interval.
-LongerSteps longer_steps(const setup::Setup& setup, const prediction::ParameterValues& values, double most_m,
+LongerSteps longer_steps(const setup::Setup& setup, const prediction::ParameterValues& values, double max_m,
                          const Progress& progress);
 
 bool any_longer(const std::vector<double>& factors);

@@ -129,7 +129,7 @@ prediction::ParameterValues stepped_base(const CandidateFitInput& in, const Cand
         const prediction::ModelParameter& own = in.base.parameters[p];
         prediction::set_value(own,
                               stepped(own.parameter, prediction::value_of(own, in.base.values),
-                                      start.step(static_cast<Index>(p)), in.settings.policy.fits.most_factor),
+                                      start.step(static_cast<Index>(p)), in.settings.policy.fits.max_factor),
                               values);
     }
     return with_effect(std::move(values), start.effect);
@@ -168,7 +168,7 @@ void repeat_missed_amounts(const CandidateFitInput& in, Rounds& rounds) {
             reduction < policy.worth_repeating * largest)
             return false;
         const double squares = rounds.fit(i).fit.squares();
-        return squares > policy.missed_reduction * (1.0 - reduction) * base && squares < policy.least_progress * base;
+        return squares > policy.missed_reduction * (1.0 - reduction) * base && squares < policy.min_progress * base;
     };
     rounds.fit_amounts(
         policy.repeated, missed, [&](std::size_t i) { return rounds.fit(i).fit.values; }, Slopes::computed);

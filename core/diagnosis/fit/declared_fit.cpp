@@ -10,11 +10,11 @@
 namespace myo::diagnosis {
 namespace {
 
-/// Lengthens the time steps while predictions change by at most most_m [m, rms]. Returns whether a step became longer.
-bool lengthen_steps(DeclaredFit& result, double most_m, PhaseLog& log) {
+/// Lengthens the time steps while predictions change by at most max_m [m, rms]. Returns whether a step became longer.
+bool lengthen_steps(DeclaredFit& result, double max_m, PhaseLog& log) {
     if (result.setup.settings.h_s) return false;
     const LongerSteps longer = log.timed("step", 0, [&] {
-        return longer_steps(result.setup, prediction::declared_values(result.setup), most_m, log.progress());
+        return longer_steps(result.setup, prediction::declared_values(result.setup), max_m, log.progress());
     });
     log.add("step", 0.0, longer.runs);
     result.step_factors.resize(longer.factors.size(), 1.0);
@@ -28,8 +28,8 @@ bool lengthen_steps(DeclaredFit& result, double most_m, PhaseLog& log) {
 /// Stops later runs of the fit trials at a multiple of the iterations of this fit.
 void limit_iterations(DeclaredFit& result, const JointFit& fit, const DeclaredFitPolicy& policy) {
     for (std::size_t i = 0; i < result.data.trials.size(); ++i)
-        result.setup.trials[result.data.trials[i]].options.max_iterations = policy.most_iteration_ratio *
-                                                                             fit.predictions[i].trace.newton_iterations;
+        result.setup.trials[result.data.trials[i]].options.max_iterations = policy.max_iteration_ratio *
+                                                                            fit.predictions[i].trace.newton_iterations;
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ DeclaredFit fit_declared(const setup::Setup& setup, const DiagnoseSettings& sett
     }
     const NumericsPolicy& numerics = settings.policy.numerics;
     const double noise_m = setup::mean_noise(setup);
-    lengthen_steps(result, numerics.most_step_change * noise_m, log);
+    lengthen_steps(result, numerics.max_step_change * noise_m, log);
     if (log.cancelled()) return result;
     JointFit fit = logged_fit("declared fit",
                               {result.setup, result.data, prediction::declared_values(result.setup), EffectFreedom::all,
@@ -56,7 +56,7 @@ DeclaredFit fit_declared(const setup::Setup& setup, const DiagnoseSettings& sett
     }
     limit_iterations(result, fit, settings.policy.declared);
     const double left_m = numerics.step_change_of_left * flat_rms_m(result.data, fit.residual);
-    if (left_m > numerics.most_step_change * noise_m && lengthen_steps(result, left_m, log))
+    if (left_m > numerics.max_step_change * noise_m && lengthen_steps(result, left_m, log))
         forget_paths(fit.predictions);  // they belong to shorter steps
     if (any_longer(result.step_factors))
         result.notes.push_back("steps of " + steps_in_words(result.setup) + ", whose error is taken off");

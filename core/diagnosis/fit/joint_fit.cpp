@@ -59,7 +59,7 @@ void bound_by_body(const setup::Setup& setup, std::vector<prediction::ModelParam
             p.parameter.lower = body.lowest(p.component);
             p.parameter.upper = body.highest(p.component);
         } else if (p.of_effect == "mass_kg") {
-            p.parameter.upper = diagnosis_policy.declared.most_mass_ratio * body_kg;
+            p.parameter.upper = diagnosis_policy.declared.max_mass_ratio * body_kg;
         }
     }
 }
@@ -68,11 +68,11 @@ void bound_by_body(const setup::Setup& setup, std::vector<prediction::ModelParam
 class Residuals {
 public:
     Residuals(const setup::Setup& setup, const FitData& data, const prediction::ParameterValues& start,
-              int most_evaluations, const WarmStart& warm, JointFit& fit)
+              int max_evaluations, const WarmStart& warm, JointFit& fit)
         : setup_(setup),
           data_(data),
           start_(start),
-          most_evaluations_(most_evaluations),
+          max_evaluations_(max_evaluations),
           fit_(fit),
           priors_(fit.parameters),
           warm_paths_(warm.paths) {}
@@ -81,7 +81,7 @@ public:
         if (last_at_.size() > 0 && p == last_at_ && last_.ok) return last_;
         inverse::ResidualEvaluation evaluation;
         // Also limits the evaluations made by jacobian(), which the solver does not count.
-        if (evaluations_++ > most_evaluations_) {
+        if (evaluations_++ > max_evaluations_) {
             evaluation.message = "no more evaluations are wanted";
             return evaluation;
         }
@@ -160,7 +160,7 @@ private:
     const setup::Setup& setup_;
     const FitData& data_;
     const prediction::ParameterValues& start_;
-    int most_evaluations_;
+    int max_evaluations_;
     JointFit& fit_;
     Priors priors_;
     std::vector<std::shared_ptr<const dynamics::StagePath>> warm_paths_;  // paths of the best evaluation so far

@@ -36,7 +36,7 @@ inverse::LeastSquaresOptions options_of(const Effort& effort) {
     inverse::LeastSquaresOptions options;
     options.max_evaluations = effort.evaluations;
     options.relative_decrease = effort.relative_decrease;
-    options.max_jacobians = effort.most_jacobians;
+    options.max_jacobians = effort.max_jacobians;
     options.relative_step = diagnosis_policy.fits.relative_step;
     return options;
 }

@@ -124,7 +124,7 @@ ForceFields force_fields(const model::Body& body) {
 
 KnotTimes knot_times(double end_s) {
     const int intervals = std::clamp(static_cast<int>(std::ceil(end_s / diagnosis_policy.force.knot_spacing_s)),
-                                     diagnosis_policy.force.least_knots - 1, diagnosis_policy.force.most_knots - 1);
+                                     diagnosis_policy.force.min_knots - 1, diagnosis_policy.force.max_knots - 1);
     return {end_s / intervals, intervals + 1};
 }
 

@@ -112,10 +112,10 @@ FoundForce repeated_steps(const ForcedTrial& trial, const MatrixXd& A, ForcedTri
     const double wanted = noise_squares(A.rows());
     double share = diagnosis_policy.force.first_share;
     for (int step = 0;
-         step < diagnosis_policy.force.most_runs && share < 1.0 &&
+         step < diagnosis_policy.force.max_runs && share < 1.0 &&
          best.run.residual.squaredNorm() > diagnosis_policy.force.noise_margin * wanted && !progress.cancelled();
          ++step) {
-        progress.report({"missing force", 2.0 + step, 2.0 + diagnosis_policy.force.most_runs, "runs", {}});
+        progress.report({"missing force", 2.0 + step, 2.0 + diagnosis_policy.force.max_runs, "runs", {}});
         const double before = best.run.residual.squaredNorm();
         // The target is above what the linear response can reach: the last part needs large forces and is its own
         // error.
@@ -127,20 +127,20 @@ FoundForce repeated_steps(const ForcedTrial& trial, const MatrixXd& A, ForcedTri
             continue;
         }
         best = {sizes, std::move(run)};
-        if (best.run.residual.squaredNorm() > diagnosis_policy.force.least_gain * before) break;
+        if (best.run.residual.squaredNorm() > diagnosis_policy.force.min_gain * before) break;
     }
     return best;
 }
 
 std::string direction_words(const ForceMode& mode) {
     const MissingForcePolicy& policy = diagnosis_policy.force;
-    if (mode.aligned < policy.least_aligned) return "in opposite directions along the body, like a moment";
+    if (mode.aligned < policy.min_aligned) return "in opposite directions along the body, like a moment";
     Index axis = 0;
     if (mode.direction.cwiseAbs().maxCoeff(&axis) > policy.along_axis)
         return std::string("along ") + (mode.direction(axis) > 0.0 ? "+" : "\u2212") + "xyz"[axis];
     std::string words;
     for (Index i = 0; i < 3; ++i)
-        if (std::abs(mode.direction(i)) > policy.least_component)
+        if (std::abs(mode.direction(i)) > policy.min_component)
             words += std::string(words.empty() ? "between " : " and ") + (mode.direction(i) > 0.0 ? "+" : "\u2212") +
                      "xyz"[i];
     return words;
@@ -186,14 +186,14 @@ std::vector<ForceMode> force_modes(const ForcedTrial& trial, const VectorXd& siz
     const Eigen::Map<const MatrixXd> courses(sizes.data(), fields.volume.rows(), trial.knots().count);
     const Eigen::LLT<MatrixXd> volume(fields.volume);
     const MatrixXd weighted = volume.matrixU() * courses;
-    const LeadingSvd svd = leading_svd(weighted, diagnosis_policy.force.most_modes);
+    const LeadingSvd svd = leading_svd(weighted, diagnosis_policy.force.max_modes);
     const double all = weighted.squaredNorm();
     std::vector<ForceMode> modes;
     double shown = 0.0;
     for (Index k = 0; k < svd.sizes.size() && all > 0.0 && shown < diagnosis_policy.force.reported_share; ++k) {
         ForceMode mode;
         mode.share = std::pow(svd.sizes(k), 2) / all;
-        if (mode.share < diagnosis_policy.force.least_mode) break;
+        if (mode.share < diagnosis_policy.force.min_mode) break;
         shown += mode.share;
         const VectorXd of_field = volume.matrixU().solve(VectorXd(svd.left.col(k)));
         mode.pattern = Matrix3Xd::Zero(3, fields.place.size());
@@ -229,7 +229,7 @@ MissingForce infer_missing_force(const setup::Setup& declared, const Diagnosis& 
     const ForcedTrial trial(setup, d, worst_trial(d.data, d.augmented.fit.residual));
     result.trial = setup.trials[trial.trial()].name;
     result.time_s = trial.knots().times_s();
-    progress.report({"missing force", 0.0, 2.0 + diagnosis_policy.force.most_runs, "runs", {}});
+    progress.report({"missing force", 0.0, 2.0 + diagnosis_policy.force.max_runs, "runs", {}});
     ForcedTrial::Run start = trial.run(
         VectorXd::Zero(static_cast<Index>(trial.fields().patterns.size()) * trial.knots().count), progress);
     if (start.residual.size() == 0) {
@@ -237,7 +237,7 @@ MissingForce infer_missing_force(const setup::Setup& declared, const Diagnosis& 
         return result;
     }
     result.before_over_noise = result.after_over_noise = rms_of(start.residual);
-    progress.report({"missing force", 1.0, 2.0 + diagnosis_policy.force.most_runs, "runs", {}});
+    progress.report({"missing force", 1.0, 2.0 + diagnosis_policy.force.max_runs, "runs", {}});
     const MatrixXd A = trial.response(progress);
     result.runs = 2;
     if (A.size() == 0 || !A.allFinite()) {
@@ -252,7 +252,7 @@ MissingForce infer_missing_force(const setup::Setup& declared, const Diagnosis& 
         result.failure = squares_before <= diagnosis_policy.force.noise_margin * noise_squares(A.rows())
                              ? "the residual is noise"
                              : "no force makes the residual smaller";
-    else if (result.removed() < diagnosis_policy.force.least_explained) {
+    else if (result.removed() < diagnosis_policy.force.min_explained) {
         result.modes.clear();
         result.failure = "no smooth force takes away more than " + format_number(100.0 * result.removed(), 1) +
                          " % of the square of what is left in " + result.trial +

@@ -31,8 +31,8 @@ std::string mode_words(const ForceMode& mode) {
         return words + " It is nearly constant: a load, a stress or a shape that the model does not have.";
     if (mode.correlates.empty()) return words;
     const statistics::Correlate& first = mode.correlates.front();
-    if (std::abs(first.correlation) < diagnosis_report_policy.least_correlation ||
-        first.p > diagnosis_report_policy.most_p)
+    if (std::abs(first.correlation) < diagnosis_report_policy.min_correlation ||
+        first.p > diagnosis_report_policy.max_p)
         return words + " Its course follows none of the tested quantities.";
     return words + " Its course follows the " + first.name + " most (correlation " +
            correlation_words(first.correlation) + "): " + course_words(first) + ".";

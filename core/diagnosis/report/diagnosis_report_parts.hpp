@@ -19,8 +19,8 @@ struct DiagnosisReportPolicy {
     std::size_t correlates = 4;       // of a missing force
     std::size_t bars = 16;            // of a chart of markers; more markers are shown as a table
     int lags = 60;                    // of the autocorrelation [samples]
-    double least_correlation = 0.5;   // smallest of a correlate that the text mentions
-    double most_p = 0.01;             // largest of a correlate that the text mentions
+    double min_correlation = 0.5;     // smallest of a correlate that the text mentions
+    double max_p = 0.01;              // largest of a correlate that the text mentions
 };
 inline constexpr DiagnosisReportPolicy diagnosis_report_policy;
 

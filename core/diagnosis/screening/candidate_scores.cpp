@@ -44,7 +44,7 @@ std::vector<std::size_t> best_probes(const std::vector<EffectScore>& scores, int
     std::vector<std::size_t> chosen;
     std::set<std::string> there;
     for (const std::size_t i : by_share(scores))
-        if (static_cast<int>(chosen.size()) < count && scores[i].share() > policy.least_explained &&
+        if (static_cast<int>(chosen.size()) < count && scores[i].share() > policy.min_explained &&
             there.insert(scores[i].id).second)
             chosen.push_back(i);
     return chosen;
@@ -62,9 +62,9 @@ std::vector<std::size_t> other_places(const std::vector<EffectScore>& scores, co
         const auto [place, is_best] = found.try_emplace(scores[i].id, Found{scores[i].share()});
         Found& effect = place->second;
         if (is_best || !wanted(scores[i].id) ||
-            scores[i].share() < std::max(policy.least_explained, policy.comparable_place * effect.best))
+            scores[i].share() < std::max(policy.min_explained, policy.comparable_place * effect.best))
             continue;
-        if (effect.further++ < policy.most_places && chosen.size() < policy.most_places_of_all) chosen.push_back(i);
+        if (effect.further++ < policy.max_places && chosen.size() < policy.max_places_of_all) chosen.push_back(i);
     }
     return chosen;
 }

@@ -28,7 +28,7 @@ std::string advice(const effect::Effect& first, const effect::Effect& second) {
 double predicted_cosine(const Candidate& a, const Candidate& b, double largest_reduction,
                         const ConfusionPolicy& policy) {
     if (!a.score.usable() || !b.score.usable() ||
-        std::min(a.score.test.explained, b.score.test.explained) < policy.least_reduction * largest_reduction)
+        std::min(a.score.test.explained, b.score.test.explained) < policy.min_reduction * largest_reduction)
         return 0.0;
     return std::abs(statistics::principal_cosine(a.score.candidate, b.score.candidate));
 }
@@ -59,7 +59,7 @@ std::vector<Confusion> find_confusions(const std::vector<Candidate>& candidates,
         for (auto b = a + 1; b != candidates.end(); ++b) {
             const double cosine = std::max(predicted_cosine(*a, *b, largest, policy),
                                            fitted_cosine(*a, *b, declared, policy));
-            if (cosine < policy.least_cosine) continue;
+            if (cosine < policy.min_cosine) continue;
             const std::string &first = a->score.id, &second = b->score.id;
             confusions.push_back(
                 {first, second, cosine, advice(*effect::find_effect(first), *effect::find_effect(second))});

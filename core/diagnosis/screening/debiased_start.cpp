@@ -10,7 +10,7 @@ std::optional<prediction::ParameterValues> debiased_start(const JointFit& fit,
     for (const prediction::ModelParameter& p : fit.parameters) {
         const double now = prediction::value_of(p, values), before = prediction::value_of(p, expected);
         const bool far = p.kind == prediction::ModelParameter::Kind::damping
-                             ? now > policy.most_damping_ratio * before
+                             ? now > policy.max_damping_ratio * before
                              : p.kind == prediction::ModelParameter::Kind::start_shift &&
                                    (now <= p.parameter.lower || now >= p.parameter.upper);
         if (!far) continue;

@@ -117,7 +117,7 @@ void scan_swaps(const setup::Setup& setup, const FitData& data, const JointFit& 
                                                Amount(r * r - swapped * swapped, 0.0, 0.0, 0.0)});
                         }
                 const Onset onset = best_onset(std::move(moments), [](const Amount& sum) { return sum(0); });
-                if (!(onset.gain > policy.least_swap_gain * fit.residual.squaredNorm())) continue;
+                if (!(onset.gain > policy.min_swap_gain * fit.residual.squaredNorm())) continue;
                 MatrixXd S = MatrixXd::Zero(data.layout.size(), 1);
                 for (const statistics::ResidualSeries& series : data.layout.series)
                     if (in_choice(choice, series))
@@ -153,7 +153,7 @@ void scan_slips(const setup::Setup& setup, const FitData& data, const JointFit& 
             if (moments.empty()) continue;
             const Onset onset = best_onset(std::move(moments),
                                            [](const Amount& sum) { return sum.head<3>().squaredNorm() / sum(3); });
-            if (!(onset.gain > policy.least_slip_gain * outside.squaredNorm())) continue;
+            if (!(onset.gain > policy.min_slip_gain * outside.squaredNorm())) continue;
             MatrixXd S = MatrixXd::Zero(data.layout.size(), 3);
             for (const statistics::ResidualSeries& series : data.layout.series)
                 if (in_choice(choice, series) && series.marker == marker)

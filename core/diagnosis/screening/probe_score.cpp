@@ -78,8 +78,8 @@ Range bounds_of(const VectorXd& column, const Range& range, const ScoreReference
                 const ScreeningPolicy& policy) {
     const double tiny = std::numeric_limits<double>::min();
     const double most = reference.fit.residual.norm() *
-                        std::min(policy.most_over_residual / std::max(column.norm(), tiny),
-                                 policy.most_outside / std::max(reference.nuisance.outside(column).norm(), tiny));
+                        std::min(policy.max_over_residual / std::max(column.norm(), tiny),
+                                 policy.max_outside / std::max(reference.nuisance.outside(column).norm(), tiny));
     return {std::max(range.lowest, -most), std::min(range.highest, most)};
 }
 

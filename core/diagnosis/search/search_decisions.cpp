@@ -19,10 +19,10 @@ bool is_rival(const Candidate& candidate, double least_squares, const SearchPoli
 
 std::size_t starts_worth_fitting(const std::vector<CandidateStart>& starts, const JudgedFit* best,
                                  const JudgedFit& declared, bool explained, const SearchPolicy& policy) {
-    const bool mostly = best && best->fit.squares() < policy.most_left * declared.fit.squares() &&
+    const bool mostly = best && best->fit.squares() < policy.max_left * declared.fit.squares() &&
                         best->tests.systematic.rms < policy.noise_like;
     if ((!explained && !mostly) || starts.empty()) return starts.size();
-    const double worth = policy.least_relative_reduction * starts.front().predicted_reduction;
+    const double worth = policy.min_relative_reduction * starts.front().predicted_reduction;
     std::size_t last = std::min(policy.first_fits, starts.size());
     while (last < starts.size() && starts[last].predicted_reduction > worth) ++last;
     return last;
@@ -30,7 +30,7 @@ std::size_t starts_worth_fitting(const std::vector<CandidateStart>& starts, cons
 
 bool is_worth_a_pair(const JudgedFit& best, const Baseline& baseline) {
     return !explains(best, baseline) &&
-           best.fit.excess() <= baseline.policy().pairs.most_left * baseline.declared.fit.excess();
+           best.fit.excess() <= baseline.policy().pairs.max_left * baseline.declared.fit.excess();
 }
 
 prediction::ParameterValues with_one_effect(prediction::ParameterValues pair, std::size_t declared_effects,

@@ -64,7 +64,7 @@ private:
 bool Search::fit_starts(const std::vector<CandidateStart>& starts) {
     if (starts.empty()) return true;
     std::vector<JudgedFit> fits = fit_candidates({context_.setup, context_.data, context_.settings, base(), starts,
-                                                  least_left(candidates()), policy().pruning_factor, "refit"},
+                                                  min_left(candidates()), policy().pruning_factor, "refit"},
                                                  store_, log_);
     if (log_.cancelled()) return false;
     for (std::size_t i = 0; i < fits.size(); ++i)
@@ -125,7 +125,7 @@ bool Search::polish_best() {
 
 /// Fits effects with a place or an axis that come close to the best, from other places and axes.
 bool Search::fit_elsewhere() {
-    const double most = policy().pruning_factor * least_left(candidates());
+    const double most = policy().pruning_factor * min_left(candidates());
     std::vector<CandidateStart> starts;
     for (const std::size_t i : other_places(
              screening_.scores, [&](const std::string& id) { return left(id) <= most; }, context_.policy().screening))
@@ -153,7 +153,7 @@ bool Search::fit_large_probes() {
 /// declared fit suits some motions better than others (a delayed signal bends between steps, drag and damping act at
 /// other speeds).
 bool Search::correct_rivals() {
-    const double least = least_left(candidates());
+    const double least = min_left(candidates());
     const auto competes = [&](const Candidate& candidate) { return is_rival(candidate, least, policy()); };
     for (std::size_t i = 0; i < std::min(policy().polished_rivals, candidates().size()); ++i)
         if (competes(candidates()[i]) && !polish(*candidates()[i].judged)) return false;

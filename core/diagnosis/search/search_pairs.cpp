@@ -66,7 +66,7 @@ PairSearch search_pairs(const DiagnosisContext& context, RankedFits singles, Fit
     if (first.numerics) result.shift = first.numerics->shift;
     FitData data = context.data;
     data.shift = result.shift;
-    std::vector<JudgedFit> pairs = fit_pairs(context, data, first.fit, least_left(fits.candidates), store, log);
+    std::vector<JudgedFit> pairs = fit_pairs(context, data, first.fit, min_left(fits.candidates), store, log);
     if (log.cancelled()) return result;
     for (JudgedFit& pair : pairs)
         if (pair.usable()) fits.pairs.push_back(std::move(pair));

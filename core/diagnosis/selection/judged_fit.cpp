@@ -17,7 +17,7 @@ JudgedFit judged(const FitData& data, JointFit fit, const DiagnoseSettings& sett
         result.tests = statistics::test_residuals(fit.residual, data.layout, static_cast<int>(fit.parameters.size()),
                                                   options);
         const double systematic = result.tests.systematic.rms;
-        if (result.tests.significant() && systematic > policy.least_systematic && systematic < policy.most_drift)
+        if (result.tests.significant() && systematic > policy.min_systematic && systematic < policy.max_drift)
             result.independence = statistics::independence_test(fit.residual, data.layout);
         statistics::FoldOptions folds;
         folds.guard_s = policy.guard_s;

@@ -10,7 +10,7 @@ namespace {
 
 /// Possible numerical error that remains after its removal [noise levels], limited by the policy.
 double numerical_doubt(const FitData& data, const NumericalError& numerics, const JudgementPolicy& policy) {
-    return std::min(policy.most_allowed, numerics.left_rms_m / mean_noise_m(data));
+    return std::min(policy.max_allowed, numerics.left_rms_m / mean_noise_m(data));
 }
 
 /// Mean square on held-out data beyond that of noise alone [noise squares].
@@ -22,7 +22,7 @@ bool predicts_held_out(const JudgedFit& fit, const JudgedFit& before, const Judg
     const auto rms = fit.single_trial_directions > before.single_trial_directions ? &JudgedFit::held_out_in_time_rms
                                                                                   : &JudgedFit::held_out_rms;
     return held_out_excess(fit.*rms) <=
-           std::max(policy.chance_held_out, policy.most_held_out * held_out_excess(before.*rms));
+           std::max(policy.chance_held_out, policy.max_held_out * held_out_excess(before.*rms));
 }
 
 bool at_bound(const prediction::ModelParameter& p, const prediction::ParameterValues& values) {
@@ -43,21 +43,21 @@ double surely_left(const statistics::SystematicRms& systematic, const JudgementP
 double tolerated(const NumericalError& numerics, const Baseline& baseline, double left, bool excused) {
     const JudgementPolicy& policy = baseline.policy().judgement;
     const double doubt = numerical_doubt(baseline.data, numerics, policy);
-    if (!excused) return std::max(policy.least_systematic, doubt);
+    if (!excused) return std::max(policy.min_systematic, doubt);
     const double was = baseline.declared.tests.systematic.rms;
     const double of_whole_mesh = left <= policy.little_left * was
                                      ? std::min(policy.most_of_mesh, policy.share_of_mesh * numerics.mesh_rms_m /
                                                                          mean_noise_m(baseline.data))
                                      : 0.0;
     return std::max(
-        {policy.least_systematic, policy.mesh_error_factor * doubt, policy.share_of_form * was, of_whole_mesh});
+        {policy.min_systematic, policy.mesh_error_factor * doubt, policy.share_of_form * was, of_whole_mesh});
 }
 
 }  // namespace
 
 double numerical_allowance(const FitData& data, const NumericalError& numerics, const JudgementPolicy& policy) {
     const double doubt = numerical_doubt(data, numerics, policy);
-    return std::max({policy.least_systematic, doubt, std::min(policy.most_rough, policy.rough_extrapolation * doubt)});
+    return std::max({policy.min_systematic, doubt, std::min(policy.max_rough, policy.rough_extrapolation * doubt)});
 }
 
 bool modulus_at_bound(const JointFit& fit) {
@@ -109,9 +109,8 @@ bool needs_explanation(const Baseline& baseline) {
 bool is_faint(const Baseline& baseline) {
     const JudgementPolicy& policy = baseline.policy().judgement;
     return baseline.declared.tests.systematic.rms <=
-           std::max(policy.faint,
-                    std::min(policy.most_faint,
-                             policy.faint_share_of_mesh * baseline.numerics.mesh_rms_m / mean_noise_m(baseline.data)));
+           std::max(policy.faint, std::min(policy.max_faint, policy.faint_share_of_mesh * baseline.numerics.mesh_rms_m /
+                                                                 mean_noise_m(baseline.data)));
 }
 
 bool explains(const JudgedFit& fit, const Baseline& baseline, Leniency leniency) {

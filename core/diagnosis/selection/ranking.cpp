@@ -107,7 +107,7 @@ double left_by(const std::vector<Candidate>& candidates, const std::string& effe
     return std::numeric_limits<double>::infinity();
 }
 
-double least_left(const std::vector<Candidate>& candidates) {
+double min_left(const std::vector<Candidate>& candidates) {
     double least = std::numeric_limits<double>::infinity();
     for (const Candidate& candidate : candidates) least = std::min(least, left_by(candidates, candidate.score.id));
     return least;

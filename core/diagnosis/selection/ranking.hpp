@@ -43,7 +43,7 @@ RankedFits with_ranked_pairs(RankedFits fits, const Baseline& baseline);
 /// Squared residual of an effect's fit; infinite if it was not fitted.
 double left_by(const std::vector<Candidate>& candidates, const std::string& effect);
 /// Smallest squared residual of all candidates' fits; infinite if none was fitted.
-double least_left(const std::vector<Candidate>& candidates);
+double min_left(const std::vector<Candidate>& candidates);
 
 /// explains() for the first candidate; false if it was not fitted.
 bool explained(const std::vector<Candidate>& ranked, const Baseline& baseline, Leniency leniency = Leniency::tolerant);

@@ -18,8 +18,7 @@ prediction::SetupRun shifted_run(const setup::Setup& setup, const prediction::Pa
 }
 
 ErrorCorrection correction_of(VerdictKind kind, const SearchPolicy& policy) {
-    return {kind == VerdictKind::effects ? policy.correction.effort : policy.unexplained,
-            policy.correction.most_change};
+    return {kind == VerdictKind::effects ? policy.correction.effort : policy.unexplained, policy.correction.max_change};
 }
 
 }  // namespace

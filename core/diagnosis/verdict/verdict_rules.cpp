@@ -17,7 +17,7 @@ Conclusion nothing_missing(const VerdictEvidence& e) {
     const double share = d.declared.tests.systematic.rms / numerical_allowance(d.data, d.numerics, e.policy.judgement);
     Verdict verdict{VerdictKind::none};
     verdict.confidence = policy.undoubted * (d.declared.tests.significant()
-                                                 ? std::clamp(policy.faint_allowance - share, policy.least_faint, 1.0)
+                                                 ? std::clamp(policy.faint_allowance - share, policy.min_faint, 1.0)
                                                  : 1.0);
     verdict.reason = "the residual of the declared model is " + times_noise(d.declared.rms_m / d.noise_m) +
                      ", of which " + times_noise(d.declared.tests.systematic.rms) + " is systematic: " +
@@ -83,8 +83,8 @@ bool removes_most(const VerdictEvidence& e, const JudgedFit& fit) {
         return false;
     const auto leaves = [&](double JudgedFit::*rms, double share) { return fit.*rms <= share * d.declared.*rms; };
     const bool untested_by_trials = fit.single_trial_directions > d.declared.single_trial_directions;
-    return leaves(&JudgedFit::rms_m, policy.most_left) && leaves(&JudgedFit::held_out_rms, policy.most_left_held_out) &&
-           (!untested_by_trials || leaves(&JudgedFit::held_out_in_time_rms, policy.most_left_held_out));
+    return leaves(&JudgedFit::rms_m, policy.max_left) && leaves(&JudgedFit::held_out_rms, policy.max_left_held_out) &&
+           (!untested_by_trials || leaves(&JudgedFit::held_out_in_time_rms, policy.max_left_held_out));
 }
 
 /// Whether the second effect of the pair hardly reduces the residual.
