@@ -127,8 +127,8 @@ TEST(NumericalError, ThatAModulusTakesUpExcusesNothing) {
     EXPECT_LT(extrapolation_left_m(data, error, fit), 0.4 * unlike);
 }
 
-/// A score that foretold far too much leads a fit nowhere; what the probe was run with does.
-TEST(CandidateFits, GoOnFromTheProbeWhereWhatWasForetoldGoesWrong) {
+/// A score that predicts far too large an amount gives a useless start; the amount of the probe is a useful one.
+TEST(CandidateFits, RestartFromTheProbeWhereThePredictedStartFails) {
     Recorded recorded({{"quadratic_drag", {{"coefficient_kg_m3", 60.0}}}});
     const FitData data = recorded.data();
     const JointFit base = test::unmoved_fit(recorded.setup, data, prediction::declared_values(recorded.setup));
@@ -147,8 +147,8 @@ TEST(CandidateFits, GoOnFromTheProbeWhereWhatWasForetoldGoesWrong) {
     EXPECT_LT(left(), 0.5 * base.squares());
 }
 
-/// What the best comes to leaves another no hope: of that only the amount is fitted.
-TEST(CandidateFits, AreGivenUpWhereTheBestLeavesNoHope) {
+/// The best fit is far better than another one, of which only the amount is then fitted.
+TEST(CandidateFits, ArePrunedWhereTheBestIsFarBetter) {
     Recorded recorded({{"quadratic_drag", {{"coefficient_kg_m3", 60.0}}}});
     const FitData data = recorded.data();
     const JointFit base = test::unmoved_fit(recorded.setup, data, prediction::declared_values(recorded.setup));
