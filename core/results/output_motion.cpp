@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <complex>
+#include <limits>
 
 #include "measurement/rigid_motion.hpp"
 
@@ -48,7 +49,11 @@ double main_frequency(const setup::Setup& setup, std::size_t index, const predic
         for (Eigen::Index axis = 0; axis < 3; ++axis) {
             Eigen::VectorXd x = track.row(axis).tail(samples).transpose();
             // The steady state is subtracted; the coordinate with the most energy is analysed.
-            x.array() -= x.tail(std::max<Eigen::Index>(1, samples / 5)).mean();
+            const double rest = x.tail(std::max<Eigen::Index>(1, samples / 5)).mean();
+            x.array() -= rest;
+            // A coordinate at rest leaves the rounding of its mean, which is no vibration.
+            const double rounding = static_cast<double>(samples) * std::numeric_limits<double>::epsilon() * rest;
+            if (x.cwiseAbs().maxCoeff() <= std::abs(rounding)) continue;
             if (x.squaredNorm() > largest) largest = x.squaredNorm(), signal = std::move(x);
         }
     if (!(largest > 0.0) || !(duration > 0.0)) return 0.0;
