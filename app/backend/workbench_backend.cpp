@@ -329,7 +329,7 @@ public:
         const diagnosis::Diagnosis d = diagnosis::whole_diagnosis(*setup, {}, progress, show);
         if (!d.failure.empty()) return Error{d.failure, ""};
         if (!d.declared.usable()) return Error{"stopped before the declared fit", ""};
-        progress.report({"forces of the effects", 0.0, 1.0, "stage", {}});
+        progress.report({"forces of the effects", 0.0, 1.0, "phase", {}});
         ui::commands::DiagnosisView view = diagnosis_view(source, d);
         results::RunFacts facts{MYOLOOP_VERSION, {"workbench"}};
         if (d.complete()) {

@@ -70,7 +70,7 @@ public:
         d_.modulus_factor = context.setup.modulus_factor;
         d_.declared = without_predictions(context.declared);
         d_.numerics = context.numerics;
-        log_.progress().report({"significance", 1.0, 1.0, "stage", {}});
+        log_.progress().report({"significance", 1.0, 1.0, "phase", {}});
         show();
     }
     void enter(const RankedFits& fits) {

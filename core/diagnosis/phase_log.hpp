@@ -29,7 +29,7 @@ public:
     /// Reports the phase, runs the task, and adds its time and trial runs. Returns the value of the task.
     template <class Task>
     auto timed(const std::string& phase, int runs, const Task& task) {
-        progress_.report({phase, 0.0, 1.0, "stage", {}});
+        progress_.report({phase, 0.0, 1.0, "phase", {}});
         const Stopwatch watch;
         auto value = task();
         add(phase, watch.seconds(), runs);

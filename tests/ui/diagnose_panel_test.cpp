@@ -45,7 +45,7 @@ TEST(DiagnosePanel, RanksWhileItRunsAndStaysLive) {
     ASSERT_TRUE(driver.state().diagnosing()) << "the ranking must show before the end";
     ASSERT_TRUE(driver.has("diagnose/row/quadratic_drag"));
     EXPECT_FALSE(driver.state().diagnosis->complete);
-    EXPECT_EQ(driver.state().job->remaining_of, commands::TimeLeft::of_stage) << "every stage counts anew";
+    EXPECT_EQ(driver.state().job->remaining_of, commands::TimeLeft::of_phase) << "every phase counts anew";
     // Choosing, scrubbing and plotting go on meanwhile.
     driver.click("diagnose/row/added_mass");
     EXPECT_EQ(driver.state().candidate, "added_mass");

@@ -262,12 +262,12 @@ TEST(Jobs, TellWhatTheyCountAndTheTimeLeft) {
     EXPECT_EQ(panels::counted_text(job), "12 of 40 evaluations");
     EXPECT_EQ(panels::time_text(job), "at most 1 min 10 s left");
     EXPECT_EQ(panels::bar_text(job), "30 %");
-    job.remaining_of = commands::TimeLeft::of_stage;
-    EXPECT_EQ(panels::time_text(job), "1 min 10 s left of this stage");
-    // TetGen does not say how far it is, nor does a stage that is only named.
+    job.remaining_of = commands::TimeLeft::of_phase;
+    EXPECT_EQ(panels::time_text(job), "1 min 10 s left of this phase");
+    // TetGen does not say how far it is, nor does a phase that is only named.
     job.remaining_s.reset();
     for (const ProgressEvent& event :
-         {ProgressEvent{"tetrahedral mesh", 6.0, 0.0, "s", ""}, {"significance", 1.0, 1.0, "stage", ""}}) {
+         {ProgressEvent{"tetrahedral mesh", 6.0, 0.0, "s", ""}, {"significance", 1.0, 1.0, "phase", ""}}) {
         job.progress = event;
         EXPECT_EQ(panels::counted_text(job), "");
         EXPECT_EQ(panels::bar_text(job), "working");

@@ -73,9 +73,9 @@ Result<ui::commands::DiagnosisView> SwingingBeam::diagnose(const ui::commands::S
         view.trials.push_back(std::move(left));
     }
     view.worst_axis = 2;
-    const auto wait = [&](const std::string& stage, int steps) {
+    const auto wait = [&](const std::string& phase, int steps) {
         for (int k = 0; k <= steps && !progress.cancelled(); ++k) {
-            progress.report({stage, static_cast<double>(k), static_cast<double>(steps), "fits", "linear_drag"});
+            progress.report({phase, static_cast<double>(k), static_cast<double>(steps), "fits", "linear_drag"});
             std::this_thread::sleep_for(std::chrono::duration<double>(step_delay_s.load()));
         }
     };

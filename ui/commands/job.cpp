@@ -123,7 +123,7 @@ JobView Job::view() const {
     // Outside the mutex: the job's thread reports progress often and must not wait for this.
     view.remaining_s = remaining_time(view.fraction(), stage_s);
     if (content_->kind.staged)
-        view.remaining_of = TimeLeft::of_stage;
+        view.remaining_of = TimeLeft::of_phase;
     else if (view.progress.unit == "evaluations")
         view.remaining_of = TimeLeft::at_most;
     view.cancelling = content_->cancel;

@@ -14,7 +14,7 @@ namespace myo::ui::commands {
 enum class TimeLeft {
     exact,     // the whole job, if it continues at the same rate
     at_most,   // upper limit: only the maximum number of evaluations is known
-    of_stage,  // the present part only; others follow
+    of_phase,  // the present part only; others follow
 };
 
 /// State of a running job as it is shown.
@@ -29,7 +29,7 @@ struct JobView {
     bool searches = false;  // it is a search, whose intermediate results are shown
 
     /// Whether progress is a fraction of a known total. A part that is only named has none.
-    bool counts() const { return progress.total > 0.0 && progress.unit != "stage"; }
+    bool counts() const { return progress.total > 0.0 && progress.unit != "phase"; }
     /// Fraction done, 0 to 1; 0 if the total is unknown.
     double fraction() const { return counts() ? std::min(1.0, std::max(0.0, progress.done / progress.total)) : 0.0; }
 };

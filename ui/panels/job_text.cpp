@@ -24,7 +24,7 @@ std::string time_text(const commands::JobView& job) {
     if (!job.remaining_s) return duration_label(job.elapsed_s) + " so far";
     const std::string left = duration_label(*job.remaining_s) + " left";
     if (job.remaining_of == commands::TimeLeft::at_most) return "at most " + left;
-    return job.remaining_of == commands::TimeLeft::of_stage ? left + " of this stage" : left;
+    return job.remaining_of == commands::TimeLeft::of_phase ? left + " of this phase" : left;
 }
 
 std::string bar_text(const commands::JobView& job) {
