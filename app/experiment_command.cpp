@@ -157,8 +157,8 @@ int stopped_before(const std::string& first_result, Console& console) {
 
 void tell_findings(const std::vector<check::Finding>& findings, const std::vector<check::Finding>& before,
                    Console& console) {
-    const std::vector<std::string> said = results::untold(before);
-    for (const std::string& sentence : results::untold(findings))
+    const std::vector<std::string> said = results::sentences_to_report(before);
+    for (const std::string& sentence : results::sentences_to_report(findings))
         if (std::find(said.begin(), said.end(), sentence) == said.end()) console.warn(sentence);
 }
 

@@ -39,7 +39,7 @@ std::string figure_text(const check::Finding& finding, double figure) {
 }  // namespace
 
 ui::commands::CheckState shown_state(check::CheckLevel level) {
-    if (level == check::CheckLevel::fine) return ui::commands::CheckState::green;
+    if (level == check::CheckLevel::passed) return ui::commands::CheckState::green;
     return level == check::CheckLevel::doubtful ? ui::commands::CheckState::amber : ui::commands::CheckState::red;
 }
 
@@ -49,7 +49,8 @@ ui::commands::CheckRows check_rows(const std::vector<check::Finding>& findings, 
         const check::Check* const check = check::find_check(finding.check);
         rows.push_back({finding.check, check != nullptr ? check->question : finding.check, shown_state(finding.level),
                         finding.subject, figure_text(finding, finding.figure), figure_text(finding, finding.threshold),
-                        finding.source, finding.sentence, finding.way_out, task_of(check, as_declared), finding.told});
+                        finding.source, finding.sentence, finding.way_out, task_of(check, as_declared),
+                        finding.warned});
     }
     std::stable_sort(rows.begin(), rows.end(), [](const ui::commands::CheckRow& a, const ui::commands::CheckRow& b) {
         return a.state > b.state;

@@ -90,7 +90,7 @@ std::vector<FittedNumber> fitted_numbers(const DefaultsCase& d, const calibratio
 
 void add_remarks(const std::vector<check::Finding>& findings, DefaultsRecord& r) {
     for (const check::Finding& finding : findings)
-        if (finding.level != check::CheckLevel::fine)
+        if (finding.level != check::CheckLevel::passed)
             r.remarks.push_back(
                 {finding.check, finding.subject, finding.sentence, finding.level == check::CheckLevel::wrong});
 }

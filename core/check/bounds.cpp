@@ -9,16 +9,16 @@ std::vector<Finding> check_bounds(const CheckedJob& job) {
     const calibration::Calibration& calibration = *job.calibration;
     for (const calibration::ValueAtBound& at : calibration::values_at_bounds(calibration)) {
         const prediction::ModelParameter& parameter = calibration.parameters[at.parameter];
-        Finding finding = fine_finding(parameter.parameter.name,
-                                       calibration::bound_sentence(job.setup, calibration, at));
+        Finding finding = passed_finding(parameter.parameter.name,
+                                         calibration::bound_sentence(job.setup, calibration, at));
         finding.level = CheckLevel::doubtful;
         finding.figure = at.value;
         finding.threshold = at.bound;
         finding.unit = parameter.unit;
-        finding.told = true;  // bound_sentence() is a warning of the calibration already
+        finding.warned = true;  // bound_sentence() is a warning of the calibration already
         findings.push_back(std::move(finding));
     }
-    if (findings.empty()) findings.push_back(fine_finding("", "all values lie within their bounds"));
+    if (findings.empty()) findings.push_back(passed_finding("", "all values lie within their bounds"));
     return findings;
 }
 

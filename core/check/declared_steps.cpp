@@ -20,7 +20,7 @@ std::vector<Finding> findings_on_units(const setup::Setup& setup) {
 
 void choose_declared_steps(setup::Setup& setup, const std::vector<Finding>& on_units, const Progress& progress) {
     const bool in_doubt = std::any_of(on_units.begin(), on_units.end(),
-                                      [](const Finding& finding) { return finding.level != CheckLevel::fine; });
+                                      [](const Finding& finding) { return finding.level != CheckLevel::passed; });
     // Fixing h_s makes the steps not choosable(), so the rest of the command keeps them as well.
     if (in_doubt)
         setup.settings.h_s = prediction::shortest_step_s(setup);

@@ -6,7 +6,7 @@
 namespace myo::check {
 
 /// Passed, doubtful, violated; shown as green, amber and red.
-enum class CheckLevel { fine, doubtful, wrong };
+enum class CheckLevel { passed, doubtful, wrong };
 
 /// "green", "amber" or "red".
 std::string to_string(CheckLevel level);
@@ -14,7 +14,7 @@ std::string to_string(CheckLevel level);
 /// Result of one check for one subject.
 struct Finding {
     std::string check;  // id in the catalogue of checks
-    CheckLevel level = CheckLevel::fine;
+    CheckLevel level = CheckLevel::passed;
     std::string subject;                                          // trial or parameter; empty: the whole experiment
     double figure = std::numeric_limits<double>::quiet_NaN();     // measured value
     double threshold = std::numeric_limits<double>::quiet_NaN();  // value beyond which the figure is doubtful
@@ -22,10 +22,10 @@ struct Finding {
     std::string source;                                           // of the threshold
     std::string sentence;                                         // the result with its figure
     std::string way_out;                                          // remedy; empty if passed
-    bool told = false;                                            // a warning with file and line states the same
+    bool warned = false;                                          // a warning with file and line states the same
 };
 
 /// Passed finding with a subject and a sentence; callers raise the level and add figures.
-Finding fine_finding(const std::string& subject, const std::string& sentence);
+Finding passed_finding(const std::string& subject, const std::string& sentence);
 
 }  // namespace myo::check

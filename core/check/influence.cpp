@@ -12,13 +12,13 @@ std::vector<Finding> check_influence(const CheckedJob& job) {
         const std::string reason = calibration.undetermined_reason(i);
         if (reason.empty()) continue;
         const std::string& name = calibration.parameters[i].parameter.name;
-        Finding finding = fine_finding(name, name + ": " + reason);
+        Finding finding = passed_finding(name, name + ": " + reason);
         finding.level = CheckLevel::doubtful;
         finding.way_out = "leave it out of the fit, or record a trial that it moves";
-        finding.told = true;
+        finding.warned = true;
         findings.push_back(std::move(finding));
     }
-    if (findings.empty()) findings.push_back(fine_finding("", "the data determine every parameter"));
+    if (findings.empty()) findings.push_back(passed_finding("", "the data determine every parameter"));
     return findings;
 }
 

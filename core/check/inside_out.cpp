@@ -56,7 +56,7 @@ std::vector<Finding> check_inside_out(const CheckedJob& job) {
             most = std::max(most, count);
         }
         const std::string& name = job.setup.trials[t].name;
-        Finding finding = fine_finding(name, "trial " + name + ": no cell is inside out");
+        Finding finding = passed_finding(name, "trial " + name + ": no cell is inside out");
         finding.figure = most;
         finding.threshold = 0.0;
         if (most > 0) {

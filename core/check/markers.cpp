@@ -28,10 +28,10 @@ std::vector<Finding> check_markers(const CheckedJob& job) {
                 first = b;
                 second = a;
             }
-    if (markers.size() < 2) return {fine_finding("", "one marker, which any mesh holds")};
+    if (markers.size() < 2) return {passed_finding("", "one marker, which any mesh holds")};
     const std::string pair = "markers " + markers[first].name + " and " + markers[second].name + " are " +
                              report::length_words(nearest) + " apart";
-    Finding finding = fine_finding("", pair + ", the nearest ones, with edges of " + report::length_words(edge));
+    Finding finding = passed_finding("", pair + ", the nearest ones, with edges of " + report::length_words(edge));
     finding.figure = nearest;
     finding.threshold = markers_policy.min_edge_share * edge;
     finding.unit = "m";

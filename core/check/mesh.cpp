@@ -10,15 +10,15 @@ std::vector<Finding> check_mesh(const CheckedJob& job) {
     std::vector<Finding> findings;
     // The same checks give the warnings of prepare_setup(), hence `told`.
     for (const std::string& sentence : setup::unsuitable({setup.surface, setup.mesh, setup.experiment.effects})) {
-        Finding finding = fine_finding("", sentence);  // the sentence contains the remedy
+        Finding finding = passed_finding("", sentence);  // the sentence contains the remedy
         finding.level = CheckLevel::doubtful;
-        finding.told = true;
+        finding.warned = true;
         findings.push_back(std::move(finding));
     }
     if (findings.empty())
-        findings.push_back(fine_finding("", std::to_string(setup.mesh.mesh.cell_count()) + " cells with edges of " +
-                                                format_number(1e3 * mesh::mean_edge_length(setup.mesh.mesh), 3) +
-                                                " mm bend and twist within a few percent"));
+        findings.push_back(passed_finding("", std::to_string(setup.mesh.mesh.cell_count()) + " cells with edges of " +
+                                                  format_number(1e3 * mesh::mean_edge_length(setup.mesh.mesh), 3) +
+                                                  " mm bend and twist within a few percent"));
     return findings;
 }
 

@@ -52,7 +52,7 @@ std::vector<Finding> check_pose(const CheckedJob& job) {
     if (!free || !loaded || !(*free > 0.0)) return {};
     // Loss of stiffness under the full load, relative.
     const double lost = (1.0 - *loaded / *free) / pose_policy.load_share;
-    Finding finding = fine_finding(trial.name, "the pose at rest is stable under its loads");
+    Finding finding = passed_finding(trial.name, "the pose at rest is stable under its loads");
     finding.figure = lost;
     finding.threshold = 1.0 / pose_policy.doubtful_share;
     if (lost <= finding.threshold) return {finding};

@@ -8,12 +8,12 @@ std::vector<Finding> check_recordings(const CheckedJob& job) {
     std::vector<Finding> findings;
     // One finding per validation trial; the sentence contains the remedy.
     for (const experiment::SharedRecording& shared : experiment::shared_recordings(experiment)) {
-        Finding finding = fine_finding(experiment.trials[shared.validate].name,
-                                       experiment::shared_recording_sentence(experiment, shared));
+        Finding finding = passed_finding(experiment.trials[shared.validate].name,
+                                         experiment::shared_recording_sentence(experiment, shared));
         finding.level = CheckLevel::doubtful;
         findings.push_back(std::move(finding));
     }
-    if (findings.empty()) findings.push_back(fine_finding("", "no trial to predict is one that is fitted"));
+    if (findings.empty()) findings.push_back(passed_finding("", "no trial to predict is one that is fitted"));
     return findings;
 }
 

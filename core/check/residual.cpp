@@ -42,7 +42,7 @@ std::string suspect_names(const std::vector<Finding>& earlier) {
 
 /// Level of a residual, in noise levels, relative to the expected one.
 Finding judged_residual(const std::string& sentence, double ratio, double expected) {
-    Finding finding = fine_finding("", sentence);
+    Finding finding = passed_finding("", sentence);
     finding.figure = ratio;
     finding.threshold = residual_policy.doubtful_ratio * expected;
     if (ratio > finding.threshold)
@@ -69,7 +69,7 @@ std::vector<Finding> of_declared_values(const CheckedJob& job) {
     const double ratio = left / setup::mean_noise(job.setup);
     Finding finding = judged_residual(
         "the residual of the recordings with the declared values, " + beside_noise(left, ratio), ratio, 1.0);
-    if (finding.level == CheckLevel::fine) return {finding};
+    if (finding.level == CheckLevel::passed) return {finding};
     finding.sentence += ": nothing was fitted";
     const std::string names = suspect_names(*job.earlier);
     finding.way_out = (names.empty() ? "" : "suspected, in this order: " + names + "; once these are settled, ") +
@@ -90,7 +90,7 @@ std::vector<Finding> of_fit(const CheckedJob& job) {
     if (expected > residual_policy.min_reported_rise)
         sentence += ", of which mesh and step make about " + format_number(numerical, 2);
     Finding finding = judged_residual(sentence, ratio, expected);
-    if (finding.level == CheckLevel::fine) return {finding};
+    if (finding.level == CheckLevel::passed) return {finding};
     const std::string names = suspect_names(*job.earlier);
     const std::string
         diagnose = "diagnose names the effect that is missing (myoloop diagnose, or Diagnose in the window)";

@@ -9,13 +9,13 @@ std::vector<Finding> check_signals(const CheckedJob& job) {
     const setup::Setup& setup = job.setup;
     std::vector<Finding> findings;
     for (const setup::MissedSignal& missed : setup::missed_signals(setup)) {
-        Finding finding = fine_finding(setup.trials[missed.trial].name, setup::missed_signal_sentence(setup, missed));
+        Finding finding = passed_finding(setup.trials[missed.trial].name, setup::missed_signal_sentence(setup, missed));
         // Without the muscle's motion a fit would explain the recording by other parameters.
         finding.level = CheckLevel::wrong;
         findings.push_back(std::move(finding));
     }
     if (findings.empty() && !setup.experiment.muscles.empty())
-        findings.push_back(fine_finding("", "every signal acts within its trial"));
+        findings.push_back(passed_finding("", "every signal acts within its trial"));
     return findings;
 }
 

@@ -73,10 +73,10 @@ std::vector<Finding> check_start(const CheckedJob& job) {
         if (distances.empty()) continue;
         const double off = rms_of(distances), moved = travel(trial);
         const bool straight = trial.options.start == dynamics::StartKind::straight;
-        Finding finding = fine_finding(trial.name, "trial " + trial.name + ": at the first sample the markers are " +
-                                                       report::length_words(off) +
-                                                       " rms from where the model begins (start = \"" +
-                                                       (straight ? "straight" : "equilibrium") + "\")");
+        Finding finding = passed_finding(trial.name, "trial " + trial.name + ": at the first sample the markers are " +
+                                                         report::length_words(off) +
+                                                         " rms from where the model begins (start = \"" +
+                                                         (straight ? "straight" : "equilibrium") + "\")");
         finding.figure = off;
         // The larger of both limits: a small motion is judged by noise, a large one by its range.
         finding.threshold = std::max(start_policy.noise_levels * noise, start_policy.doubtful_share * moved);

@@ -25,13 +25,13 @@ std::string step_words(const setup::PreparedTrial& trial) {
 
 // A modulus scales with the squared frequency, so its relative error is twice that of the frequency.
 Finding of_vibration(const setup::PreparedTrial& trial, double frequency_Hz, double error) {
-    Finding finding = fine_finding(trial.name, step_words(trial) + " make the vibration of " +
-                                                   format_number(frequency_Hz, 3) + " Hz " +
-                                                   format_number(100.0 * error, 2) + " % too slow");
+    Finding finding = passed_finding(trial.name, step_words(trial) + " make the vibration of " +
+                                                     format_number(frequency_Hz, 3) + " Hz " +
+                                                     format_number(100.0 * error, 2) + " % too slow");
     finding.figure = error;
     finding.threshold = step_policy.doubtful_error;
     finding.level = step_level(error);
-    if (finding.level == CheckLevel::fine) return finding;
+    if (finding.level == CheckLevel::passed) return finding;
     finding.sentence += ", so that a modulus fitted on it is " + format_number(200.0 * error, 2) + " % too high";
     // Second-order scheme: the error grows with the square of the step.
     const double better = trial.options.h_s * std::sqrt(prediction::step_policy.max_frequency_error / error);
@@ -45,17 +45,17 @@ Finding of_nothing_seen(const setup::PreparedTrial& trial, double first_rad_s) {
     const double h = trial.options.h_s;
     // omega h > 1: the scheme damps the first vibration within a few steps, so it could not have been seen.
     const bool blind = first_rad_s * h > 1.0;
-    return fine_finding(trial.name, step_words(trial) + ", and no vibration is seen that they could make too slow" +
-                                        (blind ? ": they damp away the first one, of " +
-                                                     format_number(first_rad_s / (2.0 * std::numbers::pi), 3) +
-                                                     " Hz, as suits slow motion"
-                                               : ""));
+    return passed_finding(trial.name, step_words(trial) + ", and no vibration is seen that they could make too slow" +
+                                          (blind ? ": they damp away the first one, of " +
+                                                       format_number(first_rad_s / (2.0 * std::numbers::pi), 3) +
+                                                       " Hz, as suits slow motion"
+                                                 : ""));
 }
 
 // The step was chosen before the run; its own error estimate is reported.
 Finding of_choice(const setup::PreparedTrial& trial, const setup::TrialStep& step) {
     if (!step.failure.empty()) {
-        Finding finding = fine_finding(
+        Finding finding = passed_finding(
             trial.name,
             step_words(trial) + " are half a sampling interval, for with the declared values " + step.failure);
         finding.level = CheckLevel::doubtful;
@@ -64,7 +64,7 @@ Finding of_choice(const setup::PreparedTrial& trial, const setup::TrialStep& ste
         return finding;
     }
     if (step.vibration_Hz > 0.0) return of_vibration(trial, step.vibration_Hz, step.frequency_error);
-    Finding finding = fine_finding(
+    Finding finding = passed_finding(
         trial.name, step_words(trial) + " err by " + format_number(1e3 * step.trace_error_m, 2) + " mm in the traces");
     finding.figure = step.trace_error_m;
     finding.unit = "m";
@@ -79,7 +79,7 @@ Finding of_choice(const setup::PreparedTrial& trial, const setup::TrialStep& ste
 }  // namespace
 
 CheckLevel step_level(double frequency_error) {
-    if (frequency_error <= step_policy.doubtful_error) return CheckLevel::fine;
+    if (frequency_error <= step_policy.doubtful_error) return CheckLevel::passed;
     return frequency_error > step_policy.wrong_error ? CheckLevel::wrong : CheckLevel::doubtful;
 }
 

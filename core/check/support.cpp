@@ -31,8 +31,8 @@ std::vector<Finding> check_support(const CheckedJob& job) {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(apart * apart.transpose());
     const Eigen::Vector3d extents = (axes.eigenvectors().transpose() * apart).cwiseAbs().rowwise().maxCoeff();
     const double size = mesh::bounding_box(body.mesh.nodes).size().maxCoeff();
-    Finding finding = fine_finding("", std::to_string(held.size()) + " of " + std::to_string(body.node_count()) +
-                                           " nodes are held, across " + report::length_words(2.0 * extents(1)));
+    Finding finding = passed_finding("", std::to_string(held.size()) + " of " + std::to_string(body.node_count()) +
+                                             " nodes are held, across " + report::length_words(2.0 * extents(1)));
     finding.figure = extents(1) / size;
     finding.threshold = support_policy.min_width;
     if (finding.figure > support_policy.min_width) return {finding};

@@ -48,7 +48,7 @@ Finding of_swing(const setup::PreparedTrial& trial, double swing_Hz, double firs
     const double ratio = first_Hz / swing_Hz, off = std::max(ratio, 1.0 / ratio);
     const std::string swings = "trial " + trial.name + ": left to itself the body swings at " + hertz(swing_Hz) +
                                " in the recording";
-    Finding finding = fine_finding(trial.name, swings + ", and the first vibration is " + hertz(first_Hz));
+    Finding finding = passed_finding(trial.name, swings + ", and the first vibration is " + hertz(first_Hz));
     finding.figure = swing_Hz;
     const double most = time_unit_policy.doubtful_ratio;
     finding.threshold = ratio > 1.0 ? first_Hz / most : first_Hz * most;
@@ -79,7 +79,7 @@ bool signals_are_known(const setup::PreparedTrial& trial) {
 /// Finding from the sampling rate alone, if no free oscillation is available.
 Finding of_rate(const setup::PreparedTrial& trial, double rate_Hz) {
     const std::string sentence = "trial " + trial.name + ": " + format_number(rate_Hz, 3) + " samples per second";
-    Finding finding = fine_finding(trial.name, sentence + ", and nothing in the motion contradicts its times");
+    Finding finding = passed_finding(trial.name, sentence + ", and nothing in the motion contradicts its times");
     finding.figure = rate_Hz;
     finding.threshold = time_unit_policy.max_samples_per_s;
     finding.unit = "Hz";

@@ -35,7 +35,8 @@ std::string range_words(const PlausibleRange& range) {
 
 /// Finding for one quantity: passed inside the range, doubtful outside.
 Finding judged(const PlausibleRange& range, double value) {
-    Finding finding = fine_finding(range.key, std::string(range.key) + " = " + format_number(value) + " " + range.unit);
+    Finding finding = passed_finding(range.key,
+                                     std::string(range.key) + " = " + format_number(value) + " " + range.unit);
     finding.figure = value;
     finding.unit = range.unit;
     const bool low = value<range.low, high = value> range.high;

@@ -66,8 +66,8 @@ public:
 
     Trace take(const Progress& progress) {
         const std::vector<double> ends = step_ends(model(), options_.h_s, options_.end_s);
-        solver_.heed(progress);
-        if (!stand_at_start(ends))
+        solver_.stop_with(progress);
+        if (!set_first_point(ends))
             return progress.cancelled() ? ended(RunStatus::cancelled, "stopped at the start") : std::move(trace_);
         while (point_.step < std::min(ends.size(), part_.until_step)) {
             const double end = ends[point_.step];
@@ -84,7 +84,7 @@ public:
                 if (h > 1.5 * least && (!step.taken || (!step.resolved && gains_energy(solver_, point_.state, step.next,
                                                                                        point_.time_s, goals.back())))) {
                     goals.push_back(point_.time_s + 0.5 * h);
-                    start_anew();
+                    restart_prediction();
                     continue;
                 }
                 if (!step.taken)
@@ -92,7 +92,7 @@ public:
                                                                     step.last.ok() ? "the motion is no longer finite"
                                                                                    : step.last.message));
                 goals.pop_back();
-                stand_after(step, goals.empty());
+                advance_to(step, goals.empty());
                 progress.report({"simulate", point_.time_s, options_.end_s, "s", {}});
             }
         }
@@ -135,15 +135,16 @@ private:
     }
 
     /// Discards the prediction history: the past motion does not continue smoothly.
-    void start_anew() {
+    void restart_prediction() {
         past_.restart(point_.time_s, point_.state.x);
-        aside_.clear();
-        if (const Matrix3Xd* beside = near_at(point_.time_s)) aside_.add(point_.time_s, point_.state.x - *beside);
+        difference_.clear();
+        if (const Matrix3Xd* similar = similar_at(point_.time_s))
+            difference_.add(point_.time_s, point_.state.x - *similar);
     }
 
     /// Stage solution of the similar run at this time; null if there is none.
-    const Matrix3Xd* near_at(double time_s) const {
-        return options_.near ? options_.near->at(time_s, options_.h_s) : nullptr;
+    const Matrix3Xd* similar_at(double time_s) const {
+        return options_.warm_start ? options_.warm_start->at(time_s, options_.h_s) : nullptr;
     }
 
     /// Recomputes the force at a jump and informs the observer.
@@ -153,7 +154,7 @@ private:
     }
 
     /// Sets the start state, or the state of the run point that the part continues from.
-    bool stand_at_start(const std::vector<double>& ends) {
+    bool set_first_point(const std::vector<double>& ends) {
         if (part_.from) {
             point_ = *part_.from;
         } else {
@@ -174,8 +175,8 @@ private:
             euler_first_ = !ends.empty() && needs_euler(model(), ends.front(), point_.state);
         }
         keep_path(point_.time_s, point_.state.x);
-        start_anew();
-        if (observer_.stood) observer_.stood(point_);
+        restart_prediction();
+        if (observer_.reached) observer_.reached(point_);
         return true;
     }
 
@@ -202,13 +203,13 @@ private:
     bool solve_stage(const Stage& stage, Step& step, StageSolution& solution) {
         const model::Body& body = *model().body;
         const std::optional<Matrix3Xd> continued = past_.at(stage.time_s);
-        const Matrix3Xd* beside = near_at(stage.time_s);
+        const Matrix3Xd* similar = similar_at(stage.time_s);
         // Initial guess by attempt: 0 prediction (similar run, extrapolation, or constant velocity), 1 last position,
         // 2 undeformed body.
         const auto guess = [&](int attempt) -> Matrix3Xd {
             if (attempt == 1) return point_.state.x;
             if (attempt == 2) return undeformed_near(body, point_.state.x);
-            if (beside && aside_.known()) return *beside + aside_.parabola_at(stage.time_s);
+            if (similar && difference_.known()) return *similar + difference_.parabola_at(stage.time_s);
             if (continued) return *continued;
             return step.solved.empty() ? Matrix3Xd(point_.state.x + (stage.time_s - point_.time_s) * point_.state.v)
                                        : step.solved.back().solution.x;
@@ -234,10 +235,10 @@ private:
         if (model().creep)
             solution.strain = with_dashpots(*model().creep, stage.rate_factor_1_s, solution.strain, stage.rate_history);
         past_.add(stage.time_s, solution.x);
-        if (beside)
-            aside_.add(stage.time_s, solution.x - *beside);
+        if (similar)
+            difference_.add(stage.time_s, solution.x - *similar);
         else
-            aside_.clear();
+            difference_.clear();
         SolvedStage& solved = step.solved.emplace_back();
         if (observer_.stepped) {
             solved = {stage, solution};
@@ -249,7 +250,7 @@ private:
     }
 
     /// Makes the end of a step the current state. `grid`: the end is one of step_ends().
-    void stand_after(Step& step, bool grid) {
+    void advance_to(Step& step, bool grid) {
         if (observer_.stepped)
             observer_.stepped(solver_, step.scheme, point_.time_s, step.end_s - point_.time_s, step.solved);
         for (const SolvedStage& solved : step.solved) keep_path(solved.stage.time_s, solved.solution.x);
@@ -263,9 +264,9 @@ private:
         }
         record();
         if (step.jump_at_end) set_force(point_.time_s);
-        if (step.jump_at_end || was_euler) start_anew();
+        if (step.jump_at_end || was_euler) restart_prediction();
         if (grid) ++point_.step;
-        if (observer_.stood) observer_.stood(point_);
+        if (observer_.reached) observer_.reached(point_);
     }
 
     StageSolver& solver_;
@@ -276,7 +277,7 @@ private:
     Trace trace_;
     RunPoint point_;
     Extrapolation past_;
-    Extrapolation aside_;  // history of the difference to the similar run `near`
+    Extrapolation difference_;  // history of the difference to the similar run `warm_start`
     bool euler_first_ = false;
 };
 

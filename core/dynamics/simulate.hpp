@@ -35,9 +35,9 @@ struct SimulationOptions {
     SolverOptions solver;
     int max_iterations = std::numeric_limits<int>::max();  // Newton iterations of the whole run; the run fails
                                                            // when it exceeds them
-    std::shared_ptr<const StagePath>
-        near;  // similar run whose stage solutions start ours: fewer iterations, same results within the tolerance
-    bool keep_path = false;  // store the stage solutions in Trace::path, for use as `near`
+    std::shared_ptr<const StagePath> warm_start;  // similar run whose stage solutions start ours: fewer iterations,
+                                                  // same results within the tolerance
+    bool keep_path = false;                       // store the stage solutions in Trace::path, for use as `warm_start`
 
     /// Given positions take precedence over StartKind::equilibrium.
     bool starts_at_equilibrium() const { return start == StartKind::equilibrium && initial.positions.size() == 0; }
@@ -89,8 +89,8 @@ struct RunObserver {
     std::function<void(StageSolver&, const Kinematics&)> started;           // start state; force not yet set
     std::function<void(StageSolver&, const Kinematics&, double t)> jumped;  // force was recomputed at the jump at t
     std::function<void(StageSolver&, const TimeScheme&, double t, double h, const std::vector<SolvedStage>&)>
-        stepped;                                 // a step of length h from t was taken
-    std::function<void(const RunPoint&)> stood;  // at the start and after every step, jumps included
+        stepped;                                   // a step of length h from t was taken
+    std::function<void(const RunPoint&)> reached;  // at the start and after every step, jumps included
 };
 
 /// Simulates a model from its start state.

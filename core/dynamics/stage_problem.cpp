@@ -58,11 +58,11 @@ StageConstants stage_constants(const model::Model& model) {
 }
 
 StageProblem::StageProblem(const StageConstants& constants, const Stage& stage, SolverTimes* times,
-                           const Progress* heeded)
+                           const Progress* cancellation)
     : constants_(constants),
       stage_(stage),
       times_(times),
-      heeded_(heeded),
+      cancellation_(cancellation),
       span_(model::span_at(constants.masses, stage.inertia_at_s)),
       activation_(model::activations(*constants.model, stage.time_s, stage.before_jump)),
       dead_(stage.constant +
@@ -74,7 +74,7 @@ StageProblem::StageProblem(const StageConstants& constants, const Stage& stage, 
 StageProblem::Evaluation StageProblem::evaluate(const Matrix3Xd& x, model::HessianKind kind,
                                                 const VectorXd* pressure) const {
     // NaN makes every iteration that uses this evaluation stop.
-    if (heeded_ && heeded_->cancelled()) {
+    if (cancellation_ && cancellation_->cancelled()) {
         constexpr double none = std::numeric_limits<double>::quiet_NaN();
         return {none, VectorXd::Constant(inertia().cols(), none), inertia()};
     }

@@ -37,10 +37,10 @@ model::ForceState force_state(const Stage& stage, const Eigen::Matrix3Xd& x, con
 class StageProblem {
 public:
     /// @param times   accumulates the evaluation times; may be null
-    /// @param heeded  once cancelled, evaluations return NaN at once, which ends any iteration; may be null
+    /// @param cancellation  once cancelled, evaluations return NaN at once, which ends any iteration; may be null
     /// References to `constants` and `stage` are kept.
     StageProblem(const StageConstants& constants, const Stage& stage, SolverTimes* times = nullptr,
-                 const Progress* heeded = nullptr);
+                 const Progress* cancellation = nullptr);
 
     /// Potential and derivatives at one x.
     struct Evaluation {
@@ -75,7 +75,7 @@ private:
     const StageConstants& constants_;
     const Stage& stage_;
     SolverTimes* times_;
-    const Progress* heeded_;
+    const Progress* cancellation_;
     std::size_t span_;                 // index of the mass span
     std::vector<double> activation_;   // per signal, at the time of the stage
     Eigen::VectorXd viscous_history_;  // H of creep.hpp; creeping body only

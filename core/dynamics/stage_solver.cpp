@@ -45,7 +45,7 @@ bool StageSolver::lagged_newton(const StageProblem& problem, double scale, Matri
         report.residual = result.residual;
         factor_.charge(result.iterations, body);
         if (result.converged) return true;
-        if (fresh || !std::isfinite(result.residual) || heeded_.cancelled()) return false;
+        if (fresh || !std::isfinite(result.residual) || cancellation_.cancelled()) return false;
         if (!factor_.renew(problem, x, report)) return false;
         fresh = true;
     }
@@ -53,12 +53,12 @@ bool StageSolver::lagged_newton(const StageProblem& problem, double scale, Matri
 
 StageReport StageSolver::solve(const Stage& stage, Matrix3Xd& x) {
     StageReport report;
-    if (heeded_.cancelled()) {
+    if (cancellation_.cancelled()) {
         report.status = SolveStatus::not_converged;
         report.message = "stopped";
         return report;
     }
-    const StageProblem problem(constants_, stage, &report.times, &heeded_);
+    const StageProblem problem(constants_, stage, &report.times, &cancellation_);
     const double scale = problem.force_scale(x, options_.tolerance);
     const auto converged = [&]() {
         report.status = SolveStatus::converged;

@@ -29,7 +29,7 @@ public:
 
     /// Sets the progress whose cancellation ends a solve: it returns not_converged at its next evaluation or
     /// factorisation.
-    void heed(const Progress& progress) { heeded_ = progress.with_sink({}); }
+    void stop_with(const Progress& progress) { cancellation_ = progress.with_sink({}); }
 
     /// Multiplies the elastic moduli at the quadrature points by `factors`; empty: virgin moduli, as initially.
     void soften(const Eigen::VectorXd& factors);
@@ -65,7 +65,7 @@ private:
     bool lagged_newton(const StageProblem& problem, double scale, Eigen::Matrix3Xd& x, StageReport& report);
 
     SolverOptions options_;
-    Progress heeded_;
+    Progress cancellation_;
     StageConstants constants_;
     Eigen::VectorXd softening_;  // factors of the elastic moduli; empty: virgin
     LaggedFactor factor_;

@@ -12,7 +12,7 @@ Matrix3Xd start_of(const Affected& affected) {
 }
 
 /// Whether two models have the same unknowns and state variables.
-bool alike(const model::Model& a, const model::Model& b) {
+bool same_structure(const model::Model& a, const model::Model& b) {
     return a.body->clamped == b.body->clamped && a.creep.has_value() == b.creep.has_value() &&
            a.softening.has_value() == b.softening.has_value();
 }
@@ -21,7 +21,8 @@ bool alike(const model::Model& a, const model::Model& b) {
 
 std::optional<sensitivity::ModelTangent> affected_tangent(const Affected& under, const Affected& between,
                                                           const Affected& over, double width) {
-    if (!(width > 0.0) || !alike(under.model, between.model) || !alike(over.model, between.model)) return std::nullopt;
+    if (!(width > 0.0) || !same_structure(under.model, between.model) || !same_structure(over.model, between.model))
+        return std::nullopt;
     sensitivity::ModelTangent tangent;
     tangent.between = std::make_shared<sensitivity::ModelPair>(sensitivity::ModelPair{under.model, over.model, width});
     tangent.start_m = (start_of(over) - start_of(under)) / width;

@@ -42,7 +42,7 @@ double spacing(const PaintedMask& mask) {
 std::string in_mm(double length_m) { return format_number(1e3 * length_m, 3) + " mm"; }
 
 /// True if two rows are equal in weight and fibre direction.
-bool alike(const PaintedMask& mask, int a, int b) {
+bool same_paint(const PaintedMask& mask, int a, int b) {
     if (mask.weights(a) != mask.weights(b)) return false;
     return !(mask.weights(a) > 0.0) || mask.directions.col(a).cross(mask.directions.col(b)).norm() < 1e-3;
 }
@@ -61,7 +61,7 @@ std::vector<std::string> contradictions(const PaintedMask& mask, const MaskRule&
     Vector3d first = Vector3d::Zero();
     mesh::BoxTree(places(mask))
         .overlapping_pairs(rule.same_place * std::min(apart, mask.cell_size_m), [&](int a, int b) {
-            if (alike(mask, a, b)) return true;
+            if (same_paint(mask, a, b)) return true;
             if (twice++ == 0) first = mask.centroids_m.col(a);
             return true;
         });

@@ -37,13 +37,13 @@ bool stands_out(const Signal& s, const Rise& rise, double h, const SwitchRule& r
     const double size = std::abs(s.values[rise.last] - s.values[rise.first]);
     const double from = s.times_s[rise.first] - h, to = s.times_s[rise.last] + h;
     double others = 0.0;
-    int alike = 0;
+    int similar = 0;
     const auto add = [&](std::size_t interval) {
         const double whole = std::abs(change(s, interval));
         if (!(length(s, interval) > 0.0)) return;  // a jump already
         // A change of similar size and length is counted as another switch instead of noise.
-        if (length(s, interval) < h && whole * rule.alike >= size && whole <= rule.alike * size) {
-            ++alike;
+        if (length(s, interval) < h && whole * rule.size_ratio >= size && whole <= rule.size_ratio * size) {
+            ++similar;
             return;
         }
         const double within = std::min(to, s.times_s[interval + 1]) - std::max(from, s.times_s[interval]);
@@ -51,7 +51,7 @@ bool stands_out(const Signal& s, const Rise& rise, double h, const SwitchRule& r
     };
     for (std::size_t i = rise.first; i > 0 && s.times_s[i] > from; --i) add(i - 1);
     for (std::size_t i = rise.last; i + 1 < s.times_s.size() && s.times_s[i] < to; ++i) add(i);
-    return others <= rule.quiet_share * size && alike <= rule.max_adjacent;
+    return others <= rule.quiet_share * size && similar <= rule.max_adjacent;
 }
 
 /// Time at which a jump of the same height preserves the integral of the signal.

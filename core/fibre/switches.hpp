@@ -14,7 +14,7 @@ struct SwitchRule {
     /// interval.
     double quiet_share = 0.5;
     /// Adjacent switches may differ in size by this factor, and there may be at most max_adjacent of them.
-    double alike = 2.0;
+    double size_ratio = 2.0;
     int max_adjacent = 4;
     /// Jump times are rounded to this fraction of a step: very short steps would amplify the rounding of positions in
     /// the accelerations. Shifts a switch by at most 5e-4 h.

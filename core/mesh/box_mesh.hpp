@@ -80,7 +80,7 @@ VolumeMesh box_hex_mesh(const Box& box, const Eigen::Vector3i& cells);
 
 /// Subdivision of grid cells into tetrahedra.
 enum class Diagonals {
-    alike,     // same in all cells: the common direction couples bending in the two planes
+    equal,     // same in all cells: the common direction couples bending in the two planes
     mirrored,  // mirrored between neighbours: with even counts the mesh has the symmetry of the box
 };
 
@@ -90,7 +90,7 @@ enum class Diagonals {
 /// @param type       tet4 or tet10
 /// @param diagonals  direction of the main diagonals in neighbouring grid cells
 VolumeMesh tet_box_mesh(const Box& box, const Eigen::Vector3i& cells, CellType type = CellType::tet4,
-                        Diagonals diagonals = Diagonals::alike);
+                        Diagonals diagonals = Diagonals::equal);
 
 /// Adds mid-side nodes to a tet4 mesh, at the midpoint of each edge.
 ///

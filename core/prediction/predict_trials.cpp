@@ -47,7 +47,7 @@ std::vector<TrialPrediction> predict_trials(const setup::Setup& setup, const std
     parallel_tasks(static_cast<int>(tasks.size()), setup.settings.threads, [&](int index) {
         const auto i = static_cast<std::size_t>(index);
         predictions[i] = predict_trial(setup, tasks[i].trial, *tasks[i].values, parameters, joined.of(i),
-                                       tasks[i].near);
+                                       tasks[i].warm_start);
     });
     return predictions;
 }

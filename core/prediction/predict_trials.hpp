@@ -12,7 +12,7 @@ namespace myo::prediction {
 struct PredictionTask {
     std::size_t trial = 0;  // index into Setup::trials
     const ParameterValues* values = nullptr;
-    std::shared_ptr<const dynamics::StagePath> near{};  // warm start, see predict_trial()
+    std::shared_ptr<const dynamics::StagePath> warm_start{};  // see predict_trial()
 };
 
 /// Simulates the tasks in parallel on the setup's threads.

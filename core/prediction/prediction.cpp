@@ -237,11 +237,11 @@ TrialPrediction observe_trial(const setup::Setup& setup, std::size_t index, cons
 
 TrialPrediction predict_trial(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
                               const std::vector<ModelParameter>& parameters, const Progress& progress,
-                              std::shared_ptr<const dynamics::StagePath> near) {
+                              std::shared_ptr<const dynamics::StagePath> warm_start) {
     const setup::PreparedTrial& trial = setup.trials[index];
     // All parameters that move the body are differentiated in one tangent run; the others follow from its result.
     effect::Affected affected = affected_trial(setup, index, values);
-    affected.options.near = std::move(near);
+    affected.options.warm_start = std::move(warm_start);
     std::vector<sensitivity::ModelTangent> model_tangents;
     std::vector<int> row_of(parameters.size(), -1);  // index of the parameter's tangent in the run, or -1
     for (std::size_t p = 0; p < parameters.size(); ++p)
@@ -288,14 +288,14 @@ TrialPrediction predict_trial(const setup::Setup& setup, std::size_t index, cons
                     d[m] = R * d[m];
             }
         } else {
-            ResidualTangent beside = residual_tangent(setup, index, values, parameters[p], result, progress);
+            ResidualTangent column = residual_tangent(setup, index, values, parameters[p], result, progress);
             // A failed difference run makes the prediction unusable for a fit, but keeps its status and message.
-            if (!beside.ok()) {
-                result.status = beside.status;
-                result.message = beside.message;
+            if (!column.ok()) {
+                result.status = column.status;
+                result.message = column.message;
                 return result;
             }
-            d = std::move(beside.tangent);
+            d = std::move(column.tangent);
         }
         result.tangents.push_back(std::move(d));
     }
@@ -337,18 +337,18 @@ ResidualTangent residual_tangent(const setup::Setup& setup, std::size_t index, c
                                                              : prediction_policy.part_of_constant;
         double step = difference_step(parameter, value, part);
         if (value + step > parameter.parameter.upper) step = -step;  // towards the inside of the bounds
-        const auto beside = [&](double at) {
+        const auto shifted = [&](double at) {
             ParameterValues changed = values;
             set_value(parameter, at, changed);
             return moves ? predict_trial(setup, index, changed, {}, progress, there.trace.path)
                          : observe_trial(setup, index, changed, there.trace);
         };
-        const TrialPrediction other = beside(value + step);
+        const TrialPrediction other = shifted(value + step);
         result.status = other.status;
         result.message = other.message;
         if (!other.ok()) return result;
         const bool both_sides = value - step >= parameter.parameter.lower && value - step <= parameter.parameter.upper;
-        const TrialPrediction opposite = both_sides ? beside(value - step) : TrialPrediction{};
+        const TrialPrediction opposite = both_sides ? shifted(value - step) : TrialPrediction{};
         for (std::size_t m = 0; m < result.tangent.size(); ++m)
             result.tangent[m] = opposite.ok() ? Matrix3Xd((other.residual_m[m] - opposite.residual_m[m]) / (2.0 * step))
                                               : Matrix3Xd((other.residual_m[m] - there.residual_m[m]) / step);

@@ -79,12 +79,13 @@ struct TrialPrediction {
 /// Simulates a trial and compares it with its recording.
 ///
 /// @param parameters  for which `tangents` is filled: by the tangent of the run, or by residual_tangent()
-/// @param near        path of a run with a similar motion, as initial guess of the stages, see SimulationOptions; may
+/// @param warm_start        path of a run with a similar motion, as initial guess of the stages, see SimulationOptions;
+/// may
 ///                    be null
 /// Errors: none; a run that fails or is cancelled has status and message.
 TrialPrediction predict_trial(const setup::Setup& setup, std::size_t trial, const ParameterValues& values,
                               const std::vector<ModelParameter>& parameters = {}, const Progress& progress = {},
-                              std::shared_ptr<const dynamics::StagePath> near = {});
+                              std::shared_ptr<const dynamics::StagePath> warm_start = {});
 
 /// Compares an existing simulation with the recording, for values that only change the observation.
 ///

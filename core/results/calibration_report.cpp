@@ -177,7 +177,7 @@ report::HtmlReport calibration_report(const setup::Setup& setup, const calibrati
     report.warnings.lines = calibration.warnings;
     report.warnings.lines.insert(report.warnings.lines.end(), setup.warnings.begin(), setup.warnings.end());
     // Order of the warnings: how the fit ended, findings of checks, calibration, setup.
-    const std::vector<std::string> found = untold(facts.findings);
+    const std::vector<std::string> found = sentences_to_report(facts.findings);
     report.warnings.lines.insert(report.warnings.lines.begin(), found.begin(), found.end());
     if (const std::string end = ending(calibration); !end.empty())
         report.warnings.lines.insert(report.warnings.lines.begin(), end);

@@ -10,7 +10,7 @@ namespace myo::results {
 namespace {
 
 constexpr std::array<check::CheckLevel, 3> worst_first{check::CheckLevel::wrong, check::CheckLevel::doubtful,
-                                                       check::CheckLevel::fine};
+                                                       check::CheckLevel::passed};
 
 // Findings of one level, in their order.
 std::vector<check::Finding> of_level(const std::vector<check::Finding>& findings, check::CheckLevel level) {
@@ -58,23 +58,24 @@ std::string finding_words(const check::Finding& finding) {
     return finding.way_out.empty() ? finding.sentence : finding.sentence + "; " + finding.way_out;
 }
 
-std::vector<std::string> untold(const std::vector<check::Finding>& findings) {
+std::vector<std::string> sentences_to_report(const std::vector<check::Finding>& findings) {
     std::vector<std::string> sentences;
     for (const check::CheckLevel level : {check::CheckLevel::wrong, check::CheckLevel::doubtful})
         for (const check::Finding& finding : of_level(findings, level))
-            if (!finding.told) sentences.push_back(finding_words(finding));
+            if (!finding.warned) sentences.push_back(finding_words(finding));
     return sentences;
 }
 
 std::string findings_line(const std::vector<check::Finding>& findings) {
     std::vector<std::string> parts;
     for (const check::CheckLevel level :
-         {check::CheckLevel::fine, check::CheckLevel::doubtful, check::CheckLevel::wrong}) {
+         {check::CheckLevel::passed, check::CheckLevel::doubtful, check::CheckLevel::wrong}) {
         const std::vector<check::Finding> own = of_level(findings, level);
         if (own.empty()) continue;
         std::vector<std::string> names;
         for (const check::Finding& finding : own)
-            if (level != check::CheckLevel::fine && std::find(names.begin(), names.end(), finding.check) == names.end())
+            if (level != check::CheckLevel::passed &&
+                std::find(names.begin(), names.end(), finding.check) == names.end())
                 names.push_back(finding.check);
         parts.push_back(std::to_string(own.size()) + " " + to_string(level) +
                         (names.empty() ? "" : " (" + join(names, ", ") + ")"));

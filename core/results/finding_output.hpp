@@ -22,7 +22,7 @@ report::Section findings_section(const std::vector<check::Finding>& findings);
 std::string finding_words(const check::Finding& finding);
 
 /// Sentences of violated and doubtful findings that no other warning states, worst first.
-std::vector<std::string> untold(const std::vector<check::Finding>& findings);
+std::vector<std::string> sentences_to_report(const std::vector<check::Finding>& findings);
 
 /// One-line summary: "checks: 11 green, 1 amber (step), 1 red (start)".
 std::string findings_line(const std::vector<check::Finding>& findings);

@@ -71,7 +71,7 @@ private:
         tape_->record(observer);
         dynamics::RunPoint end;
         bool repeated = part > 0;  // the first point of a part is the last one of the part before
-        observer.stood = [&, taped = std::move(observer.stood)](const dynamics::RunPoint& point) {
+        observer.reached = [&, taped = std::move(observer.reached)](const dynamics::RunPoint& point) {
             taped(point);
             if (!first_time) return;
             if (!std::exchange(repeated, false)) keep_motion(point);

@@ -14,7 +14,7 @@ double loss_of_run(const model::Model& model, const dynamics::SimulationOptions&
                    const Progress& progress, std::string& message) {
     NodeMotion motion;
     dynamics::RunObserver observer;
-    observer.stood = [&](const dynamics::RunPoint& point) {
+    observer.reached = [&](const dynamics::RunPoint& point) {
         motion.times_s.push_back(point.time_s);
         motion.positions.emplace_back(point.state.x(Eigen::all, loss.nodes));
         motion.velocities.emplace_back(point.state.v(Eigen::all, loss.nodes));

@@ -29,7 +29,7 @@ void RunTape::record(dynamics::RunObserver& observer) {
         else
             blocks_.back().steps.back().jump_s = t;
     };
-    observer.stood = [this](const dynamics::RunPoint& point) {
+    observer.reached = [this](const dynamics::RunPoint& point) {
         // A new block starts with a whole state once the current block is full.
         if (!blocks_.empty() && static_cast<int>(blocks_.back().steps.size()) < points_every_) return;
         blocks_.push_back({{}, {}, point.state});

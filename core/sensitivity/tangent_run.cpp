@@ -154,7 +154,7 @@ public:
     }
 
     /// Stores the state from which the next step starts.
-    void stood(const dynamics::Kinematics& state) {
+    void reached(const dynamics::Kinematics& state) {
         if (explicit_.change_masses()) before_ = {state.x, state.v, state.v_lag};
     }
 
@@ -286,7 +286,7 @@ SensitiveTrace simulate_with_tangents(const model::Model& model, const dynamics:
                            const std::vector<dynamics::SolvedStage>& solved) {
         follower.step(solver, scheme, t, h, solved);
     };
-    observer.stood = [&](const dynamics::RunPoint& point) { follower.stood(point.state); };
+    observer.reached = [&](const dynamics::RunPoint& point) { follower.reached(point.state); };
     SensitiveTrace result;
     result.trace = dynamics::simulate(model, options, progress, observer);
     result.tangents = follower.take();

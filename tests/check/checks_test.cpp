@@ -33,7 +33,7 @@ setup::Setup setup_of(const std::string& toml) {
 }
 
 CheckLevel worst(const std::vector<Finding>& findings) {
-    CheckLevel level = CheckLevel::fine;
+    CheckLevel level = CheckLevel::passed;
     for (const Finding& finding : findings) level = std::max(level, finding.level);
     return level;
 }
@@ -64,16 +64,16 @@ TEST(CheckPose, KnowsColumnsThatBuckleUnderTheirWeight) {
     EXPECT_EQ(buckled[0].level, CheckLevel::wrong) << buckled[0].figure;
     EXPECT_THAT(buckled[0].sentence, HasSubstr("the undeformed pose is unstable"));
     ASSERT_EQ(stands.size(), 1u);
-    EXPECT_EQ(stands[0].level, CheckLevel::fine);
+    EXPECT_EQ(stands[0].level, CheckLevel::passed);
     EXPECT_NEAR(stands[0].figure, 0.5, 0.5 / 6.0);
     const std::vector<Finding> lies = findings(0.7 * critical_Pa, "[0, 0, -9.81]");
     ASSERT_EQ(lies.size(), 1u);
-    EXPECT_EQ(lies[0].level, CheckLevel::fine);
+    EXPECT_EQ(lies[0].level, CheckLevel::passed);
     EXPECT_LT(std::abs(lies[0].figure), 0.2);
 }
 
 TEST(CheckSupport, KnowsAHinge) {
-    EXPECT_EQ(worst(check_support({setup_of(test::swung_beam_toml())})), CheckLevel::fine);
+    EXPECT_EQ(worst(check_support({setup_of(test::swung_beam_toml())})), CheckLevel::passed);
     const std::string hinged = with(test::swung_beam_toml(), "[0.0005, 0.031, 0.031]", "[0.0005, 0.031, 0.001]");
     const std::vector<Finding> found = check_support({setup_of(hinged)});
     ASSERT_EQ(found.size(), 1u);
@@ -82,7 +82,7 @@ TEST(CheckSupport, KnowsAHinge) {
 }
 
 TEST(CheckUnits, KnowsLikelySlips) {
-    EXPECT_EQ(worst(check_units({setup_of(test::swung_beam_toml())})), CheckLevel::fine);
+    EXPECT_EQ(worst(check_units({setup_of(test::swung_beam_toml())})), CheckLevel::passed);
     const std::vector<std::pair<std::string, std::string>> slips{{"2.6e5", "0.26"},
                                                                  {"1070", "1.07"},
                                                                  {"damping_s = 0.004", "damping_s = 4"},
@@ -122,7 +122,7 @@ TEST(DeclaredSteps, AreNotChosenForUnitsInDoubt) {
 }
 
 TEST(CheckMarkers, KnowsThoseThatTheMeshTakesForOne) {
-    EXPECT_EQ(worst(check_markers({setup_of(test::swung_beam_toml())})), CheckLevel::fine);
+    EXPECT_EQ(worst(check_markers({setup_of(test::swung_beam_toml())})), CheckLevel::passed);
     const std::string near = with(test::swung_beam_toml(), "middle = [0.05, 0.015, 0.03]",
                                   "middle = [0.1, 0.001, 0.03]");
     const std::vector<Finding> found = check_markers({setup_of(near)});
@@ -152,7 +152,7 @@ TEST(CheckAfter, TakesOverWhatWasAskedBefore) {
 /// A recording that begins in the sag of a body that is declared straight.
 TEST(CheckStart, ComparesTheFirstSampleWithTheDeclaredStart) {
     setup::Setup setup = setup_of(test::swung_beam_toml());
-    EXPECT_EQ(worst(check_start({setup})), CheckLevel::fine);
+    EXPECT_EQ(worst(check_start({setup})), CheckLevel::passed);
     for (Eigen::Matrix3Xd& track : setup.trials[0].measured.tracks) {
         track.row(2).array() -= 0.02;
         track.row(2).rightCols(10).array() += 0.03;
@@ -167,7 +167,7 @@ TEST(CheckStart, ComparesTheFirstSampleWithTheDeclaredStart) {
     EXPECT_EQ(worst(check_start({setup, &run})), CheckLevel::wrong);
     test::record(setup, 0, run.values, run.predictions[0].trace);
     run.predictions[0] = prediction::predict_trial(setup, 0, run.values);
-    EXPECT_EQ(check_start({setup, &run})[0].level, CheckLevel::fine);
+    EXPECT_EQ(check_start({setup, &run})[0].level, CheckLevel::passed);
 }
 
 TEST(CheckInsideOut, CountsCellsAndSaysFromWhen) {
@@ -180,7 +180,7 @@ TEST(CheckInsideOut, CountsCellsAndSaysFromWhen) {
     turned.row(0) = -rest.row(0);  // a mirror turns all of them
     trace.times_s = {0.0, 0.1, 0.2};
     trace.positions = {rest, rest, rest};
-    EXPECT_EQ(worst(check_inside_out({setup, &run})), CheckLevel::fine);
+    EXPECT_EQ(worst(check_inside_out({setup, &run})), CheckLevel::passed);
     trace.positions = {rest, turned, rest};
     const std::vector<Finding> found = check_inside_out({setup, &run});
     EXPECT_EQ(worst(found), CheckLevel::wrong);
@@ -206,7 +206,7 @@ TEST(CheckStep, SaysWhatAStepMakesOfTheVibrationThatIsSeen) {
     EXPECT_EQ(worst(coarse), CheckLevel::wrong);
     EXPECT_THAT(coarse[0].sentence, HasSubstr("so that a modulus fitted on it is"));
     EXPECT_THAT(coarse[0].way_out, HasSubstr(" s (--dt, or Step h of Run in the window)"));
-    EXPECT_EQ(worst(fine), CheckLevel::fine);
+    EXPECT_EQ(worst(fine), CheckLevel::passed);
     EXPECT_NEAR(coarse[0].figure / fine[0].figure, 25.0, 3.0);  // second order
 }
 
@@ -237,7 +237,7 @@ TEST(CheckStep, JudgesTrialsWithoutAVibration) {
     const prediction::SetupRun run = prediction::run_trials(setup, prediction::declared_values(setup));
     const std::vector<Finding> found = check_step({setup, &run});
     ASSERT_EQ(found.size(), setup.trials.size());
-    EXPECT_EQ(found[0].level, CheckLevel::fine);
+    EXPECT_EQ(found[0].level, CheckLevel::passed);
     EXPECT_THAT(found[0].sentence, HasSubstr("steps of 100 ms, and no vibration is seen"));
     EXPECT_THAT(found[0].sentence, HasSubstr("they damp away the first one, of "));
 }
@@ -246,7 +246,8 @@ TEST(CheckResidual, NamesWhatIsSuspectedInOrder) {
     const setup::Setup setup = setup_of(test::swung_beam_toml());
     calibration::Calibration calibration;
     prediction::SetupRun run;
-    std::vector<Finding> earlier{fine_finding("", "a mesh"), fine_finding("a", "a step"), fine_finding("b", "a start")};
+    std::vector<Finding> earlier{passed_finding("", "a mesh"), passed_finding("a", "a step"),
+                                 passed_finding("b", "a start")};
     earlier[0].check = "mesh";
     earlier[1].check = "step";
     earlier[2].check = "start";
@@ -254,7 +255,7 @@ TEST(CheckResidual, NamesWhatIsSuspectedInOrder) {
         run.fit_rms_m = ratio * setup::mean_noise(setup);
         return check_residual({setup, &run, &calibration, &earlier}).front();
     };
-    EXPECT_EQ(judged(1.02).level, CheckLevel::fine);
+    EXPECT_EQ(judged(1.02).level, CheckLevel::passed);
     EXPECT_EQ(judged(3.0).level, CheckLevel::doubtful);
     EXPECT_THAT(judged(3.0).sentence, HasSubstr("is 3 times the noise"));
     EXPECT_THAT(judged(3.0).way_out, HasSubstr("no check explains it: diagnose names"));
@@ -264,7 +265,7 @@ TEST(CheckResidual, NamesWhatIsSuspectedInOrder) {
     EXPECT_THAT(judged(30.0).way_out, HasSubstr("suspected, in this order: start (b), step (a)"));
     // What mesh and step make is nothing that the model lacks.
     calibration.numerical.motion_noise_levels = 2.5;
-    EXPECT_EQ(judged(3.0).level, CheckLevel::fine);
+    EXPECT_EQ(judged(3.0).level, CheckLevel::passed);
     EXPECT_THAT(judged(3.0).sentence, HasSubstr("is 3 times the noise, of which mesh and step make about 2.5"));
     EXPECT_EQ(judged(5.0).level, CheckLevel::doubtful);
 }
@@ -273,7 +274,7 @@ TEST(CheckResidual, NamesWhatIsSuspectedInOrder) {
 TEST(CheckResidual, OfDeclaredValuesPointsToTheFit) {
     setup::Setup setup = setup_of(test::swung_beam_toml());
     prediction::SetupRun run = prediction::run_trials(setup, prediction::declared_values(setup));
-    std::vector<Finding> earlier{fine_finding("", "a step")};
+    std::vector<Finding> earlier{passed_finding("", "a step")};
     earlier[0].check = "step";
     EXPECT_TRUE(check_residual({setup, &run, nullptr, &earlier}).empty());  // nor of a diagnosis
     const auto judged = [&] {
@@ -293,13 +294,13 @@ TEST(CheckResidual, OfDeclaredValuesPointsToTheFit) {
         test::record(setup, t, run.values, run.predictions[t].trace);
         run.predictions[t] = prediction::predict_trial(setup, t, run.values);
     }
-    EXPECT_EQ(judged().level, CheckLevel::fine);
+    EXPECT_EQ(judged().level, CheckLevel::passed);
     EXPECT_NEAR(judged().figure, 1.0, 0.1);
 }
 
 TEST(Findings, AreToldWorstFirstAndOnce) {
-    std::vector<Finding> findings{fine_finding("", "all is well"), fine_finding("", "some"), fine_finding("", "much"),
-                                  fine_finding("", "known")};
+    std::vector<Finding> findings{passed_finding("", "all is well"), passed_finding("", "some"),
+                                  passed_finding("", "much"), passed_finding("", "known")};
     findings[0].check = "mesh";
     findings[1].check = findings[3].check = "step";
     findings[2].check = "start";
@@ -307,7 +308,7 @@ TEST(Findings, AreToldWorstFirstAndOnce) {
     findings[2].level = CheckLevel::wrong;
     findings[2].way_out = "a way";
     findings[3].told = true;
-    EXPECT_EQ(results::untold(findings), (std::vector<std::string>{"much; a way", "some"}));
+    EXPECT_EQ(results::sentences_to_report(findings), (std::vector<std::string>{"much; a way", "some"}));
     EXPECT_EQ(results::findings_line(findings), "checks: 1 green, 2 amber (step), 1 red (start)");
     const report::Json json = results::findings_json(findings);
     EXPECT_EQ(json[2]["level"], "red");

@@ -33,7 +33,7 @@ protected:
 TEST_F(Thresholds, OfTheStartIsFiveTimesTheNoise) {
     const double limit = 5.0 * std::sqrt(3.0) * 1e-4;
     EXPECT_NEAR(start(0.0, 0.0).threshold, limit, 1e-15);
-    EXPECT_EQ(start(0.999 * limit, 0.0).level, CheckLevel::fine);
+    EXPECT_EQ(start(0.999 * limit, 0.0).level, CheckLevel::passed);
     EXPECT_NEAR(start(0.999 * limit, 0.0).figure, 0.999 * limit, 1e-15);
     EXPECT_EQ(start(1.001 * limit, 0.0).level, CheckLevel::wrong);
 }
@@ -41,7 +41,7 @@ TEST_F(Thresholds, OfTheStartIsFiveTimesTheNoise) {
 /// A moving one by its range: doubtful from a twentieth of it, wrong from a fifth.
 TEST_F(Thresholds, OfTheStartAreSharesOfTheRange) {
     EXPECT_NEAR(start(0.0, 0.1).threshold, 5e-3, 1e-15);
-    EXPECT_EQ(start(4.99e-3, 0.1).level, CheckLevel::fine);
+    EXPECT_EQ(start(4.99e-3, 0.1).level, CheckLevel::passed);
     EXPECT_EQ(start(5.01e-3, 0.1).level, CheckLevel::doubtful);
     EXPECT_EQ(start(19.9e-3, 0.1).level, CheckLevel::doubtful);
     EXPECT_EQ(start(20.1e-3, 0.1).level, CheckLevel::wrong);
@@ -53,7 +53,7 @@ TEST_F(Thresholds, OfTheSupportIsAWidthOfRounding) {
     const Finding found = check_support({setup_}).front();
     EXPECT_NEAR(found.figure, 0.15, 1e-12);
     EXPECT_NEAR(found.threshold, 1e-5, 1e-20);
-    EXPECT_EQ(found.level, CheckLevel::fine);
+    EXPECT_EQ(found.level, CheckLevel::passed);
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ protected:
 
 TEST_F(TimeUnit, SecondsAreThose) {
     const Finding found = in_units(1.0);
-    EXPECT_EQ(found.level, CheckLevel::fine) << found.sentence;
+    EXPECT_EQ(found.level, CheckLevel::passed) << found.sentence;
     const model::Model model = prediction::trial_model(setup_, 0, prediction::declared_values(setup_));
     const double first_Hz = setup::first_vibration_rad_s(model) / (2.0 * std::numbers::pi);
     EXPECT_NEAR(found.figure, first_Hz, 0.15 * first_Hz);
@@ -75,7 +75,7 @@ TEST_F(TimeUnit, LeavesSlowRecordingsAlone) {
             track(2, k) = -0.02 * (1.0 - std::exp(-0.05 * static_cast<double>(k)));
             for (double& x : track.col(k)) x += noise(random);
         }
-    EXPECT_EQ(check_time_unit({creeping}).front().level, CheckLevel::fine);
+    EXPECT_EQ(check_time_unit({creeping}).front().level, CheckLevel::passed);
 
     setup::Setup pulled = setup_;
     scale_times(pulled.trials[0], 6000.0);
@@ -83,7 +83,7 @@ TEST_F(TimeUnit, LeavesSlowRecordingsAlone) {
     model::DeadForce pull{Eigen::VectorXd::Constant(nodes, 1.0 / static_cast<double>(nodes)), Eigen::Vector3d::UnitZ()};
     pull.until_s = 0.98 * pulled.trials[0].measured.time_s.tail(1)(0);
     pulled.trials[0].model.forces.push_back(pull);
-    EXPECT_EQ(check_time_unit({pulled}).front().level, CheckLevel::fine);
+    EXPECT_EQ(check_time_unit({pulled}).front().level, CheckLevel::passed);
     pulled.trials[0].model.forces.back().until_s = 0.0;
     EXPECT_EQ(check_time_unit({pulled}).front().level, CheckLevel::wrong);
 }
@@ -93,7 +93,7 @@ TEST_F(TimeUnit, LeavesMotionsAloneWhoseSignalsAreSought) {
     setup::Setup sought = setup_;
     scale_times(sought.trials[0], 1000.0);
     sought.trials[0].model.activation = {fibre::Signal::constant(1.0)};
-    EXPECT_EQ(check_time_unit({sought}).front().level, CheckLevel::fine);
+    EXPECT_EQ(check_time_unit({sought}).front().level, CheckLevel::passed);
     sought.trials[0].model.activation = {fibre::Signal::step(0.0, 1.0, 0.8)};
     EXPECT_EQ(check_time_unit({sought}).front().level, CheckLevel::wrong);
 }

@@ -173,7 +173,7 @@ TEST(Creep, DashpotsTakeTheEnergyThatTheBodyLoses) {
         const model::MassMatrix mass = model::mass_matrix(model);
         std::vector<double> times, total, stored;
         RunObserver observer;
-        observer.stood = [&](const RunPoint& point) {
+        observer.reached = [&](const RunPoint& point) {
             const Kinematics& s = point.state;
             times.push_back(point.time_s);
             stored.push_back(branch_energy(model, s.x, s.strain));

@@ -158,7 +158,7 @@ TEST(Run, NearAnotherItTakesFewerIterations) {
         spec.youngs_modulus_Pa *= 1.01;
         options.keep_path = false;
         const Trace alone = simulate(test::make_beam(spec), options);
-        options.near = first.path;
+        options.warm_start = first.path;
         const Trace beside = simulate(test::make_beam(spec), options);
         ASSERT_TRUE(alone.complete() && beside.complete());
         EXPECT_EQ(beside.path, nullptr);

@@ -91,7 +91,7 @@ TEST(Softening, ARunCanBeTakenUpAgain) {
     const SimulationOptions options = test::short_steps(StartKind::straight, 0.005, 0.1);
     RunPoint middle;
     RunObserver observer;
-    observer.stood = [&](const RunPoint& point) {
+    observer.reached = [&](const RunPoint& point) {
         if (point.step == 10) middle = point;
     };
     const Trace whole = simulate(model, options, {}, observer);
@@ -120,7 +120,7 @@ TEST(Softening, PeaksOnlyRise) {
     const model::Model model = soft_beam();
     Eigen::VectorXd last = Eigen::VectorXd::Zero(model.body->point_count()), seen;
     RunObserver observer;
-    observer.stood = [&](const RunPoint& point) {
+    observer.reached = [&](const RunPoint& point) {
         EXPECT_TRUE((point.peak_energy_J_m3.array() >= last.array()).all());
         last = point.peak_energy_J_m3;
         raise_peaks(model, point.state.x, seen);

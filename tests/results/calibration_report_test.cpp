@@ -177,7 +177,7 @@ TEST_F(CalibrationReport, EmbedsTheResultFile) {
 }
 
 TEST(FindingOutput, TableIsSortedByLevel) {
-    std::vector<check::Finding> findings{check::fine_finding("", "fine"), check::fine_finding("", "bad")};
+    std::vector<check::Finding> findings{check::passed_finding("", "fine"), check::passed_finding("", "bad")};
     findings[0].check = "mesh";
     findings[0].figure = 0.123456;
     findings[0].threshold = 2.0;

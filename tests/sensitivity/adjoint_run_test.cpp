@@ -236,7 +236,7 @@ TEST(GradientRun, RepeatsPartsAndStatesExactly) {
         part.from = from;
         dynamics::RunObserver observer;
         if (taped) tape.record(observer);
-        observer.stood = [&points, hung = observer.stood](const dynamics::RunPoint& point) {
+        observer.reached = [&points, hung = observer.reached](const dynamics::RunPoint& point) {
             if (hung) hung(point);
             points.push_back(point);
         };

@@ -26,7 +26,7 @@ struct CheckRow {
     std::string sentence;   // the finding in words
     std::string way_out;    // what the user can do; empty if all is well
     std::string task;       // id of the task where it can be corrected: "mesh"
-    bool told = false;      // already reported by a warning with file and line
+    bool warned = false;    // already reported by a warning with file and line
 };
 using CheckRows = std::vector<CheckRow>;
 

@@ -22,7 +22,7 @@ void Workbench::show_checks(const CheckRows& rows, const Settings& settings) {
         std::make_shared<const CheckReport>(CheckReport{request_->name, request_->clock, settings, rows}));
     for (const CheckRow& row : rows) {
         // A finding that was logged before is not repeated after every job.
-        if (row.state == CheckState::green || row.told || (before && says(before->rows, row.sentence))) continue;
+        if (row.state == CheckState::green || row.warned || (before && says(before->rows, row.sentence))) continue;
         log(LogLevel::warning, row.sentence + (row.way_out.empty() ? "" : "; " + row.way_out));
     }
 }
