@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "base/files.hpp"
 #include "diagnosis/made_fits.hpp"
 #include "diagnosis/verdict/verdict.hpp"
 
@@ -116,6 +117,18 @@ TEST(VerdictRules, ConfidenceFollowsThePolicy) {
     Diagnosis drift = drifting();
     decided(drift);
     EXPECT_DOUBLE_EQ(drift.verdict.confidence, diagnosis_policy.verdict.undoubted * diagnosis_policy.verdict.drift);
+}
+
+TEST(VerdictRules, AreListedInTheManualInTheirOrder) {
+    const Result<std::string> manual = read_file(MYOLOOP_SOURCE_DIR "/assets/manual/diagnosis.md");
+    ASSERT_TRUE(manual);
+    std::size_t last = 0;
+    for (const VerdictRule& rule : verdict_rules()) {
+        const std::size_t row = manual->find("\n| `" + rule.name + "`: ");
+        ASSERT_NE(row, std::string::npos) << rule.name << " has no row in the manual";
+        EXPECT_GT(row, last) << rule.name;
+        last = row;
+    }
 }
 
 }  // namespace
