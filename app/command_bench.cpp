@@ -29,13 +29,16 @@ struct BenchCall {
     std::string figure;  // output file of the scaling figure; empty: none
 };
 
-/// One run as JSON. A run executes in a child process and returns its figures in this form.
-report::Json figures_json(const bench::BenchFigures& f) {
+report::Json references_json(const bench::BenchFigures& f) {
     report::Json references = report::Json::array();
     for (const bench::BenchReference& r : f.references)
         references.push_back({{"label", r.label},
                               {"ms_per_step", r.ms_per_step},
                               {"ratio", report::json_number(r.ms_per_step / f.ms_per_step())}});
+    return references;
+}
+
+report::Json quantities_json(const bench::BenchFigures& f) {
     report::Json quantities = report::Json::array();
     for (const bench::BenchQuantity& q : f.quantities)
         quantities.push_back({{"name", q.name},
@@ -44,6 +47,13 @@ report::Json figures_json(const bench::BenchFigures& f) {
                               {"expected", q.expected ? report::json_number(*q.expected) : report::Json()},
                               {"error", q.error() ? report::json_number(*q.error()) : report::Json()},
                               {"target", q.target ? report::json_number(*q.target) : report::Json()}});
+    return quantities;
+}
+
+/// One run as JSON. A run executes in a child process and returns its figures in this form.
+report::Json figures_json(const bench::BenchFigures& f) {
+    const report::Json references = references_json(f);
+    const report::Json quantities = quantities_json(f);
     return {{"name", f.name},
             {"dofs", f.dofs},
             {"cells", f.cells},
@@ -189,6 +199,34 @@ report::Json print_scaling(const report::Json& rows, const std::string& figure, 
     return {{"time_over_dofs", time}, {"memory_over_dofs", memory}};
 }
 
+/// Runs a case and prints its rows. `status` is changed by a failure.
+report::Json rows_of(const bench::BenchCase& one, Console& console, int& status) {
+    report::Json rows = report::Json::array();
+    for (const bench::BenchRun& run : one.runs) {
+        // A process per run: peak memory is measured per run, and a crash does not end the benchmark.
+        const OwnProcessResult process = run_in_own_process([&] {
+            solver::use_one_blas_thread();
+            Result<bench::BenchFigures> figures = Error{"did not run", run.name};
+            // One thread, unless the run itself starts more.
+            parallel_tasks(1, 1, [&](int) { figures = run.run(); });
+            return report::json_line(figures ? figures_json(*figures)
+                                             : report::Json{{"error", figures.error().text()}});
+        });
+        report::Json row = process.crashed ? report::Json{{"error", "the run ended before it gave a result"}}
+                                           : report::Json::parse(process.output);
+        if (row.contains("error")) {
+            console.complain(one.id + ", " + run.name + ": " + row["error"].get<std::string>());
+            status = status_failed;
+            continue;
+        }
+        row["peak_memory_bytes"] = process.peak_bytes_over_start;
+        print_figures(row);
+        print_split(row);
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
 /// Runs the selected cases and writes the requested files. A failed run is reported and the others continue.
 int run_bench(const BenchCall& call) {
     Console console(false, false);
@@ -202,29 +240,7 @@ int run_bench(const BenchCall& call) {
         if (!call.id.empty() && one.id != call.id) continue;
         found = true;
         print_heading(one);
-        report::Json rows = report::Json::array();
-        for (const bench::BenchRun& run : one.runs) {
-            // A process per run: peak memory is measured per run, and a crash does not end the benchmark.
-            const OwnProcessResult process = run_in_own_process([&] {
-                solver::use_one_blas_thread();
-                Result<bench::BenchFigures> figures = Error{"did not run", run.name};
-                // One thread, unless the run itself starts more.
-                parallel_tasks(1, 1, [&](int) { figures = run.run(); });
-                return report::json_line(figures ? figures_json(*figures)
-                                                 : report::Json{{"error", figures.error().text()}});
-            });
-            report::Json row = process.crashed ? report::Json{{"error", "the run ended before it gave a result"}}
-                                               : report::Json::parse(process.output);
-            if (row.contains("error")) {
-                console.complain(one.id + ", " + run.name + ": " + row["error"].get<std::string>());
-                status = status_failed;
-                continue;
-            }
-            row["peak_memory_bytes"] = process.peak_bytes_over_start;
-            print_figures(row);
-            print_split(row);
-            rows.push_back(std::move(row));
-        }
+        report::Json rows = rows_of(one, console, status);
         report::Json entry{{"case", one.id}, {"summary", one.summary}};
         if (one.over_size) entry["exponents"] = print_scaling(rows, call.figure, console, status);
         entry["rows"] = std::move(rows);

@@ -133,6 +133,43 @@ int end_status(const CalibrateCall& call, const calibration::Calibration& calibr
     return status_failed;
 }
 
+/// An error if the declaration leaves nothing to fit; known before any simulation.
+Result<void> check_unknowns(const CalibrateCall& call, const setup::Setup& setup) {
+    if (!prediction::free_parameters(setup, call.parameters).empty()) return {};
+    return Error{
+        "nothing is left to fit: material.calibrate names nothing that is not exact, and nothing else is unknown; "
+        "name what to fit with --parameters, or give it a tolerance above 0",
+        call.experiment.string()};
+}
+
+/// The calibration that --resume continues; without --resume an empty one.
+Result<calibration::EarlierCalibration> earlier_calibration(const CalibrateCall& call, const setup::Setup& setup,
+                                                            const calibration::CalibrationSettings& settings) {
+    if (call.resume) return calibration::read_calibration(call.out, setup, settings);
+    return calibration::EarlierCalibration{};
+}
+
+/// Says why there is no result. Returns the exit status.
+int end_without_fit(const calibration::Calibration& calibration, Console& console) {
+    if (calibration.stopped) return stopped_before(first_evaluation, console);
+    console.complain("the fit failed: " + with_options(calibration.fit.message) +
+                     "; a start nearer the truth (--set material.youngs_modulus_Pa=...) may help");
+    return status_failed;
+}
+
+/// Findings of the checks, values, errors of the trials, and starts.
+std::string calibration_lines(const setup::Setup& setup, const calibration::Calibration& calibration,
+                              const results::RunFacts& facts) {
+    return "\n" + results::findings_line(facts.findings) + "\n\n" + parameter_lines(calibration) + "\n\n" +
+           trial_lines(setup, calibration) + "\n" + start_lines(calibration);
+}
+
+std::string cost_line(const CalibrateCall& call, const calibration::Calibration& calibration) {
+    return std::to_string(calibration.evaluations()) +
+           (calibration.evaluations() == 1 ? " evaluation, " : " evaluations, ") +
+           format_number(calibration.seconds, 3) + " s; report: " + (call.out / "report.html").string();
+}
+
 /// Opens the experiment, runs checks, fits, checks the result, writes and reports it.
 int calibrate_command(const CalibrateCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
@@ -140,48 +177,29 @@ int calibrate_command(const CalibrateCall& call) {
     OpenedExperiment opening = open_command(call, TrialChoice::all, first_evaluation, console, progress);
     if (!opening.setup) return opening.status;
     std::optional<setup::Setup>& setup = opening.setup;
-    // Checked before any simulation, with the reason.
-    if (prediction::free_parameters(*setup, call.parameters).empty())
-        return console.refuse(
-            {"nothing is left to fit: material.calibrate names nothing that is not exact, and nothing else is unknown; "
-             "name what to fit with --parameters, or give it a tolerance above 0",
-             call.experiment.string()});
+    if (const Result<void> unknown = check_unknowns(call, *setup); !unknown) return console.refuse(unknown.error());
     calibration::CalibrationSettings settings{call.parameters, {}, call.starts, call.work.seed.value_or(1)};
-    calibration::EarlierCalibration earlier;
-    if (call.resume) {
-        const Result<calibration::EarlierCalibration> read = calibration::read_calibration(call.out, *setup, settings);
-        if (!read) return console.refuse(read.error());
-        earlier = *read;
-        for (const std::string& note : earlier.notes) console.warn(note);
-        settings.from = earlier.values;
-    }
+    const Result<calibration::EarlierCalibration> earlier = earlier_calibration(call, *setup, settings);
+    if (!earlier) return console.refuse(earlier.error());
+    for (const std::string& note : earlier->notes) console.warn(note);
+    if (call.resume) settings.from = earlier->values;
     for (const std::string& warning : setup->warnings) console.warn(warning);
     // Checks run before the fit, so that a user can stop a long fit that cannot succeed.
     const std::vector<check::Finding> before = check::check_before(*setup);
     tell_findings(before, opening.told, console);
     const double setup_s = opening.stopwatch.seconds();
     console.print(setup->experiment.name + "\n" + size_line(*setup));
-
     calibration::Calibration calibration = calibration::calibrate_with_chosen_steps(*setup, settings, progress);
-    // Evaluations of the resumed call count, so that the file shows the total cost.
-    calibration.earlier_evaluations += earlier.evaluations;
-    if (!calibration.usable()) {
-        if (calibration.stopped) return stopped_before(first_evaluation, console);
-        console.complain("the fit failed: " + with_options(calibration.fit.message) +
-                         "; a start nearer the truth (--set material.youngs_modulus_Pa=...) may help");
-        return status_failed;
-    }
+    calibration.earlier_evaluations += earlier->evaluations;  // they count, so that the file shows the total cost
+    if (!calibration.usable()) return end_without_fit(calibration, console);
     for (const std::string& warning : calibration.warnings) console.warn(warning);
     results::RunFacts facts = run_facts(call, setup_s);
     facts.findings = check::check_after({*setup, &calibration.after, &calibration}, before);
     tell_findings(facts.findings, before, console);
-    console.print("\n" + results::findings_line(facts.findings) + "\n\n" + parameter_lines(calibration) + "\n\n" +
-                  trial_lines(*setup, calibration) + "\n" + start_lines(calibration));
+    console.print(calibration_lines(*setup, calibration, facts));
     if (const Result<void> written = write_results(call, *setup, calibration, facts); !written)
         return console.fail(written.error());
-    console.print(std::to_string(calibration.evaluations()) +
-                  (calibration.evaluations() == 1 ? " evaluation, " : " evaluations, ") +
-                  format_number(calibration.seconds, 3) + " s; report: " + (call.out / "report.html").string());
+    console.print(cost_line(call, calibration));
     return end_status(call, calibration, console);
 }
 

@@ -131,6 +131,16 @@ Result<void> write_results(const DiagnoseCall& call, const experiment::Experimen
     return report::write_html(call.out / "report.html", diagnosis::diagnosis_report(setup, d, facts));
 }
 
+diagnosis::DiagnoseSettings diagnose_settings(const DiagnoseCall& call) {
+    diagnosis::DiagnoseSettings settings;
+    settings.without = call.without;
+    // Fits are stored as they finish, so a stopped diagnosis can be resumed.
+    settings.fits = call.out / fits_file;
+    // Stored fits are reused on request only: they may belong to other settings.
+    if (!call.resume) std::filesystem::remove(*settings.fits);
+    return settings;
+}
+
 /// Opens the experiment, runs checks, diagnoses, checks the result, writes and reports it.
 int diagnose_command(const DiagnoseCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
@@ -142,12 +152,7 @@ int diagnose_command(const DiagnoseCall& call) {
     const std::vector<check::Finding> before = check::check_before(setup);
     tell_findings(before, opening.told, console);
     console.print(setup.experiment.name + "\n" + size_line(setup));
-    diagnosis::DiagnoseSettings settings;
-    settings.without = call.without;
-    // Fits are stored as they finish, so a stopped diagnosis can be resumed.
-    settings.fits = call.out / fits_file;
-    // Stored fits are reused on request only: they may belong to other settings.
-    if (!call.resume) std::filesystem::remove(*settings.fits);
+    const diagnosis::DiagnoseSettings settings = diagnose_settings(call);
     const double setup_s = opening.stopwatch.seconds();
     const diagnosis::Diagnosis d = diagnosis::whole_diagnosis(setup, settings, progress);
     if (d.stopped) {

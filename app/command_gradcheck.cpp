@@ -64,6 +64,20 @@ report::Json gradcheck_json(const setup::Setup& setup, const calibration::TrialG
             {"parameters", rows}};
 }
 
+/// Complains about a gradient that differs from its differences. Returns the exit status.
+int judge_gradient(const calibration::TrialGradientCheck& run, Console& console) {
+    if (run.check.worst_error() <= max_relative_error) return status_done;
+    // The message names the worst parameter, where the search for the error should begin.
+    const auto worst = std::max_element(
+        run.check.rows.begin(), run.check.rows.end(),
+        [](const sensitivity::GradientCheckRow& a, const sensitivity::GradientCheckRow& b) {
+            return a.relative_error < b.relative_error;
+        });
+    console.complain("the gradient differs from differences by " + format_number(worst->relative_error, 2) + " for " +
+                     worst->name + ", more than " + format_number(max_relative_error, 1));
+    return status_failed;
+}
+
 int gradcheck_command(const GradcheckCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     const Progress progress = console.progress();
@@ -92,16 +106,7 @@ int gradcheck_command(const GradcheckCall& call) {
                                                             gradcheck_json(setup, run, run_facts(call, setup_s)));
             !written)
             return console.fail(written.error());
-    if (run.check.worst_error() <= max_relative_error) return status_done;
-    // The message names the worst parameter, where the search for the error should begin.
-    const auto worst = std::max_element(
-        run.check.rows.begin(), run.check.rows.end(),
-        [](const sensitivity::GradientCheckRow& a, const sensitivity::GradientCheckRow& b) {
-            return a.relative_error < b.relative_error;
-        });
-    console.complain("the gradient differs from differences by " + format_number(worst->relative_error, 2) + " for " +
-                     worst->name + ", more than " + format_number(max_relative_error, 1));
-    return status_failed;
+    return judge_gradient(run, console);
 }
 
 }  // namespace

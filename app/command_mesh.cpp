@@ -195,20 +195,24 @@ std::string outcome_text(const MeshOutcome& outcome) {
     return text;
 }
 
+Result<void> check_mesh_call(const MeshCall& call) {
+    if (call.file.empty()) return Error{"name a surface or a volume mesh", ""};
+    if (!call.out.empty() && extension_of(call.out) != ".vtu")
+        return Error{"'" + call.out.string() + "' does not end in .vtu", "--out"};
+    const std::string extension = extension_of(call.file);
+    if (!contains(surface_extensions, extension) && !contains(volume_extensions, extension))
+        return Error{"no mesh format is known by this extension; surfaces: " + join(surface_extensions, " ") +
+                         ", volumes: " + join(volume_extensions, " "),
+                     call.file.string()};
+    if (const Result<void> kept = check_overwrites("--out", {call.out}, {call.file}); !kept) return kept.error();
+    return {};
+}
+
 /// Meshes a surface or checks a volume mesh, by the extension of the file.
 int mesh_command(const MeshCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
-    if (call.file.empty()) return console.refuse({"name a surface or a volume mesh", ""});
-    if (!call.out.empty() && extension_of(call.out) != ".vtu")
-        return console.refuse({"'" + call.out.string() + "' does not end in .vtu", "--out"});
-    const std::string extension = extension_of(call.file);
-    const bool is_surface = contains(surface_extensions, extension);
-    if (!is_surface && !contains(volume_extensions, extension))
-        return console.refuse({"no mesh format is known by this extension; surfaces: " + join(surface_extensions, " ") +
-                                   ", volumes: " + join(volume_extensions, " "),
-                               call.file.string()});
-    if (const Result<void> kept = check_overwrites("--out", {call.out}, {call.file}); !kept)
-        return console.refuse(kept.error());
+    if (const Result<void> checked = check_mesh_call(call); !checked) return console.refuse(checked.error());
+    const bool is_surface = contains(surface_extensions, extension_of(call.file));
     const Progress progress = console.progress();
     Result<MeshOutcome> outcome = is_surface ? mesh_surface(call, progress) : check_volume(call);
     if (progress.cancelled()) {

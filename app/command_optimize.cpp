@@ -50,8 +50,8 @@ std::string deviation_text(const inverse::ActuationDeviations& deviations, Eigen
     return ", ± " + format_number(*middle, 2) + " (median)";
 }
 
-/// rms per marker, ranges of the signals, registration, remaining distance, cost.
-std::string result_lines(const setup::Setup& setup, const calibration::Optimization& result) {
+/// Errors of the markers before and after the search.
+std::string marker_lines(const calibration::Optimization& result) {
     char line[256];
     std::snprintf(line, sizeof line, "%-32s %9s  %9s", "marker, rms [mm]", "before", "after");
     std::string text = line;
@@ -64,6 +64,23 @@ std::string result_lines(const setup::Setup& setup, const calibration::Optimizat
     std::snprintf(line, sizeof line, "\n%-32s %s  %s", "all", in_millimetres(before.rms_m).c_str(),
                   in_millimetres(after.rms_m).c_str());
     text += line;
+    return text;
+}
+
+std::string placement_line(const calibration::Optimization& result) {
+    char line[256];
+    const Eigen::Vector3d moved = 1e3 * result.fit.best.placement.translation_m,
+                          turned = 180.0 / std::numbers::pi * result.fit.best.placement.rotation_rad;
+    std::snprintf(line, sizeof line,
+                  "\nregistration (sought): moved by (%.3f, %.3f, %.3f) mm, turned by (%.3f, %.3f, %.3f) degrees",
+                  moved.x(), moved.y(), moved.z(), turned.x(), turned.y(), turned.z());
+
+    return line;
+}
+
+/// rms per marker, ranges of the signals, registration, remaining distance, cost.
+std::string result_lines(const setup::Setup& setup, const calibration::Optimization& result) {
+    std::string text = marker_lines(result);
     for (std::size_t s = 0; s < result.problem.sought.signals.size(); ++s) {
         const auto row = result.fit.values.row(static_cast<Eigen::Index>(s));
         if (result.problem.sought.seek_before)
@@ -73,14 +90,7 @@ std::string result_lines(const setup::Setup& setup, const calibration::Optimizat
                 format_number(row.minCoeff(), 4) + " ... " + format_number(row.maxCoeff(), 4) +
                 deviation_text(result.deviations, static_cast<Eigen::Index>(s));
     }
-    if (result.problem.placement_bounds) {
-        const Eigen::Vector3d moved = 1e3 * result.fit.best.placement.translation_m,
-                              turned = 180.0 / std::numbers::pi * result.fit.best.placement.rotation_rad;
-        std::snprintf(line, sizeof line,
-                      "\nregistration (sought): moved by (%.3f, %.3f, %.3f) mm, turned by (%.3f, %.3f, %.3f) degrees",
-                      moved.x(), moved.y(), moved.z(), turned.x(), turned.y(), turned.z());
-        text += line;
-    }
+    if (result.problem.placement_bounds) text += placement_line(result);
     if (!result.deviations.found) text += "\nstandard deviations: " + result.deviations.reason;
     if (!result.miss.reached)
         text += "\ntarget not reached: " + format_number(result.miss.noise_levels, 3) + " times the noise is left";
@@ -113,6 +123,41 @@ int end_status(const OptimizeCall& call, const calibration::Optimization& result
     return status_failed;
 }
 
+/// Signals from which the search starts: passive ones, those held before t = 0, or those of an earlier search.
+Result<results::EarlierOptimization> first_signals(const OptimizeCall& call, const setup::Setup& setup,
+                                                   const inverse::ActuationProblem& problem) {
+    if (call.resume) return results::read_optimization(call.out, setup, problem);
+    return results::EarlierOptimization{inverse::unmoved_values(problem.sought)};
+}
+
+/// What is sought, in one line, and the size of the model.
+std::string search_lines(const setup::Setup& setup, const inverse::ActuationProblem& problem, Eigen::Index values,
+                         double frequency_Hz) {
+    std::vector<std::string> names;
+    for (const inverse::SoughtSignal& signal : problem.sought.signals) names.push_back(signal.name);
+    return setup.experiment.name + ", trial " + setup.trials.front().name + ": " + std::to_string(values) +
+           " values of " + join(names) + " at " + format_number(frequency_Hz) + " Hz\n" + size_line(setup);
+}
+
+/// Says why there is no result. Returns the exit status.
+int end_without_signals(const calibration::Optimization& result, Console& console) {
+    if (result.stopped) return stopped_before(first_evaluation, console);
+    console.complain("the trial could not be run: " + result.fit.message +
+                     "; a smaller --dt or another mesh (--element, --resolution) may help");
+    return status_failed;
+}
+
+/// Checks of the result. After a cancellation only those before the search are known.
+std::vector<check::Finding> checks_of_signals(const setup::Setup& setup, const calibration::Optimization& result,
+                                              const std::vector<check::Finding>& before, Console& console,
+                                              const Progress& progress) {
+    if (result.stopped) return before;
+    const prediction::SetupRun run = calibration::run_with_found_signals(setup, result, progress);
+    std::vector<check::Finding> findings = check::check_after({setup, &run}, before);
+    tell_findings(findings, before, console);
+    return findings;
+}
+
 /// Opens the trial, searches signals, checks the result, writes and reports it.
 int optimize_command(const OptimizeCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
@@ -123,47 +168,41 @@ int optimize_command(const OptimizeCall& call) {
     const calibration::OptimizeSettings settings = settings_of(call);
     const Result<inverse::ActuationProblem> problem = calibration::actuation_problem(setup, settings);
     if (!problem) return console.refuse(problem.error());
-    // Without --resume the search starts from passive signals, or from the levels before t = 0.
-    results::EarlierOptimization from{inverse::unmoved_values(problem->sought)};
-    if (call.resume) {
-        const Result<results::EarlierOptimization> earlier = results::read_optimization(call.out, setup, *problem);
-        if (!earlier) return console.refuse(earlier.error());
-        from = *earlier;
-        for (const std::string& note : from.notes) console.warn(note);
-    }
+    const Result<results::EarlierOptimization> from = first_signals(call, setup, *problem);
+    if (!from) return console.refuse(from.error());
+    for (const std::string& note : from->notes) console.warn(note);
     for (const std::string& warning : setup.warnings) console.warn(warning);
     const std::vector<check::Finding> before = check::check_before(setup);
     tell_findings(before, opening.told, console);
-    std::vector<std::string> names;
-    for (const inverse::SoughtSignal& signal : problem->sought.signals) names.push_back(signal.name);
-    console.print(setup.experiment.name + ", trial " + setup.trials.front().name + ": " +
-                  std::to_string(from.values.size()) + " values of " + join(names) + " at " +
-                  format_number(settings.frequency_Hz) + " Hz\n" + size_line(setup));
+    console.print(search_lines(setup, *problem, from->values.size(), settings.frequency_Hz));
     const double setup_s = opening.stopwatch.seconds();
-
-    calibration::Optimization result = calibration::optimize_with_chosen_steps(setup, *problem, settings, from.values,
+    calibration::Optimization result = calibration::optimize_with_chosen_steps(setup, *problem, settings, from->values,
                                                                                progress);
-    result.earlier_evaluations += from.evaluations;
-    if (!result.usable()) {
-        if (result.stopped) return stopped_before(first_evaluation, console);
-        console.complain("the trial could not be run: " + result.fit.message +
-                         "; a smaller --dt or another mesh (--element, --resolution) may help");
-        return status_failed;
-    }
+    result.earlier_evaluations += from->evaluations;
+    if (!result.usable()) return end_without_signals(result, console);
     for (const std::string& warning : result.warnings) console.warn(warning);
     results::RunFacts facts = run_facts(call, setup_s);
-    // After a cancellation only the checks before the search are known.
-    facts.findings = before;
-    if (!result.stopped) {
-        const prediction::SetupRun run = calibration::run_with_found_signals(setup, result, progress);
-        facts.findings = check::check_after({setup, &run}, before);
-        tell_findings(facts.findings, before, console);
-    }
+    facts.findings = checks_of_signals(setup, result, before, console, progress);
     console.print("\n" + result_lines(setup, result));
     if (const Result<void> written = write_results(call, setup, result, facts); !written)
         return console.fail(written.error());
     console.print("report: " + (call.out / "report.html").string());
     return end_status(call, result, console);
+}
+
+/// Files that the command writes.
+std::vector<std::filesystem::path> optimize_files(const OptimizeCall& call, const experiment::Experiment& experiment) {
+    std::vector<std::filesystem::path> files = trace_files_and(call, experiment, {"optimize.json", "report.html"});
+    const std::vector<std::filesystem::path> signals = results::actuation_files(call.out, experiment);
+    files.insert(files.end(), signals.begin(), signals.end());
+    return files;
+}
+
+void read_smoothness(const std::string& text, OptimizeCall& call) {
+    double value = 0.0;
+    if (!parse_number(text, value) || !std::isfinite(value) || value < 0.0)
+        throw CLI::ValidationError("--smoothness", "'" + text + "' is not a number from 0 on");
+    call.smoothness_mm_s = value;
 }
 
 }  // namespace
@@ -174,10 +213,7 @@ std::function<int()> declare_optimize(CLI::App& app) {
     call->step_choice = StepChoice::half_interval;
     declare_experiment_call(app, *call);
     call->outputs = [own = call.get()](const experiment::Experiment& experiment) {
-        std::vector<std::filesystem::path> files = trace_files_and(*own, experiment, {"optimize.json", "report.html"});
-        const std::vector<std::filesystem::path> signals = results::actuation_files(own->out, experiment);
-        files.insert(files.end(), signals.begin(), signals.end());
-        return files;
+        return optimize_files(*own, experiment);
     };
     app.add_option("--trial", call->trial, "trial whose trace is the target (default: the first with role fit)")
         ->type_name("NAME");
@@ -185,13 +221,7 @@ std::function<int()> declare_optimize(CLI::App& app) {
         ->type_name("HZ");
     app.add_flag("--hold", call->hold, "hold each value until the next instead of going there in a straight line");
     app.add_option_function<std::string>(
-           "--smoothness",
-           [call](const std::string& text) {
-               double value = 0.0;
-               if (!parse_number(text, value) || !std::isfinite(value) || value < 0.0)
-                   throw CLI::ValidationError("--smoothness", "'" + text + "' is not a number from 0 on");
-               call->smoothness_mm_s = value;
-           },
+           "--smoothness", [call](const std::string& text) { read_smoothness(text, *call); },
            "so many millimetres of rms error a signal that changes by 1 per second is worth (default: the noise of the "
            "markers)")
         ->type_name("MM");

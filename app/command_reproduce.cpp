@@ -72,28 +72,54 @@ int list_cases() {
     return status_done;
 }
 
+/// The folder of the outputs, made if missing, for this process alone.
+Result<FolderLock> claim_folder(const ReproduceCall& call, const reproduce::ReproductionCase& one) {
+    if (call.out.empty()) return Error{"--out DIR is needed: the folder for tables, figures and report", "reproduce"};
+    const std::vector<std::filesystem::path> outputs = reproduce::reproduction_files(call.out, one);
+    if (const Result<void> kept = check_overwrites("--out", outputs, reference_files()); !kept) return kept.error();
+    std::error_code code;
+    std::filesystem::create_directories(call.out, code);
+    if (code) return Error{"folder cannot be made: " + code.message(), call.out.string()};
+    Result<FolderLock> lock = FolderLock::take(call.out);
+    if (!lock) return Error{lock.error().text(), "--out"};
+    return lock;
+}
+
+reproduce::ReproduceSettings reproduce_settings(const ReproduceCall& call) {
+    reproduce::ReproduceSettings settings;
+    settings.data = bench::data_folder();
+    settings.threads = call.work.threads > 0 ? call.work.threads : hardware_threads();
+    settings.coarse = call.coarse;
+    if (call.work.seed) settings.seed = *call.work.seed;
+    return settings;
+}
+
+/// Adds duration and meshes of the call to the result.
+void add_call(reproduce::Reproduction& result, const ReproduceCall& call, double seconds) {
+    result.values["seconds"] = seconds;
+    result.values["coarse"] = call.coarse;
+    // Sentences about the paper's meshes do not hold for coarse ones.
+    if (call.coarse)
+        result.warnings.push_back(
+            "--coarse: these are not the paper's meshes; what is said about them holds for the full run only");
+}
+
+/// Prints warnings, tables and findings.
+void print_reproduction(const reproduce::Reproduction& result, Console& console) {
+    for (const std::string& warning : result.warnings) console.warn(warning);
+    for (const report::Table& table : result.tables) console.print(table_text(table) + "\n");
+    for (const std::string& finding : result.findings) console.print("- " + finding);
+}
+
 /// Runs one case and writes its results; without a case, lists all.
 int reproduce_command(const ReproduceCall& call) {
     if (call.id.empty()) return list_cases();
     Console console(call.work.quiet, call.work.json_progress);
     const reproduce::ReproductionCase* const one = reproduce::find_reproduction(call.id);
     if (one == nullptr) return console.refuse({unknown_word(call.id, reproduce::reproduction_ids()), "reproduce"});
-    if (call.out.empty())
-        return console.refuse({"--out DIR is needed: the folder for tables, figures and report", "reproduce"});
-    const std::vector<std::filesystem::path> outputs = reproduce::reproduction_files(call.out, *one);
-    if (const Result<void> kept = check_overwrites("--out", outputs, reference_files()); !kept)
-        return console.refuse(kept.error());
-    std::error_code code;
-    std::filesystem::create_directories(call.out, code);
-    if (code) return console.refuse({"folder cannot be made: " + code.message(), call.out.string()});
-    const Result<FolderLock> lock = FolderLock::take(call.out);
-    if (!lock) return console.refuse({lock.error().text(), "--out"});
-
-    reproduce::ReproduceSettings settings;
-    settings.data = bench::data_folder();
-    settings.threads = call.work.threads > 0 ? call.work.threads : hardware_threads();
-    settings.coarse = call.coarse;
-    if (call.work.seed) settings.seed = *call.work.seed;
+    const Result<FolderLock> lock = claim_folder(call, *one);
+    if (!lock) return console.refuse(lock.error());
+    const reproduce::ReproduceSettings settings = reproduce_settings(call);
     const Progress progress = console.progress();
     const Stopwatch watch;
     Result<reproduce::Reproduction> result = one->run(settings, progress);
@@ -106,15 +132,8 @@ int reproduce_command(const ReproduceCall& call) {
         return status_failed;
     }
     const double seconds = watch.seconds();
-    result->values["seconds"] = seconds;
-    result->values["coarse"] = call.coarse;
-    // Sentences about the paper's meshes do not hold for coarse ones.
-    if (call.coarse)
-        result->warnings.push_back(
-            "--coarse: these are not the paper's meshes; what is said about them holds for the full run only");
-    for (const std::string& warning : result->warnings) console.warn(warning);
-    for (const report::Table& table : result->tables) console.print(table_text(table) + "\n");
-    for (const std::string& finding : result->findings) console.print("- " + finding);
+    add_call(*result, call, seconds);
+    print_reproduction(*result, console);
     if (const Result<void> written = reproduce::write_reproduction(call.out, *one, *result); !written)
         return console.fail(written.error());
     console.print("\n" + format_number(seconds, 3) + " s; report: " + (call.out / "report.html").string());

@@ -80,6 +80,20 @@ int screenshot_command(const ScreenshotCall& call) {
     return status_done;
 }
 
+/// What the picture shows of the opened file.
+void add_shown_options(CLI::App& app, ScreenshotCall& call) {
+    app.add_option("--trial", call.picture.trial, "trial to show")->type_name("NAME");
+    app.add_option("--marker", call.picture.marker, "marker to plot")->type_name("NAME");
+    add_optional_number(app, "--time", call.picture.time_s, "time to show [s] (default: the end of the trial)")
+        ->type_name("SECONDS");
+    app.add_option("--field", call.picture.field,
+                   "quantity that colours the body: displacement, stretch, von_mises, ...")
+        ->type_name("NAME");
+    app.add_option("--import", call.picture.import, "recording of motion capture to show, as before it becomes a trial")
+        ->type_name("FILE");
+    add_unit(app, call.picture.metres_per_unit);
+}
+
 }  // namespace
 
 std::function<int()> declare_screenshot(CLI::App& app) {
@@ -100,17 +114,7 @@ std::function<int()> declare_screenshot(CLI::App& app) {
     app.add_option("--scale", call->percent, "size of text and controls, 75 to 250 (default: 100)")
         ->check(CLI::Range(75, 250))
         ->type_name("PERCENT");
-    app.add_option("--trial", call->picture.trial, "trial to show")->type_name("NAME");
-    app.add_option("--marker", call->picture.marker, "marker to plot")->type_name("NAME");
-    add_optional_number(app, "--time", call->picture.time_s, "time to show [s] (default: the end of the trial)")
-        ->type_name("SECONDS");
-    app.add_option("--field", call->picture.field,
-                   "quantity that colours the body: displacement, stretch, von_mises, ...")
-        ->type_name("NAME");
-    app.add_option("--import", call->picture.import,
-                   "recording of motion capture to show, as before it becomes a trial")
-        ->type_name("FILE");
-    add_unit(app, call->picture.metres_per_unit);
+    add_shown_options(app, *call);
     app.add_flag("--calibrate", call->picture.calibrate, "calibrate before drawing, instead of a plain run");
     app.add_flag("--optimize", call->picture.optimize,
                  "look for the muscles' signals before drawing, instead of a plain run");

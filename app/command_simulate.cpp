@@ -77,6 +77,32 @@ Result<void> write_results(const SimulateCall& call, const setup::Setup& setup, 
     return {};
 }
 
+/// The run may have chosen shorter steps, so the integration is checked afterwards; only new warnings are printed.
+void report_integration(setup::Setup& setup, Console& console) {
+    const auto told = static_cast<std::ptrdiff_t>(setup.warnings.size());
+    setup::check_integration(setup);  // with the steps of the run
+    for (auto warning = setup.warnings.begin() + told; warning != setup.warnings.end(); ++warning)
+        console.warn(*warning);
+}
+
+/// Says how the runs ended. Returns the exit status.
+int end_simulation(const SimulateCall& call, const setup::Setup& setup, const prediction::SetupRun& run,
+                   const Progress& progress, Console& console) {
+    const std::string kept = std::to_string(run.scores.size()) + " of " +
+                             std::to_string(call.trial.empty() ? setup.trials.size() : 1) + " trials complete" +
+                             (run.scores.empty() ? "; nothing was written" : "; written to " + call.out.string());
+    if (progress.cancelled()) {
+        console.complain("stopped; " + kept);
+        return status_stopped;
+    }
+    if (!run.ok()) {
+        console.complain(with_options(run.failure) + "; " + kept);
+        return status_failed;
+    }
+    console.print("\n" + format_number(run.seconds, 3) + " s; written to " + call.out.string());
+    return status_done;
+}
+
 int simulate_command(const SimulateCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     const Progress progress = console.progress();
@@ -92,14 +118,7 @@ int simulate_command(const SimulateCall& call) {
                                                                                  prediction::declared_values(*setup));
     console.print(setup->experiment.name + "\n" + size_line(*setup) + "\n" + values_line(*setup, values));
     const prediction::SetupRun run = prediction::run_with_chosen_steps(*setup, values, progress, call.trial);
-    if (!setup->integration && !progress.cancelled()) {
-        // The run may have chosen shorter steps, so the integration is checked afterwards; only new warnings are
-        // printed.
-        const auto told = static_cast<std::ptrdiff_t>(setup->warnings.size());
-        setup::check_integration(*setup);  // with the steps of the run
-        for (auto warning = setup->warnings.begin() + told; warning != setup->warnings.end(); ++warning)
-            console.warn(*warning);
-    }
+    if (!setup->integration && !progress.cancelled()) report_integration(*setup, console);
     results::RunFacts facts = run_facts(call, setup_s);
     facts.findings = check::check_after({.setup = *setup, .run = &run, .as_declared = true}, before);
     tell_findings(facts.findings, before, console);
@@ -107,19 +126,7 @@ int simulate_command(const SimulateCall& call) {
         console.print("\n" + results::findings_line(facts.findings) + "\n\n" + score_table(*setup, run));
     if (const Result<void> written = write_results(call, *setup, run, facts, progress); !written)
         return console.fail(written.error());
-    const std::string kept = std::to_string(run.scores.size()) + " of " +
-                             std::to_string(call.trial.empty() ? setup->trials.size() : 1) + " trials complete" +
-                             (run.scores.empty() ? "; nothing was written" : "; written to " + call.out.string());
-    if (progress.cancelled()) {
-        console.complain("stopped; " + kept);
-        return status_stopped;
-    }
-    if (!run.ok()) {
-        console.complain(with_options(run.failure) + "; " + kept);
-        return status_failed;
-    }
-    console.print("\n" + format_number(run.seconds, 3) + " s; written to " + call.out.string());
-    return status_done;
+    return end_simulation(call, *setup, run, progress, console);
 }
 
 }  // namespace

@@ -127,6 +127,30 @@ void read_share(const std::string& text, validation::CaseRange& range) {
     range.shares = static_cast<int>(parts);
 }
 
+void read_first(const std::string& text, validation::CaseRange& range) {
+    int value = 0;
+    const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (code != std::errc{} || end != text.data() + text.size() || value < 0)
+        throw CLI::ValidationError("--first", "'" + text + "' is not a whole number from 0 on");
+    range.first = value;
+}
+
+void read_families(const std::string& text, std::vector<validation::BodyFamily>& families) {
+    families.clear();
+    for (const std::string& id : split_words(text)) {
+        validation::BodyFamily family{};
+        if (!validation::parse_body_family(id, family))
+            throw CLI::ValidationError("--geometry", unknown_word(id, validation::body_family_ids()));
+        families.push_back(family);
+    }
+}
+
+void read_effects(const std::string& text, std::vector<std::string>& effects) {
+    effects = split_words(text);
+    for (const std::string& id : effects)
+        if (!effect::find_effect(id)) throw CLI::ValidationError("--effects", unknown_word(id, effect::effect_ids()));
+}
+
 }  // namespace
 
 std::function<int()> declare_validate(CLI::App& app) {
@@ -139,14 +163,7 @@ std::function<int()> declare_validate(CLI::App& app) {
                  "a warning?");
     add_count(app, "--cases", call->options.range.cases, "number of cases (default: 24)");
     app.add_option_function<std::string>(
-           "--first",
-           [call](const std::string& text) {
-               int value = 0;
-               const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-               if (code != std::errc{} || end != text.data() + text.size() || value < 0)
-                   throw CLI::ValidationError("--first", "'" + text + "' is not a whole number from 0 on");
-               call->options.range.first = value;
-           },
+           "--first", [call](const std::string& text) { read_first(text, call->options.range); },
            "number of the first case (default: 0); case k is the same for any count")
         ->type_name("K");
     app.add_option_function<std::string>(
@@ -154,26 +171,11 @@ std::function<int()> declare_validate(CLI::App& app) {
            "1/4: every fourth case, for four processes on one folder")
         ->type_name("I/N");
     app.add_option_function<std::string>(
-           "--geometry",
-           [call](const std::string& text) {
-               call->options.choice.families.clear();
-               for (const std::string& id : split_words(text)) {
-                   validation::BodyFamily family{};
-                   if (!validation::parse_body_family(id, family))
-                       throw CLI::ValidationError("--geometry", unknown_word(id, validation::body_family_ids()));
-                   call->options.choice.families.push_back(family);
-               }
-           },
+           "--geometry", [call](const std::string& text) { read_families(text, call->options.choice.families); },
            "bodies: " + join(validation::body_family_ids()) + " (default: all)")
         ->type_name("A,B");
     app.add_option_function<std::string>(
-           "--effects",
-           [call](const std::string& text) {
-               call->options.choice.effects = split_words(text);
-               for (const std::string& id : call->options.choice.effects)
-                   if (!effect::find_effect(id))
-                       throw CLI::ValidationError("--effects", unknown_word(id, effect::effect_ids()));
-           },
+           "--effects", [call](const std::string& text) { read_effects(text, call->options.choice.effects); },
            "effects to draw from (default: all of the catalogue)")
         ->type_name("A,B");
     add_work_options(app, call->work);

@@ -35,6 +35,65 @@ Integer integer_of(const std::string& option, const std::string& text, Integer l
     return value;
 }
 
+/// Option with one of the known words as its value.
+///
+/// @param parse  takes the word; returns false if it is unknown
+template <class Parse, class Words>
+void add_word(CLI::App& app, const std::string& name, const Parse& parse, const Words& known, const std::string& what) {
+    app.add_option_function<std::string>(
+           name,
+           [name, parse, known](const std::string& id) {
+               if (!parse(id)) reject(name, unknown_word(id, known));
+           },
+           what + ": " + join(known))
+        ->type_name("NAME");
+}
+
+/// How the equations of motion are integrated.
+void add_integration_options(CLI::App& app, SetupOptions& options) {
+    setup::SetupSettings& settings = options.settings;
+    add_word(
+        app, "--integrator",
+        [&settings](const std::string& id) { return dynamics::parse_integrator(id, settings.integrator); },
+        dynamics::integrator_ids(), "time integration");
+    app.add_option_function<std::string>(
+           "--spectral-radius",
+           [&options](const std::string& text) {
+               const double value = number_of("--spectral-radius", text);
+               if (value < 0.0 || value > 1.0)
+                   reject("--spectral-radius", "'" + text + "' does not lie within 0 ... 1");
+               options.spectral_radius = value;
+           },
+           "of " + to_string(dynamics::Integrator::generalized_alpha) +
+               " at infinite frequency, 0 ... 1: less damps more (default: 0.5)")
+        ->type_name("NUMBER");
+    add_word(
+        app, "--strategy",
+        [&settings](const std::string& id) { return dynamics::parse_strategy(id, settings.strategy); },
+        dynamics::strategy_ids(), "how a step is solved");
+    add_positive_number(app, "--dt", settings.h_s,
+                        "time step [s] (default: what the vibrations and the sampling of each trial ask for)")
+        ->type_name("SECONDS");
+}
+
+/// Keys of experiment.toml that are replaced for this run.
+void add_overrides(CLI::App& app, SetupOptions& options) {
+    app.add_option_function<std::vector<std::string>>(
+           "--set",
+           [&options](const std::vector<std::string>& assignments) {
+               for (const std::string& text : assignments) {
+                   const std::size_t equals = text.find('=');
+                   if (equals == std::string::npos || equals == 0)
+                       reject("--set", "'" + text + "' is not of the form key=value");
+                   options.overrides.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+               }
+           },
+           "a key of experiment.toml for this run, as material.density_kg_m3=1100; may be repeated")
+        ->type_name("KEY=VALUE")
+        ->type_size(1)
+        ->expected(-1);
+}
+
 }  // namespace
 
 std::string unknown_word(const std::string& word, const std::vector<std::string>& known) {
@@ -143,74 +202,22 @@ void add_setup_options(CLI::App& app, SetupOptions& options) {
     add_element(app, "--element", settings.mesh.element);
     add_positive_number(app, "--resolution", settings.mesh.resolution_m, "edge length of the mesh [m]")
         ->type_name("METRES");
-    app.add_option_function<std::string>(
-           "--voxels",
-           [&settings](const std::string& id) {
-               if (!setup::parse_voxels(id, settings.mesh.voxels))
-                   reject("--voxels", unknown_word(id, setup::voxels_ids()));
-           },
-           "how hexahedra fill the body: " + join(setup::voxels_ids()))
-        ->type_name("NAME");
-    app.add_option_function<std::string>(
-           "--mass",
-           [&settings](const std::string& id) {
-               if (!model::parse_mass_model(id, settings.mass_model))
-                   reject("--mass", unknown_word(id, model::mass_model_ids()));
-           },
-           "mass of the body: " + join(model::mass_model_ids()))
-        ->type_name("NAME");
-    app.add_option_function<std::string>(
-           "--integrator",
-           [&settings](const std::string& id) {
-               if (!dynamics::parse_integrator(id, settings.integrator))
-                   reject("--integrator", unknown_word(id, dynamics::integrator_ids()));
-           },
-           "time integration: " + join(dynamics::integrator_ids()))
-        ->type_name("NAME");
-    app.add_option_function<std::string>(
-           "--spectral-radius",
-           [&options](const std::string& text) {
-               const double value = number_of("--spectral-radius", text);
-               if (value < 0.0 || value > 1.0)
-                   reject("--spectral-radius", "'" + text + "' does not lie within 0 ... 1");
-               options.spectral_radius = value;
-           },
-           "of " + to_string(dynamics::Integrator::generalized_alpha) +
-               " at infinite frequency, 0 ... 1: less damps more (default: 0.5)")
-        ->type_name("NUMBER");
-    app.add_option_function<std::string>(
-           "--strategy",
-           [&settings](const std::string& id) {
-               if (!dynamics::parse_strategy(id, settings.strategy))
-                   reject("--strategy", unknown_word(id, dynamics::strategy_ids()));
-           },
-           "how a step is solved: " + join(dynamics::strategy_ids()))
-        ->type_name("NAME");
-    add_positive_number(app, "--dt", settings.h_s,
-                        "time step [s] (default: what the vibrations and the sampling of each trial ask for)")
-        ->type_name("SECONDS");
-    app.add_option_function<std::string>(
-           "--material",
-           [&settings](const std::string& id) {
-               if (!material::find_material(id)) reject("--material", unknown_word(id, material::material_ids()));
-               settings.material = id;
-           },
-           "material law: " + join(material::material_ids()))
-        ->type_name("NAME");
-    app.add_option_function<std::vector<std::string>>(
-           "--set",
-           [&options](const std::vector<std::string>& assignments) {
-               for (const std::string& text : assignments) {
-                   const std::size_t equals = text.find('=');
-                   if (equals == std::string::npos || equals == 0)
-                       reject("--set", "'" + text + "' is not of the form key=value");
-                   options.overrides.emplace_back(text.substr(0, equals), text.substr(equals + 1));
-               }
-           },
-           "a key of experiment.toml for this run, as material.density_kg_m3=1100; may be repeated")
-        ->type_name("KEY=VALUE")
-        ->type_size(1)
-        ->expected(-1);
+    add_word(
+        app, "--voxels", [&settings](const std::string& id) { return setup::parse_voxels(id, settings.mesh.voxels); },
+        setup::voxels_ids(), "how hexahedra fill the body");
+    add_word(
+        app, "--mass", [&settings](const std::string& id) { return model::parse_mass_model(id, settings.mass_model); },
+        model::mass_model_ids(), "mass of the body");
+    add_integration_options(app, options);
+    add_word(
+        app, "--material",
+        [&settings](const std::string& id) {
+            const bool known = material::find_material(id) != nullptr;
+            if (known) settings.material = id;
+            return known;
+        },
+        material::material_ids(), "material law");
+    add_overrides(app, options);
     add_number(app, "--velocity-force", settings.velocity_force_1_s, "velocity force Lambda M v [1/s]");
 }
 

@@ -44,8 +44,8 @@ struct DestroyWindow {
     void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
 };
 
-/// ImGui key of a GLFW key, or -1.
-int key_of(int key) {
+/// ImGui's number of a key that has no letter; -1: another key.
+int named_key(int key) {
     static constexpr std::pair<int, int> keys[] = {{GLFW_KEY_TAB, ImGuiKey_Tab},
                                                    {GLFW_KEY_LEFT, ImGuiKey_LeftArrow},
                                                    {GLFW_KEY_RIGHT, ImGuiKey_RightArrow},
@@ -65,10 +65,12 @@ int key_of(int key) {
     for (const auto& [glfw, imgui] : keys) {
         if (glfw == key) return imgui;
     }
-    // Letters by their label, so that Ctrl+Z follows the keyboard layout.
-    const char* name = glfwGetKeyName(key, 0);
-    if (name == nullptr || name[0] == '\0' || name[1] != '\0') return -1;
-    switch (name[0]) {
+    return -1;
+}
+
+/// Number of the key of a character; -1: the window does not use it.
+int character_key(char character) {
+    switch (character) {
         case 'a': return ImGuiKey_A;
         case 'c': return ImGuiKey_C;
         case 'v': return ImGuiKey_V;
@@ -98,6 +100,15 @@ int key_of(int key) {
     }
 }
 
+/// ImGui key of a GLFW key, or -1.
+int key_of(int key) {
+    if (const int named = named_key(key); named >= 0) return named;
+    // Letters by their label, so that Ctrl+Z follows the keyboard layout.
+    const char* name = glfwGetKeyName(key, 0);
+    if (name == nullptr || name[0] == '\0' || name[1] != '\0') return -1;
+    return character_key(name[0]);
+}
+
 ui::platform::Modifiers modifiers_of(int bits) {
     return {(bits & GLFW_MOD_CONTROL) != 0, (bits & GLFW_MOD_SHIFT) != 0, (bits & GLFW_MOD_ALT) != 0};
 }
@@ -112,15 +123,17 @@ void push(GLFWwindow* window, const ui::platform::InputEvent& event) {
     workbench_of(window).wake();
 }
 
+void push_cursor(GLFWwindow* w, double x, double y) {
+    // Screen coordinates to pixels; they differ on high-resolution displays.
+    int screen = 1, pixels = 1, ignored = 0;
+    glfwGetWindowSize(w, &screen, &ignored);
+    glfwGetFramebufferSize(w, &pixels, &ignored);
+    const double ratio = static_cast<double>(pixels) / std::max(1, screen);
+    push(w, ui::platform::MouseMoved{static_cast<float>(x * ratio), static_cast<float>(y * ratio)});
+}
+
 void set_callbacks(GLFWwindow* window) {
-    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
-        // Screen coordinates to pixels; they differ on high-resolution displays.
-        int screen = 1, pixels = 1, ignored = 0;
-        glfwGetWindowSize(w, &screen, &ignored);
-        glfwGetFramebufferSize(w, &pixels, &ignored);
-        const double ratio = static_cast<double>(pixels) / std::max(1, screen);
-        push(w, ui::platform::MouseMoved{static_cast<float>(x * ratio), static_cast<float>(y * ratio)});
-    });
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { push_cursor(w, x, y); });
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
         if (entered == GLFW_FALSE) push(w, ui::platform::MouseMoved{-1e6f, -1e6f});
     });
@@ -241,6 +254,26 @@ void take_up(ui::commands::Workbench& workbench) {
         workbench.execute(ui::commands::OfferRecovery{backend::found_recoveries(file.parent_path())});
 }
 
+/// The workbench asks about unsaved work first.
+void ask_to_close(GLFWwindow* window, ui::commands::Workbench& workbench, ui::panels::WorkbenchWindow& view) {
+    glfwSetWindowShouldClose(window, GLFW_FALSE);
+    workbench.execute(ui::commands::Quit{});
+    view.wake();
+}
+
+/// Waits for events; returns whether a frame is to be drawn. `works`: a job runs.
+bool wait_for_frame(ui::panels::WorkbenchWindow& view, bool works) {
+    if (view.must_draw()) {
+        glfwPollEvents();
+    } else {
+        // The elapsed time of a running job is displayed even if it reports nothing.
+        glfwWaitEventsTimeout(works ? 0.2 : 1.0);
+        if (works) view.wake();
+        if (!view.must_draw()) return false;
+    }
+    return true;
+}
+
 /// Main loop: draws frames until the user quits or drawing fails. Without input or a running job it sleeps.
 Result<void> draw_frames(GLFWwindow* window, ui::commands::Workbench& workbench, ui::panels::WorkbenchWindow& view,
                          Keeper& keeper) {
@@ -249,24 +282,13 @@ Result<void> draw_frames(GLFWwindow* window, ui::commands::Workbench& workbench,
     while (!workbench.state().quit) {
         keeper.tick(Clock::now());
         if (glfwWindowShouldClose(window) == GLFW_TRUE) {
-            // The workbench asks about unsaved work first.
-            glfwSetWindowShouldClose(window, GLFW_FALSE);
-            workbench.execute(ui::commands::Quit{});
-            view.wake();
+            ask_to_close(window, workbench, view);
             continue;
         }
         // Frames are drawn on demand only: an idle window uses no processor time.
         const bool works = workbench.state().works();
-        if (view.must_draw()) {
-            glfwPollEvents();
-        } else {
-            // The elapsed time of a running job is displayed even if it reports nothing.
-            glfwWaitEventsTimeout(works ? 0.2 : 1.0);
-            if (works) view.wake();
-            if (!view.must_draw()) continue;
-        }
-        int width = 0;
-        int height = 0;
+        if (!wait_for_frame(view, works)) continue;
+        int width = 0, height = 0;
         glfwGetFramebufferSize(window, &width, &height);
         if (width < 1 || height < 1) {
             glfwWaitEventsTimeout(0.2);  // minimised
@@ -299,30 +321,32 @@ Result<void> run_frames(GLFWwindow* window, ui::commands::Workbench& workbench, 
     }
 }
 
-}  // namespace
-
-Result<void> run_window(std::shared_ptr<ui::commands::Backend> backend, const WindowOptions& options) {
-    const GlfwLibrary library;
-    if (!library.ready) {
-        return Error{
-            "cannot open a window: " + last_glfw_error() + ". Without a display, use the subcommands (myoloop --help).",
-            ""};
-    }
+/// OpenGL 3.3, and a window that is scaled with its monitor.
+void request_context() {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+}
+
+}  // namespace
+
+Result<void> run_window(std::shared_ptr<ui::commands::Backend> backend, const WindowOptions& options) {
+    const GlfwLibrary library;
+    if (!library.ready)
+        return Error{
+            "cannot open a window: " + last_glfw_error() + ". Without a display, use the subcommands (myoloop --help).",
+            ""};
+    request_context();
     const std::unique_ptr<GLFWwindow, DestroyWindow> window(
         glfwCreateWindow(options.width, options.height, "Myoloop", nullptr, nullptr));
     if (!window) return Error{"cannot open a window: " + last_glfw_error(), ""};
     glfwMakeContextCurrent(window.get());
     glfwSwapInterval(1);
     if (const auto loaded = ui::platform::gl::load(glfwGetProcAddress); !loaded) return loaded;
-
     ui::commands::Workbench workbench(std::move(backend), [] { glfwPostEmptyEvent(); });
-    float across = 1.0f;
-    float down = 1.0f;
+    float across = 1.0f, down = 1.0f;
     glfwGetWindowContentScale(window.get(), &across, &down);
     // Preferences first: they contain theme and scale of the first frame.
     take_up(workbench);

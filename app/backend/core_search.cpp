@@ -193,21 +193,128 @@ private:
     Pace pace_;
 };
 
+/// The best values so far, as rows and as settings.
+void show_values(ui::commands::SearchView& view, const setup::Setup& setup,
+                 const std::vector<prediction::ModelParameter>& parameters, const prediction::ParameterValues& declared,
+                 const prediction::ParameterValues& values, const ui::commands::Settings& settings) {
+    view.parameters.clear();
+    for (const prediction::ModelParameter& p : parameters)
+        view.parameters.push_back(
+            parameter_row(p, setup, prediction::value_of(p, declared), prediction::value_of(p, values), nothing_known));
+    view.settings = settings;
+    view.settings.youngs_modulus_Pa = values.youngs_modulus_Pa;
+    view.settings.damping_s = values.damping_s;
+    set_law_values(values.law, view.settings);
+}
+
+/// Setup of a calibration, its steps chosen where the user did not set one.
+Result<setup::Setup> setup_to_fit(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,
+                                  const ui::commands::Settings& settings, const Progress& progress) {
+    setup::SetupSettings chosen = setup_settings(settings);
+    // A step that the user did not set may be replaced by one that suits the fit.
+    if (!settings.own_step) chosen.h_s.reset();
+    Result<setup::Setup> setup = scene_setup(scene, body, settings, chosen, progress);
+    if (!setup) return setup;
+    if (const std::optional<std::string> untested = prediction::untested_fit(*setup))
+        setup->warnings.push_back(*untested);
+    if (!chosen.h_s) check::choose_declared_steps(*setup, check::findings_on_units(*setup), progress);
+    setup::check_integration(*setup);
+    return setup;
+}
+
+/// Rows of the fitted values, with standard deviations; the live rows have none.
+std::vector<ui::commands::ParameterRow> fitted_rows(const setup::Setup& setup,
+                                                    const calibration::Calibration& calibration) {
+    std::vector<ui::commands::ParameterRow> rows;
+    for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
+        const auto k = static_cast<Eigen::Index>(i);
+        rows.push_back(parameter_row(calibration.parameters[i], setup, calibration.fit.start(k),
+                                     calibration.fit.values(k), calibration.deviation(i)));
+    }
+    return rows;
+}
+
+/// The fitted values as settings.
+ui::commands::Settings fitted_settings(const setup::Setup& setup, const calibration::Calibration& calibration,
+                                       ui::commands::Settings settings) {
+    settings.youngs_modulus_Pa = calibration.after.values.youngs_modulus_Pa;
+    settings.damping_s = calibration.after.values.damping_s;
+    set_law_values(calibration.after.values.law, settings);
+    if (!settings.own_step) settings.time_step_s = prediction::shortest_step_s(setup);
+    return settings;
+}
+
+/// Run, checks and report page of a calibration.
+void show_calibrated(ui::commands::SearchResult& result, const setup::Setup& setup,
+                     const calibration::Calibration& calibration) {
+    results::RunFacts facts{MYOLOOP_VERSION, {"workbench"}};
+    const std::vector<setup::TrialStep> seen = prediction::steps_seen_in(setup, calibration.after);
+    facts.findings = check::check_after(
+        {.setup = setup, .run = &calibration.after, .calibration = &calibration, .seen = &seen});
+    result.run = shown_run(setup, calibration.after);
+    add_vibrations(seen, result.run);
+    result.run.checks = check_rows(facts.findings);
+    result.run.seconds = calibration.seconds;
+    result.page = std::make_shared<const report::HtmlReport>(results::calibration_report(setup, calibration, facts));
+}
+
+/// The result of a calibration for the window.
+ui::commands::SearchResult calibrated(const setup::Setup& setup, const calibration::Calibration& calibration,
+                                      const ui::commands::Settings& settings) {
+    ui::commands::SearchResult result;
+    result.title = "Calibrated";
+    result.evaluations = calibration.fit.evaluations;
+    result.stopped = calibration.stopped;
+    result.warnings = calibration.warnings;
+    if (const std::optional<std::string> untested = prediction::untested_fit(setup))
+        result.warnings.push_back(*untested);
+    if (!calibration.fit.converged() && !calibration.stopped)
+        result.problem = "The fit did not converge: " + calibration.fit.message;
+    result.parameters = fitted_rows(setup, calibration);
+    result.rms_before_m = calibration.before.fit_rms_m;
+    result.rms_after_m = calibration.after.fit_rms_m;
+    result.settings = fitted_settings(setup, calibration, settings);
+    show_calibrated(result, setup, calibration);
+    return result;
+}
+
+calibration::OptimizeSettings optimize_settings(const ui::commands::OptimizeRequest& request, double h_s) {
+    calibration::OptimizeSettings how;
+    // At most one knot per time step.
+    how.frequency_Hz = std::min(request.frequency_Hz, 1.0 / h_s);
+    how.lowest = request.lowest;
+    how.highest = request.highest;
+    how.max_evaluations = request.max_evaluations;
+    return how;
+}
+
+/// Values, errors and settings that a search for signals has found. `h_s`: step that it used.
+ui::commands::SearchResult optimized(const inverse::ActuationProblem& problem, const calibration::Optimization& found,
+                                     const ui::commands::Settings& settings, const std::string& trial, double h_s) {
+    ui::commands::SearchResult result;
+    result.title = "Optimised";
+    result.settings = with_signals(settings, inverse::activations_of(problem.sought, found.fit.values));
+    if (!settings.own_step) result.settings.time_step_s = h_s;
+    result.evaluations = static_cast<int>(found.fit.log.size());
+    result.stopped = found.stopped;
+    result.warnings = found.warnings;
+    if (!found.fit.converged() && !found.stopped) result.problem = "The search did not converge: " + found.fit.message;
+    result.parameters = signal_rows(problem, found.fit.start, found.fit.values);
+    for (ui::commands::ParameterRow& row : result.parameters) row.deviation = nothing_known;
+    result.notes = {"Signals follow " + trial + "; the muscles use them in all trials now."};
+    result.rms_before_m = found.before.fit_rms_m;
+    result.rms_after_m = found.after.fit_rms_m;
+    return result;
+}
+
 }  // namespace
 
 Result<ui::commands::SearchResult> calibrate_scene(const ui::commands::Scene& scene,
                                                    const ui::commands::MeshedBody& body,
                                                    const ui::commands::Settings& settings, const Progress& progress,
                                                    const ui::commands::Backend::LiveSearch& live) {
-    setup::SetupSettings chosen = setup_settings(settings);
-    // A step that the user did not set may be replaced by one that suits the fit.
-    if (!settings.own_step) chosen.h_s.reset();
-    Result<setup::Setup> setup = scene_setup(scene, body, settings, chosen, progress);
+    Result<setup::Setup> setup = setup_to_fit(scene, body, settings, progress);
     if (!setup) return setup.error();
-    const std::optional<std::string> untested = prediction::untested_fit(*setup);
-    if (untested) setup->warnings.push_back(*untested);
-    if (!chosen.h_s) check::choose_declared_steps(*setup, check::findings_on_units(*setup), progress);
-    setup::check_integration(*setup);
     const std::vector<prediction::ModelParameter> parameters = prediction::free_parameters(*setup);
     const prediction::ParameterValues declared = prediction::declared_values(*setup);
     ui::commands::SearchView view;
@@ -219,14 +326,7 @@ Result<ui::commands::SearchResult> calibrate_scene(const ui::commands::Scene& sc
                                ? ui::commands::SearchPoint{step.cost, step.rms_m, step.gradient_norm}
                                : ui::commands::SearchPoint{});
         if (step.best) {
-            view.parameters.clear();
-            for (const prediction::ModelParameter& p : parameters)
-                view.parameters.push_back(parameter_row(p, *setup, prediction::value_of(p, declared),
-                                                        prediction::value_of(p, step.values), nothing_known));
-            view.settings = settings;
-            view.settings.youngs_modulus_Pa = step.values.youngs_modulus_Pa;
-            view.settings.damping_s = step.values.damping_s;
-            set_law_values(step.values.law, view.settings);
+            show_values(view, *setup, parameters, declared, step.values, settings);
             if (pace.due()) {
                 const Stopwatch watch;
                 view.best = run_of(*setup, step.values, fit_trials(*setup), *step.best);
@@ -237,37 +337,7 @@ Result<ui::commands::SearchResult> calibrate_scene(const ui::commands::Scene& sc
     };
     const calibration::Calibration calibration = calibration::calibrate_with_chosen_steps(*setup, how, progress);
     if (!calibration.usable()) return Error{calibration.fit.message, ""};
-    ui::commands::SearchResult result;
-    result.title = "Calibrated";
-    result.settings = settings;
-    result.evaluations = calibration.fit.evaluations;
-    result.stopped = calibration.stopped;
-    result.warnings = calibration.warnings;
-    if (untested) result.warnings.push_back(*untested);
-    results::RunFacts facts{MYOLOOP_VERSION, {"workbench"}};
-    const std::vector<setup::TrialStep> seen = prediction::steps_seen_in(*setup, calibration.after);
-    facts.findings = check::check_after(
-        {.setup = *setup, .run = &calibration.after, .calibration = &calibration, .seen = &seen});
-    if (!calibration.fit.converged() && !calibration.stopped)
-        result.problem = "The fit did not converge: " + calibration.fit.message;
-    for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
-        const auto k = static_cast<Eigen::Index>(i);
-        // Final rows have standard deviations; the live ones have none.
-        result.parameters.push_back(parameter_row(calibration.parameters[i], *setup, calibration.fit.start(k),
-                                                  calibration.fit.values(k), calibration.deviation(i)));
-    }
-    result.rms_before_m = calibration.before.fit_rms_m;
-    result.rms_after_m = calibration.after.fit_rms_m;
-    result.settings.youngs_modulus_Pa = calibration.after.values.youngs_modulus_Pa;
-    result.settings.damping_s = calibration.after.values.damping_s;
-    set_law_values(calibration.after.values.law, result.settings);
-    if (!settings.own_step) result.settings.time_step_s = prediction::shortest_step_s(*setup);
-    result.run = shown_run(*setup, calibration.after);
-    add_vibrations(seen, result.run);
-    result.run.checks = check_rows(facts.findings);
-    result.run.seconds = calibration.seconds;
-    result.page = std::make_shared<const report::HtmlReport>(results::calibration_report(*setup, calibration, facts));
-    return result;
+    return calibrated(*setup, calibration, settings);
 }
 
 Result<ui::commands::SearchResult> optimize_scene(const ui::commands::Scene& scene,
@@ -284,12 +354,7 @@ Result<ui::commands::SearchResult> optimize_scene(const ui::commands::Scene& sce
     const Result<std::size_t> trial = prediction::find_trial(setup->experiment, request.trial);
     if (!trial) return trial.error();
     setup::Setup one = prediction::with_one_trial(*setup, *trial);
-    calibration::OptimizeSettings how;
-    // At most one knot per time step.
-    how.frequency_Hz = std::min(request.frequency_Hz, 1.0 / one.trials.front().options.h_s);
-    how.lowest = request.lowest;
-    how.highest = request.highest;
-    how.max_evaluations = request.max_evaluations;
+    calibration::OptimizeSettings how = optimize_settings(request, one.trials.front().options.h_s);
     const Result<inverse::ActuationProblem> problem = calibration::actuation_problem(one, how);
     if (!problem) return problem.error();
     const Eigen::MatrixXd start = drawn_values(one, *problem);
@@ -300,19 +365,8 @@ Result<ui::commands::SearchResult> optimize_scene(const ui::commands::Scene& sce
     if (!found.usable())
         return Error{found.stopped ? "stopped before the first evaluation was complete" : found.fit.message, ""};
     setup::set_step(setup->trials[*trial], one.trials.front().options.h_s);  // displayed with the step that was used
-    ui::commands::SearchResult result;
-    result.title = "Optimised";
-    result.settings = with_signals(settings, inverse::activations_of(problem->sought, found.fit.values));
-    if (!settings.own_step) result.settings.time_step_s = one.trials.front().options.h_s;
-    result.evaluations = static_cast<int>(found.fit.log.size());
-    result.stopped = found.stopped;
-    result.warnings = found.warnings;
-    if (!found.fit.converged() && !found.stopped) result.problem = "The search did not converge: " + found.fit.message;
-    result.parameters = signal_rows(*problem, found.fit.start, found.fit.values);
-    for (ui::commands::ParameterRow& row : result.parameters) row.deviation = nothing_known;
-    result.notes = {"Signals follow " + request.trial + "; the muscles use them in all trials now."};
-    result.rms_before_m = found.before.fit_rms_m;
-    result.rms_after_m = found.after.fit_rms_m;
+    ui::commands::SearchResult result = optimized(*problem, found, settings, request.trial,
+                                                  one.trials.front().options.h_s);
     result.run = shown.found(found.fit);
     if (!found.stopped) {
         const prediction::SetupRun moved = calibration::run_with_found_signals(one, found, progress);

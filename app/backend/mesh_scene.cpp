@@ -72,6 +72,47 @@ effect::TrialContext site_of(const experiment::Experiment& experiment, const mod
     return context;
 }
 
+/// The body of the scene with the settings of the window.
+Result<model::Model> scene_model(const experiment::Experiment& experiment, const ui::commands::Settings& settings,
+                                 const setup::BodyMesh& mesh, const std::vector<int>& held) {
+    model::Model model;
+    // The same choice of element as in prepare_setup().
+    const bool fine = effect::any_varies_within_cells(experiment.effects);
+    model.body = model::make_body(mesh.mesh, fine ? fem::fine_element(mesh.element) : mesh.element, held);
+    model.material = material::find_material(settings.material, law_values(settings));
+    if (!model.material) return Error{"no material law '" + settings.material + "'", "material"};
+    model.moduli = model::uniform_moduli(model.body->cell_count(), settings.youngs_modulus_Pa, settings.poissons_ratio);
+    model.damping_s = settings.damping_s;
+    model.density_kg_m3 = settings.density_kg_m3;
+    model.velocity_force_1_s = settings.velocity_force_1_s;
+    model.gravity_m_s2 = experiment.gravity_m_s2;
+    Result<std::vector<fibre::FibreGroup>> muscles = setup::muscle_groups(experiment, mesh);
+    if (!muscles) return muscles.error();
+    model.fibres = std::make_shared<const std::vector<fibre::FibreGroup>>(std::move(*muscles));
+    model.activation.assign(experiment.muscles.size(), fibre::Signal::constant(1.0));
+    setup::declare_activation(experiment, model.activation);
+    return model;
+}
+
+/// The run for the window. Without a recording there is no error.
+ui::commands::RunResult shown_release(const dynamics::Trace& trace, model::Model model) {
+    ui::commands::RunResult result;
+    result.steps = std::max(0.0, static_cast<double>(trace.times_s.size()) - 1.0);
+    result.rms_m = std::numeric_limits<double>::quiet_NaN();
+    if (!trace.complete()) result.problem = trace.message;
+    ui::commands::SimulatedTrial shown;
+    shown.name = mesh_scene_trial().name;
+    shown.frames = trace.positions;
+    shown.frame_time_s = Eigen::Map<const Eigen::VectorXd>(trace.times_s.data(),
+                                                           static_cast<Eigen::Index>(trace.times_s.size()));
+    shown.rms_m = std::numeric_limits<double>::quiet_NaN();
+    result.trials.push_back(std::move(shown));
+    auto models = std::make_shared<RunModels>();
+    models->trials.push_back(std::move(model));
+    result.source = std::move(models);
+    return result;
+}
+
 }  // namespace
 
 Result<ui::commands::RunResult> run_mesh_scene(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,
@@ -85,23 +126,9 @@ Result<ui::commands::RunResult> run_mesh_scene(const ui::commands::Scene& scene,
     const std::vector<int> held = mesh::nodes_in_box(
         mesh->mesh, setup::held_part(experiment.clamp_box_m, mesh::bounding_box(scene.surface.vertices)));
     if (held.empty()) return Error{"no node lies at the held end; choose a finer resolution", experiment.name};
-    model::Model model;
-    // The same choice of element as in prepare_setup().
-    const bool fine = effect::any_varies_within_cells(experiment.effects);
-    model.body = model::make_body(mesh->mesh, fine ? fem::fine_element(mesh->element) : mesh->element, held);
-    model.material = material::find_material(settings.material, law_values(settings));
-    if (!model.material) return Error{"no material law '" + settings.material + "'", "material"};
-    model.moduli = model::uniform_moduli(model.body->cell_count(), settings.youngs_modulus_Pa, settings.poissons_ratio);
-    model.damping_s = settings.damping_s;
-    model.density_kg_m3 = settings.density_kg_m3;
-    model.velocity_force_1_s = settings.velocity_force_1_s;
-    model.gravity_m_s2 = experiment.gravity_m_s2;
-    Result<std::vector<fibre::FibreGroup>> muscles = setup::muscle_groups(experiment, *mesh);
-    if (!muscles) return muscles.error();
-    model.fibres = std::make_shared<const std::vector<fibre::FibreGroup>>(std::move(*muscles));
-    model.activation.assign(experiment.muscles.size(), fibre::Signal::constant(1.0));
-    setup::declare_activation(experiment, model.activation);
-    effect::Affected affected{std::move(model), {}, {}};
+    Result<model::Model> model = scene_model(experiment, settings, *mesh, held);
+    if (!model) return model.error();
+    effect::Affected affected{std::move(*model), {}, {}};
     affected.options.integrator = setup.scheme();
     affected.options.h_s = settings.time_step_s;
     affected.options.end_s = release_s;
@@ -109,27 +136,14 @@ Result<ui::commands::RunResult> run_mesh_scene(const ui::commands::Scene& scene,
     if (only) affected.options.end_s = std::min(only->end_s, release_s);
     const Stopwatch watch;
     const dynamics::Trace trace = dynamics::simulate(affected.model, affected.options, progress);
-
-    ui::commands::RunResult result;
-    result.seconds = watch.seconds();
-    result.steps = std::max(0.0, static_cast<double>(trace.times_s.size()) - 1.0);
+    const double seconds = watch.seconds();
     // A shortened run serves interaction and skips the check of the integration.
+    std::vector<std::string> warnings;
     if (!only)
-        result.warnings = setup::check_integration(affected.model, affected.options.integrator, affected.options.h_s)
-                              .warnings;
-    // Without a recording there is no error.
-    result.rms_m = std::numeric_limits<double>::quiet_NaN();
-    if (!trace.complete()) result.problem = trace.message;
-    ui::commands::SimulatedTrial shown;
-    shown.name = mesh_scene_trial().name;
-    shown.frames = trace.positions;
-    shown.frame_time_s = Eigen::Map<const Eigen::VectorXd>(trace.times_s.data(),
-                                                           static_cast<Eigen::Index>(trace.times_s.size()));
-    shown.rms_m = std::numeric_limits<double>::quiet_NaN();
-    result.trials.push_back(std::move(shown));
-    auto models = std::make_shared<RunModels>();
-    models->trials.push_back(std::move(affected.model));
-    result.source = std::move(models);
+        warnings = setup::check_integration(affected.model, affected.options.integrator, affected.options.h_s).warnings;
+    ui::commands::RunResult result = shown_release(trace, std::move(affected.model));
+    result.seconds = seconds;
+    result.warnings = std::move(warnings);
     return result;
 }
 

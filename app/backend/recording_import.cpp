@@ -77,6 +77,17 @@ bool is_bundled(const ui::commands::Scene& scene) {
 /// Whether the scene is an experiment with trials; only then are its markers fixed.
 bool has_trials(const ui::commands::Scene& scene) { return !source_of(scene).experiment.trials.empty(); }
 
+/// Why the marker cannot have its label; empty: it can.
+std::string problem_of_marker(const ui::commands::Scene& scene, const ui::commands::ImportedMarker& marker,
+                              const ui::commands::ImportView& view, Index label) {
+    if (has_trials(scene) && !declared(declared_scene_markers(scene), marker.name))
+        return "The experiment has no marker " + marker.name + ".";
+    if (!view.target_m.col(label).allFinite()) return "The marker " + marker.name + " has no place on the body yet.";
+    if (!has_trials(scene) && !view.before_m.col(label).allFinite())
+        return "The marker " + marker.name + " is not seen before the start; leave it out.";
+    return "";
+}
+
 /// First reason why the choices cannot become a trial; empty if they can.
 std::string problem_of(const ui::commands::Scene& scene, const ui::commands::ImportChoices& choices,
                        const ui::commands::ImportView& view) {
@@ -87,12 +98,8 @@ std::string problem_of(const ui::commands::Scene& scene, const ui::commands::Imp
         const ui::commands::ImportedMarker& marker = choices.markers[i];
         if (marker.name.empty()) continue;
         if (!names.insert(marker.name).second) return "Two labels are assigned to the marker " + marker.name + ".";
-        if (has_trials(scene) && !declared(declared_scene_markers(scene), marker.name))
-            return "The experiment has no marker " + marker.name + ".";
-        if (!view.target_m.col(static_cast<Index>(i)).allFinite())
-            return "The marker " + marker.name + " has no place on the body yet.";
-        if (!has_trials(scene) && !view.before_m.col(static_cast<Index>(i)).allFinite())
-            return "The marker " + marker.name + " is not seen before the start; leave it out.";
+        if (const std::string problem = problem_of_marker(scene, marker, view, static_cast<Index>(i)); !problem.empty())
+            return problem;
     }
     if (names.empty()) return "No label is assigned to a marker yet.";
     const experiment::Experiment& experiment = source_of(scene).experiment;
@@ -113,6 +120,96 @@ std::string problem_of(const ui::commands::Scene& scene, const ui::commands::Imp
     if (is_bundled(scene) && choices.folder.empty())
         return "Bundled examples are not changed: choose a folder for a copy of this one.";
     return "";
+}
+
+/// Registration by all pairs of recorded and known positions; three non-collinear ones also determine the rotation.
+void place_by_pairs(ui::commands::ImportView& view, const ui::commands::Scene& scene,
+                    const ui::commands::ImportChoices& choices, const Matrix3Xd& seen,
+                    const std::vector<Index>& pairs) {
+    const Index count = seen.cols();
+    const Matrix3Xd from = seen(Eigen::all, pairs), to = view.target_m(Eigen::all, pairs);
+    view.rotation = rotation_of(choices.axes);
+    const std::string number = std::to_string(pairs.size()) + (pairs.size() == 1 ? " marker" : " markers");
+    const Result<measurement::Registration> fit = choices.turns ? measurement::rigid_registration(from, to)
+                                                                : Result<measurement::Registration>(Error{"", ""});
+    if (fit) {
+        view.rotation = fit->motion.rotation;
+        view.translation_m = fit->motion.translation;
+        view.placed_by = "Turned and shifted by " + number + ".";
+    } else if (!pairs.empty()) {
+        view.translation_m = (to - view.rotation * from).rowwise().mean();
+        view.placed_by = "Shifted by " + number +
+                         (choices.turns ? "; three that are not collinear turn it, too." : ".");
+    } else {
+        // Without pairs the centre of the markers is placed at the centre of the body, so that they are visible.
+        Vector3d sum = Vector3d::Zero();
+        int finite = 0;
+        for (Index i = 0; i < count; ++i)
+            if (seen.col(i).allFinite()) sum += seen.col(i), ++finite;
+        const Box box = scene.surface.vertices.cols() > 0 ? mesh::bounding_box(scene.surface.vertices) : Box{};
+        view.translation_m = 0.5 * (box.lowest + box.highest) - view.rotation * sum / std::max(1, finite);
+        view.placed_by = "Not placed yet: its centre is put on the centre of the body.";
+    }
+}
+
+/// Labels matched to the declared markers, by distances and by names. `size`: diagonal of the body [m].
+Result<std::vector<ui::commands::ImportedMarker>> matched_markers(const ui::commands::RecordingFile& file,
+                                                                  const ui::commands::ImportChoices& choices,
+                                                                  const std::vector<ui::commands::SceneMarker>& markers,
+                                                                  double size) {
+    const std::vector<std::string>& labels = file.recording->labels;
+    std::vector<ui::commands::ImportedMarker> by_distance(choices.markers.size());
+    Matrix3Xd rest(3, static_cast<Index>(markers.size()));
+    for (std::size_t m = 0; m < markers.size(); ++m) rest.col(static_cast<Index>(m)) = markers[m].rest_m;
+    const Matrix3Xd seen = places_before(file, choices.start_s);
+    // Markers may deviate from their rest positions by 3 % of the body's diagonal.
+    const Result<measurement::MarkerMatch> match = measurement::match_markers(rest, seen, 0.03 * size,
+                                                                              rotation_of(choices.axes));
+    if (!match) return match.error();
+    for (std::size_t m = 0; m < markers.size(); ++m)
+        if (const int label = match->seen[static_cast<Index>(m)]; label >= 0)
+            by_distance[static_cast<std::size_t>(label)].name = markers[m].name;
+    // Names decide if positions are ambiguous or do not match.
+    Index named = 0;
+    std::vector<ui::commands::ImportedMarker> by_name(labels.size());
+    for (std::size_t i = 0; i < labels.size(); ++i)
+        for (const ui::commands::SceneMarker& marker : markers)
+            if (plain(marker.name) == plain(labels[i])) by_name[i].name = marker.name, ++named;
+    if (named >= 3 && (!match->unique || match->count() < named)) return by_name;
+
+    return by_distance;
+}
+
+/// The trial, still without tracks. It is written in the mesh frame and in trial time, so no registration remains to be
+/// done.
+experiment::NewTrial new_trial(const ui::commands::RecordingFile& file, const ui::commands::ImportChoices& choices,
+                               double rms_m, const measurement::Recording& placed) {
+    experiment::NewTrial trial;
+    trial.name = choices.trial;
+    trial.role = choices.fit ? experiment::TrialRole::fit : experiment::TrialRole::validate;
+    trial.start = choices.straight ? experiment::StartState::straight : experiment::StartState::equilibrium;
+    char about[200];
+    std::snprintf(about, sizeof about, " from %.6g s on, registered with %.3g mm rms", choices.start_s, 1e3 * rms_m);
+    trial.origin = "From " + file.path.filename().string() + about + ".";
+    trial.recording.time_s = placed.time_s;
+    trial.recording.rate_Hz = placed.rate_Hz;
+    return trial;
+}
+
+/// Adds the trial to the experiment in `from`, or to a copy of it in `to`.
+Result<fs::path> add_to_folder(const fs::path& from, const fs::path& to, const experiment::NewTrial& trial) {
+    fs::path folder = from;
+    const bool elsewhere = !to.empty() && to != folder;
+    if (elsewhere)
+        if (const Result<void> copied = experiment::copy_experiment(folder, to); !copied) return copied.error();
+    if (elsewhere) folder = to;
+    if (const Result<void> added = experiment::add_trial(folder, trial); !added) {
+        std::error_code ignored;
+        // The copy is removed if the trial could not be added.
+        if (elsewhere) fs::remove_all(folder, ignored);
+        return added.error();
+    }
+    return folder;
 }
 
 }  // namespace
@@ -178,30 +275,7 @@ ui::commands::ImportView view_recording(const ui::commands::Scene& scene, const 
             view.target_m.col(i) = own->rest_m;
         if (view.target_m.col(i).allFinite() && seen.col(i).allFinite()) pairs.push_back(i);
     }
-    // Registration by all pairs of recorded and known positions; three non-collinear ones also determine the rotation.
-    const Matrix3Xd from = seen(Eigen::all, pairs), to = view.target_m(Eigen::all, pairs);
-    view.rotation = rotation_of(choices.axes);
-    const std::string number = std::to_string(pairs.size()) + (pairs.size() == 1 ? " marker" : " markers");
-    const Result<measurement::Registration> fit = choices.turns ? measurement::rigid_registration(from, to)
-                                                                : Result<measurement::Registration>(Error{"", ""});
-    if (fit) {
-        view.rotation = fit->motion.rotation;
-        view.translation_m = fit->motion.translation;
-        view.placed_by = "Turned and shifted by " + number + ".";
-    } else if (!pairs.empty()) {
-        view.translation_m = (to - view.rotation * from).rowwise().mean();
-        view.placed_by = "Shifted by " + number +
-                         (choices.turns ? "; three that are not collinear turn it, too." : ".");
-    } else {
-        // Without pairs the centre of the markers is placed at the centre of the body, so that they are visible.
-        Vector3d sum = Vector3d::Zero();
-        int finite = 0;
-        for (Index i = 0; i < count; ++i)
-            if (seen.col(i).allFinite()) sum += seen.col(i), ++finite;
-        const Box box = scene.surface.vertices.cols() > 0 ? mesh::bounding_box(scene.surface.vertices) : Box{};
-        view.translation_m = 0.5 * (box.lowest + box.highest) - view.rotation * sum / std::max(1, finite);
-        view.placed_by = "Not placed yet: its centre is put on the centre of the body.";
-    }
+    place_by_pairs(view, scene, choices, seen, pairs);
     view.before_m = (view.rotation * seen).colwise() + view.translation_m;
     view.residual_m = (view.before_m - view.target_m).colwise().norm();
     double squares = 0.0;
@@ -221,24 +295,9 @@ Result<ui::commands::ImportChoices> propose_recording_markers(const ui::commands
     const double size = scene.surface.vertices.cols() > 0 ? mesh::bounding_box(scene.surface.vertices).size().norm()
                                                           : 0.1;
     if (!markers.empty()) {
-        Matrix3Xd rest(3, static_cast<Index>(markers.size()));
-        for (std::size_t m = 0; m < markers.size(); ++m) rest.col(static_cast<Index>(m)) = markers[m].rest_m;
-        const Matrix3Xd seen = places_before(file, choices.start_s);
-        // Markers may deviate from their rest positions by 3 % of the body's diagonal.
-        const Result<measurement::MarkerMatch> match = measurement::match_markers(rest, seen, 0.03 * size,
-                                                                                  rotation_of(choices.axes));
-        if (!match) return match.error();
-        for (ui::commands::ImportedMarker& marker : proposed.markers) marker = {};
-        for (std::size_t m = 0; m < markers.size(); ++m)
-            if (const int label = match->seen[static_cast<Index>(m)]; label >= 0)
-                proposed.markers[static_cast<std::size_t>(label)].name = markers[m].name;
-        // Names decide if positions are ambiguous or do not match.
-        Index named = 0;
-        std::vector<ui::commands::ImportedMarker> by_name(labels.size());
-        for (std::size_t i = 0; i < labels.size(); ++i)
-            for (const ui::commands::SceneMarker& marker : markers)
-                if (plain(marker.name) == plain(labels[i])) by_name[i].name = marker.name, ++named;
-        if (named >= 3 && (!match->unique || match->count() < named)) proposed.markers = by_name;
+        const auto matched = matched_markers(file, choices, markers, size);
+        if (!matched) return matched.error();
+        proposed.markers = *matched;
         return proposed;
     }
     const ui::commands::ImportView view = view_recording(scene, file, choices);
@@ -287,17 +346,7 @@ Result<fs::path> add_recording_trial(const ui::commands::Scene& scene, const ui:
     const measurement::Recording placed = measurement::shift_time(
         measurement::transform(*file.recording, {view.rotation, view.translation_m}), -choices.start_s);
     experiment::Experiment declared = with_settings(source_of(scene).experiment, settings);
-    experiment::NewTrial trial;
-    trial.name = choices.trial;
-    trial.role = choices.fit ? experiment::TrialRole::fit : experiment::TrialRole::validate;
-    trial.start = choices.straight ? experiment::StartState::straight : experiment::StartState::equilibrium;
-    char about[200];
-    std::snprintf(about, sizeof about, " from %.6g s on, registered with %.3g mm rms", choices.start_s,
-                  1e3 * view.rms_m);
-    trial.origin = "From " + file.path.filename().string() + about + ".";
-    // The trial is written in the mesh frame and in trial time; no registration remains to be done.
-    trial.recording.time_s = placed.time_s;
-    trial.recording.rate_Hz = placed.rate_Hz;
+    experiment::NewTrial trial = new_trial(file, choices, view.rms_m, placed);
     const auto add = [&](const std::string& name, Matrix3Xd track) {
         trial.recording.labels.push_back(name);
         trial.recording.tracks.push_back(std::move(track));
@@ -323,19 +372,7 @@ Result<fs::path> add_recording_trial(const ui::commands::Scene& scene, const ui:
                           ? placed.tracks[static_cast<std::size_t>(found - choices.markers.begin())]
                           : Matrix3Xd::Constant(3, placed.sample_count(), unseen));
     }
-    fs::path folder = declared.folder;
-    const bool elsewhere = !choices.folder.empty() && choices.folder != folder;
-    if (elsewhere)
-        if (const Result<void> copied = experiment::copy_experiment(folder, choices.folder); !copied)
-            return copied.error();
-    if (elsewhere) folder = choices.folder;
-    if (const Result<void> added = experiment::add_trial(folder, trial); !added) {
-        std::error_code ignored;
-        // The copy is removed if the trial could not be added.
-        if (elsewhere) fs::remove_all(folder, ignored);
-        return added.error();
-    }
-    return folder;
+    return add_to_folder(declared.folder, choices.folder, trial);
 }
 
 }  // namespace myo::backend

@@ -146,92 +146,131 @@ chart::Series path(const std::string& name, const std::vector<Vector3d>& tips, c
 
 std::string mm(double m) { return format_number(1e3 * m, 3); }
 
-Result<Reproduction> run_arm_chamber(const ReproduceSettings& settings, const Progress& progress) {
-    // The same edge length for chambers and muscle models, so that they are comparable.
-    const double edge = settings.coarse ? 9e-3 : 5e-3;
-    const Result<ChamberedArm> arm = make_chambered_arm(settings, edge);
-    if (!arm) return arm.error();
-    const bool own_file = std::filesystem::exists(chamber_geometry_file(settings));
-    const Result<std::vector<RobotTrial>> trials = read_arm_sweep(settings);
-    if (!trials) return trials.error();
-    Reproduction result;
-    result.title = "Pneumatic arm: pressure in true chambers against the muscle model";
-    if (!own_file)
-        result.warnings.push_back(
-            "the fine mesh of the paper's arm with its ribbed chambers is not public: a plain arm with chambers stands "
-            "in for it; a closed surface in mm at " +
-            chamber_geometry_file(settings).string() + " would be used instead");
-    if (trials->empty()) result.warnings.push_back(missing_data(settings, "arm_pressure_sweep"));
-    std::vector<double> pressures;
-    for (const RobotTrial& trial : *trials) pressures.push_back(trial.pressure_mbar);
-    // Without recordings, the pressures of the paper.
-    if (pressures.empty()) pressures = {75.0, 125.0, 175.0, 225.0, 275.0, 325.0, 375.0};
+/// The two muscle models that imitate the chambers.
+struct MuscleModels {
+    MuscleFit single, tied;
+};
 
-    const Result<Inflation> inflation = pressurise(*arm, pressures, progress);
-    if (!inflation) return inflation.error();
-    const std::vector<ChamberPose>& poses = inflation->poses;
-    pressures.resize(poses.size());
-    if (inflation->ballooned_mbar > 0.0)
-        result.warnings.push_back(
-            "at " + format_number(inflation->ballooned_mbar, 3) +
-            " mbar the walls of the chambers balloon: there is no equilibrium any more, and nothing is said beyond");
-    const Result<MuscleFit> single = imitate(poses, one_muscle(), edge, progress);
-    if (!single) return single.error();
-    const Result<MuscleFit> tied = imitate(poses, tied_muscles(), edge, progress);
-    if (!tied) return tied.error();
-
-    // One row per pressure, chambers first, then the two muscle models and the real arm.
+/// Chambers, muscle models and the real arm, one row per pressure, with the ways of their tips.
+struct ChamberComparison {
     report::Table table;
-    table.caption = "Tip of the arm with its chambers at +x under pressure, and the muscle level that comes nearest";
-    table.columns = {{"pressure", "mbar"},        {"tip x", "mm"},      {"tip z", "mm"},      {"bent by", "deg"},
-                     {"chambers grown by", "ml"}, {"AC1 level"},        {"AC1 off by", "mm"}, {"AC2 level"},
-                     {"AC2 off by", "mm"},        {"real arm x", "mm"}, {"real arm z", "mm"}};
     std::vector<Vector3d> chamber_tips, single_tips, tied_tips, real_tips;
+};
+
+ChamberComparison compare(const std::vector<ChamberPose>& poses, const MuscleModels& muscles,
+                          const std::vector<RobotTrial>& trials) {
+    ChamberComparison all;
+    all.table
+        .caption = "Tip of the arm with its chambers at +x under pressure, and the muscle level that comes nearest";
+    all.table.columns = {{"pressure", "mbar"},        {"tip x", "mm"},      {"tip z", "mm"},      {"bent by", "deg"},
+                         {"chambers grown by", "ml"}, {"AC1 level"},        {"AC1 off by", "mm"}, {"AC2 level"},
+                         {"AC2 off by", "mm"},        {"real arm x", "mm"}, {"real arm z", "mm"}};
     for (std::size_t i = 0; i < poses.size(); ++i) {
         const ChamberPose& pose = poses[i];
         const Vector3d tip = pose.tip_m();
-        const Vector3d real = i < trials->size() ? Vector3d(pose_at((*trials)[i], Instant::end).col(0))
-                                                 : Vector3d::Constant(std::nan(""));
-        table.rows.push_back({pose.pressure_mbar, 1e3 * tip(0), 1e3 * tip(2), pose.bent_rad * 180.0 / std::numbers::pi,
-                              1e6 * pose.grown_m3, single->levels[i], 1e3 * single->rms_m[i], tied->levels[i],
-                              1e3 * tied->rms_m[i], 1e3 * real(0), 1e3 * real(2)});
-        chamber_tips.push_back(tip);
-        single_tips.emplace_back(single->points_m[i].rowwise().mean());
-        tied_tips.emplace_back(tied->points_m[i].rowwise().mean());
-        if (real.allFinite()) real_tips.push_back(real);
+        const Vector3d real = i < trials.size() ? Vector3d(pose_at(trials[i], Instant::end).col(0))
+                                                : Vector3d::Constant(std::nan(""));
+        all.table.rows.push_back({pose.pressure_mbar, 1e3 * tip(0), 1e3 * tip(2),
+                                  pose.bent_rad * 180.0 / std::numbers::pi, 1e6 * pose.grown_m3,
+                                  muscles.single.levels[i], 1e3 * muscles.single.rms_m[i], muscles.tied.levels[i],
+                                  1e3 * muscles.tied.rms_m[i], 1e3 * real(0), 1e3 * real(2)});
+        all.chamber_tips.push_back(tip);
+        all.single_tips.emplace_back(muscles.single.points_m[i].rowwise().mean());
+        all.tied_tips.emplace_back(muscles.tied.points_m[i].rowwise().mean());
+        if (real.allFinite()) all.real_tips.push_back(real);
     }
-    result.tables = {table};
+    return all;
+}
+
+std::string tip_figure(const ChamberComparison& all) {
     chart::Chart chart;
     chart.title = "Way of the tip as the pressure rises";
     chart.x = {.label = "towards the unpressurised side", .unit = "mm", .include_zero = true};
     chart::Panel panel;
     panel.y = {.label = "up", .unit = "mm", .include_zero = true};
-    panel.series = {path("chambers", chamber_tips, chart::SeriesStyle::line_and_dots),
-                    path("AC1", single_tips, chart::SeriesStyle::dashed),
-                    path("AC2", tied_tips, chart::SeriesStyle::line)};
-    if (!real_tips.empty())
+    panel.series = {path("chambers", all.chamber_tips, chart::SeriesStyle::line_and_dots),
+                    path("AC1", all.single_tips, chart::SeriesStyle::dashed),
+                    path("AC2", all.tied_tips, chart::SeriesStyle::line)};
+    if (!all.real_tips.empty())
         panel.series.push_back(
-            path("real arm, other chambers", real_tips, chart::SeriesStyle::dots, chart::ink_colour));
+            path("real arm, other chambers", all.real_tips, chart::SeriesStyle::dots, chart::ink_colour));
     chart.panels = {panel};
-    result.figures = {{"", {chart::svg(chart), "Tip centre of the lower face, from where it hangs without pressure."}}};
+    return chart::svg(chart);
+}
 
+/// @param pressures  [mbar], those of the poses
+std::vector<std::string> chamber_findings(const std::vector<ChamberPose>& poses, const std::vector<double>& pressures,
+                                          const MuscleModels& muscles) {
     const ChamberPose& last = poses.back();
     int iterations = 0;
     for (const ChamberPose& pose : poses) iterations += pose.iterations;
-    result.findings = {
+    return {
         "At " + format_number(last.pressure_mbar, 3) + " mbar the chambers move the tip by " + mm(last.tip_m().norm()) +
             " mm and bend it by " + format_number(last.bent_rad * 180.0 / std::numbers::pi, 3) +
             " degrees; they grow by " + format_number(1e6 * last.grown_m3, 3) + " ml.",
-        "One muscle in their place comes within " + mm(single->rms_m.back()) +
-            " mm rms of the lower face then, two antagonists (AC2) within " + mm(tied->rms_m.back()) +
+        "One muscle in their place comes within " + mm(muscles.single.rms_m.back()) +
+            " mm rms of the lower face then, two antagonists (AC2) within " + mm(muscles.tied.rms_m.back()) +
             " mm: a muscle that lengthens carries no pressure on the end caps and the side walls.",
         "The level of AC1 over pressure departs from a straight line by " +
-            format_number(100.0 * bend_of_curve(pressures, single->levels, 1.0), 2) +
-            " % of its range, that of AC2 by " + format_number(100.0 * bend_of_curve(pressures, tied->levels, 1.0), 2) +
+            format_number(100.0 * bend_of_curve(pressures, muscles.single.levels, 1.0), 2) +
+            " % of its range, that of AC2 by " +
+            format_number(100.0 * bend_of_curve(pressures, muscles.tied.levels, 1.0), 2) +
             " %: a muscle model needs a map from pressure to level.",
         std::to_string(iterations) +
             " iterations of the solver for all pressures; the pressure follows its walls, and its tangent is that of "
             "the enclosed volume."};
+}
+
+/// What limits the comparison: the body that stands in for the arm, missing data, and walls that balloon.
+std::vector<std::string> chamber_warnings(const ReproduceSettings& settings, bool own_file, bool recorded,
+                                          double ballooned_mbar) {
+    std::vector<std::string> warnings;
+    if (!own_file)
+        warnings.push_back(
+            "the fine mesh of the paper's arm with its ribbed chambers is not public: a plain arm with chambers stands "
+            "in for it; a closed surface in mm at " +
+            chamber_geometry_file(settings).string() + " would be used instead");
+    if (!recorded) warnings.push_back(missing_data(settings, "arm_pressure_sweep"));
+    if (ballooned_mbar > 0.0)
+        warnings.push_back(
+            "at " + format_number(ballooned_mbar, 3) +
+            " mbar the walls of the chambers balloon: there is no equilibrium any more, and nothing is said beyond");
+    return warnings;
+}
+
+/// Pressures of the recordings [mbar]; without recordings, those of the paper.
+std::vector<double> sweep_pressures(const std::vector<RobotTrial>& trials) {
+    std::vector<double> pressures;
+    for (const RobotTrial& trial : trials) pressures.push_back(trial.pressure_mbar);
+    if (pressures.empty()) pressures = {75.0, 125.0, 175.0, 225.0, 275.0, 325.0, 375.0};
+    return pressures;
+}
+
+Result<Reproduction> run_arm_chamber(const ReproduceSettings& settings, const Progress& progress) {
+    // The same edge length for chambers and muscle models, so that they are comparable.
+    const double edge = settings.coarse ? 9e-3 : 5e-3;
+    const Result<ChamberedArm> arm = make_chambered_arm(settings, edge);
+    if (!arm) return arm.error();
+    const Result<std::vector<RobotTrial>> trials = read_arm_sweep(settings);
+    if (!trials) return trials.error();
+    std::vector<double> pressures = sweep_pressures(*trials);
+    const Result<Inflation> inflation = pressurise(*arm, pressures, progress);
+    if (!inflation) return inflation.error();
+    const std::vector<ChamberPose>& poses = inflation->poses;
+    pressures.resize(poses.size());
+    const Result<MuscleFit> single = imitate(poses, one_muscle(), edge, progress);
+    if (!single) return single.error();
+    const Result<MuscleFit> tied = imitate(poses, tied_muscles(), edge, progress);
+    if (!tied) return tied.error();
+    const MuscleModels muscles{*single, *tied};
+    const ChamberComparison all = compare(poses, muscles, *trials);
+    const bool own_file = std::filesystem::exists(chamber_geometry_file(settings));
+    Reproduction result;
+    result.title = "Pneumatic arm: pressure in true chambers against the muscle model";
+    result.warnings = chamber_warnings(settings, own_file, !trials->empty(), inflation->ballooned_mbar);
+    result.tables = {all.table};
+    result.figures = {{"", {tip_figure(all), "Tip centre of the lower face, from where it hangs without pressure."}}};
+    result.findings = chamber_findings(poses, pressures, muscles);
     result.values["chambers"] = arm->chambers;
     result.values["dofs"] = arm->model.body->dofs();
     result.values["geometry"] = own_file ? "file" : "plain";

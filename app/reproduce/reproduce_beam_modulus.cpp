@@ -255,17 +255,8 @@ Result<std::vector<Job>> fit_all(const Targets& targets, const ReproduceSettings
     return jobs;
 }
 
-Result<Reproduction> run_beam_modulus(const ReproduceSettings& settings, const Progress& progress) {
-    Result<std::vector<BeamTrial>> trials = read_beam_trials(settings);
-    if (!trials) return trials.error();
-    std::erase_if(*trials, [](const BeamTrial& trial) { return trial.tip_force_N == 0.0; });
-    const Targets targets = make_targets(*trials, settings.coarse);
-    const Result<std::vector<Job>> jobs = fit_all(targets, settings, progress);
-    if (!jobs) return jobs.error();
-
-    Reproduction result;
-    result.title = "Young's modulus from the loaded beam at rest";
-    if (trials->empty()) result.warnings.push_back(missing_data(settings, "beam"));
+/// One row per model and target.
+report::Table modulus_table(const Targets& targets, const std::vector<Job>& jobs) {
     report::Table table{
         "Fits of x and z of Top, Left and Right; the paper: 283,271 Pa on average, a commercial solver 263,824 Pa",
         {{"model and target"},
@@ -278,10 +269,47 @@ Result<Reproduction> run_beam_modulus(const ReproduceSettings& settings, const P
          {"left over, rms", "mm", 3}},
         {}};
     for (std::size_t k = 0; k < targets.all.size(); ++k) {
-        const Summary s = summarise(*jobs, k);
+        const Summary s = summarise(jobs, k);
         table.rows.push_back({targets.all[k].name, s.starts, s.mean_Pa, 100.0 * (s.mean_Pa / paper_Pa - 1.0),
                               100.0 * (s.mean_Pa / commercial_Pa - 1.0), 100.0 * s.spread, s.simulations,
                               1e3 * s.rms_m});
+    }
+    return table;
+}
+
+/// Every start of the targets that are fitted repeatedly.
+report::Table start_table(const Targets& targets, const std::vector<Job>& jobs) {
+    report::Table starts{
+        "Every start", {{"model and target"}, {"start", "Pa", 6}, {"end", "Pa", 8}, {"simulations", "", 2}}, {}};
+    for (const Job& job : jobs)
+        if (job.target < targets.repeated)
+            starts.rows.push_back({targets.all[job.target].name, job.start_Pa, job.fit->end_Pa, job.fit->simulations});
+    return starts;
+}
+
+/// The difference of the two models on the same data is the model error that the published modulus contains.
+std::string model_error(double own_Pa, double published_Pa) {
+    return "Fitted to the same recordings, the formulation as published gives " + format_number(published_Pa) +
+           " Pa, " + format_number(100.0 * (published_Pa / paper_Pa - 1.0), 2) +
+           " % from the paper's value, and our "
+           "model " +
+           format_number(own_Pa) + " Pa: " + format_number(100.0 * (published_Pa / own_Pa - 1.0), 2) +
+           " % of the paper's modulus are the model's errors.";
+}
+
+Result<Reproduction> run_beam_modulus(const ReproduceSettings& settings, const Progress& progress) {
+    Result<std::vector<BeamTrial>> trials = read_beam_trials(settings);
+    if (!trials) return trials.error();
+    std::erase_if(*trials, [](const BeamTrial& trial) { return trial.tip_force_N == 0.0; });
+    const Targets targets = make_targets(*trials, settings.coarse);
+    const Result<std::vector<Job>> jobs = fit_all(targets, settings, progress);
+    if (!jobs) return jobs.error();
+
+    Reproduction result;
+    result.title = "Young's modulus from the loaded beam at rest";
+    if (trials->empty()) result.warnings.push_back(missing_data(settings, "beam"));
+    for (std::size_t k = 0; k < targets.all.size(); ++k) {
+        const Summary s = summarise(*jobs, k);
         result.values["fits"].push_back({{"name", targets.all[k].name},
                                          {"starts", s.starts},
                                          {"youngs_modulus_Pa", s.mean_Pa},
@@ -295,20 +323,10 @@ Result<Reproduction> run_beam_modulus(const ReproduceSettings& settings, const P
                                       std::to_string(s.simulations) + " simulations each.");
     }
     if (!trials->empty()) {
-        // The difference of the two models on the same data is the model error that the published modulus contains.
         const double own = summarise(*jobs, 1).mean_Pa, published = summarise(*jobs, 2).mean_Pa;
-        result.findings.push_back(
-            "Fitted to the same recordings, the formulation as published gives " + format_number(published) + " Pa, " +
-            format_number(100.0 * (published / paper_Pa - 1.0), 2) + " % from the paper's value, and our model " +
-            format_number(own) + " Pa: " + format_number(100.0 * (published / own - 1.0), 2) +
-            " % of the paper's modulus are the model's errors.");
+        result.findings.push_back(model_error(own, published));
     }
-    report::Table starts{
-        "Every start", {{"model and target"}, {"start", "Pa", 6}, {"end", "Pa", 8}, {"simulations", "", 2}}, {}};
-    for (const Job& job : *jobs)
-        if (job.target < targets.repeated)
-            starts.rows.push_back({targets.all[job.target].name, job.start_Pa, job.fit->end_Pa, job.fit->simulations});
-    result.tables = {table, starts};
+    result.tables = {modulus_table(targets, *jobs), start_table(targets, *jobs)};
     const std::size_t shown = targets.repeated > 1 ? 1 : 0;
     result.figures.push_back(
         {"", {path_figure(*jobs, shown, targets.all[shown].name), "Ten starts, each dot one simulation."}});

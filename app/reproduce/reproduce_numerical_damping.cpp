@@ -161,6 +161,54 @@ double largest_error(const Setup& setup) {
     return largest;
 }
 
+/// Vibrations fitted to the real beam, and the mean of their damping ratios.
+struct MeasuredDamping {
+    report::Table table{
+        "The real beam without a weight: a damped vibration fitted to its Left marker, from 0.065 s to 1.5 s after the "
+        "release",
+        {{"recording"},
+         {"frequency", "Hz", 4},
+         {"decay", "1/s", 4},
+         {"damping ratio", "", 3},
+         {"left over, rms", "mm", 2}},
+        {}};
+    double ratio = 0.0;  // NaN without recordings
+};
+
+MeasuredDamping measured_damping(const std::vector<BeamTrial>& trials) {
+    MeasuredDamping measured;
+    for (const BeamTrial& trial : trials) {
+        const inverse::DampedCosine vibration = measured_vibration(trial);
+        measured.ratio += vibration.damping_ratio() / static_cast<double>(trials.size());
+        measured.table.rows.push_back({trial.name, hertz(vibration.omega_rad_s), vibration.rate_1_s,
+                                       vibration.damping_ratio(), 1e3 * vibration.rms});
+    }
+    if (trials.empty()) measured.ratio = std::nan("");
+    return measured;
+}
+
+std::vector<std::string> damping_findings(const std::vector<Setup>& studies, double measured) {
+    const double omega = studies[0].beam.mode.omega_rad_s;
+    double second_order = 0.0;
+    for (std::size_t i = 0; i < paper_step_count; ++i)
+        second_order = std::max(second_order, std::abs(studies[2].ratio(i)));
+    std::vector<std::string> findings{
+        "The simulated damping of implicit Euler follows the paper's formula within " +
+            format_number(100.0 * largest_error(studies[0]), 2) + " % on our beam (" + format_number(hertz(omega), 4) +
+            " Hz) and within " + format_number(100.0 * largest_error(studies[1]), 2) + " % on the beam as published (" +
+            format_number(hertz(studies[1].beam.mode.omega_rad_s), 4) + " Hz).",
+        "TR-BDF2 adds at 10 ms a damping ratio of " + format_number(studies[2].ratio(3), 2) + ", " +
+            std::to_string(std::lround(studies[0].ratio(3) / studies[2].ratio(3))) +
+            " times less than implicit Euler's " + format_number(studies[0].ratio(3), 3) +
+            "; the most at any of these steps is " + format_number(second_order, 2) + "."};
+    if (std::isfinite(measured))
+        findings.push_back("The real beam swings with a damping ratio of " + format_number(measured, 3) +
+                           ": implicit Euler damps by itself as much at h = " +
+                           format_number(1e3 * step_of_ratio(omega, measured), 3) +
+                           " ms, and more at all longer steps, whatever the material.");
+    return findings;
+}
+
 Result<Reproduction> run_numerical_damping(const ReproduceSettings& settings, const Progress& progress) {
     const Result<std::vector<BeamTrial>> all = read_beam_trials(settings);
     if (!all) return all.error();
@@ -174,45 +222,10 @@ Result<Reproduction> run_numerical_damping(const ReproduceSettings& settings, co
     Reproduction result;
     result.title = "Numerical damping of implicit Euler";
     if (trials.empty()) result.warnings.push_back(missing_data(settings, "beam"));
-    double measured = 0.0;
-    report::Table real{
-        "The real beam without a weight: a damped vibration fitted to its Left marker, from 0.065 s to 1.5 s after the "
-        "release",
-        {{"recording"},
-         {"frequency", "Hz", 4},
-         {"decay", "1/s", 4},
-         {"damping ratio", "", 3},
-         {"left over, rms", "mm", 2}},
-        {}};
-    for (const BeamTrial& trial : trials) {
-        const inverse::DampedCosine vibration = measured_vibration(trial);
-        measured += vibration.damping_ratio() / static_cast<double>(trials.size());
-        real.rows.push_back({trial.name, hertz(vibration.omega_rad_s), vibration.rate_1_s, vibration.damping_ratio(),
-                             1e3 * vibration.rms});
-    }
-    if (trials.empty()) measured = std::nan("");
+    const auto [real, measured] = measured_damping(trials);
     result.tables = {ratio_table(studies)};
     if (!trials.empty()) result.tables.push_back(real);
-
-    const double own_error = largest_error(studies[0]), published_error = largest_error(studies[1]),
-                 omega = studies[0].beam.mode.omega_rad_s;
-    double second_order = 0.0;
-    for (std::size_t i = 0; i < paper_step_count; ++i)
-        second_order = std::max(second_order, std::abs(studies[2].ratio(i)));
-    result.findings = {"The simulated damping of implicit Euler follows the paper's formula within " +
-                           format_number(100.0 * own_error, 2) + " % on our beam (" + format_number(hertz(omega), 4) +
-                           " Hz) and within " + format_number(100.0 * published_error, 2) +
-                           " % on the beam as published (" + format_number(hertz(studies[1].beam.mode.omega_rad_s), 4) +
-                           " Hz).",
-                       "TR-BDF2 adds at 10 ms a damping ratio of " + format_number(studies[2].ratio(3), 2) + ", " +
-                           std::to_string(std::lround(studies[0].ratio(3) / studies[2].ratio(3))) +
-                           " times less than implicit Euler's " + format_number(studies[0].ratio(3), 3) +
-                           "; the most at any of these steps is " + format_number(second_order, 2) + "."};
-    if (!trials.empty())
-        result.findings.push_back("The real beam swings with a damping ratio of " + format_number(measured, 3) +
-                                  ": implicit Euler damps by itself as much at h = " +
-                                  format_number(1e3 * step_of_ratio(omega, measured), 3) +
-                                  " ms, and more at all longer steps, whatever the material.");
+    result.findings = damping_findings(studies, measured);
     result.figures.push_back({"",
                               {ratio_figure(studies, measured),
                                "Damping ratio over time step: the paper's formula at the frequency of each beam, "
@@ -222,10 +235,10 @@ Result<Reproduction> run_numerical_damping(const ReproduceSettings& settings, co
          {trace_figure(studies, trials),
           "The paper's case A-1 for a selection of time steps, and the same with a method of second order."}});
     result.values = {{"measured_damping_ratio", report::json_number(measured)},
-                     {"our_frequency_Hz", hertz(omega)},
+                     {"our_frequency_Hz", hertz(studies[0].beam.mode.omega_rad_s)},
                      {"published_frequency_Hz", hertz(studies[1].beam.mode.omega_rad_s)},
-                     {"largest_error_our_beam", own_error},
-                     {"largest_error_as_published", published_error},
+                     {"largest_error_our_beam", largest_error(studies[0])},
+                     {"largest_error_as_published", largest_error(studies[1])},
                      {"tr_bdf2_ratio_at_10_ms", studies[2].ratio(3)},
                      {"our_dofs", studies[0].beam.model.body->dofs()},
                      {"published_dofs", studies[1].beam.model.body->dofs()}};

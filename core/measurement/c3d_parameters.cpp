@@ -92,6 +92,36 @@ std::size_t utf8_length(std::string_view text) {
     return length;
 }
 
+Error damaged_record(std::size_t at, const std::string& what, const std::string& file) {
+    return {"the parameter record " + at_byte(at) + " " + what + "; the parameter section is damaged", file};
+}
+
+/// Parameters by GROUP:NAME. A parameter may precede the record that names its group, so names are resolved at the end.
+std::map<std::string, C3dParameter> with_group_names(const std::map<int, std::string>& groups,
+                                                     const std::vector<PendingParameter>& pending) {
+    std::map<std::string, C3dParameter> entries;
+    for (const PendingParameter& entry : pending) {
+        const auto group = groups.find(entry.group);
+        if (group != groups.end()) entries[group->second + ":" + entry.name] = entry.parameter;
+    }
+    return entries;
+}
+
+/// Reads a record. Negative group number: definition of a group; positive: parameter of that group.
+Result<void> read_record(const C3dWords& words, std::size_t pointer, int group, const std::string& name,
+                         std::map<int, std::string>& groups, std::vector<PendingParameter>& pending, std::size_t at,
+                         const std::string& file) {
+    if (group == 0) return damaged_record(at, "belongs to no group", file);
+    if (group < 0) {
+        groups[-group] = name;
+        return {};
+    }
+    Result<C3dParameter> parameter = read_body(words, pointer + 2, name, file);
+    if (!parameter) return parameter.error();
+    pending.push_back({group, name, *parameter});
+    return {};
+}
+
 }  // namespace
 
 std::string clean_c3d_text(std::string_view text) {
@@ -158,36 +188,17 @@ Result<C3dParameters> read_c3d_parameters(const C3dWords& words, std::size_t sta
             std::abs(int{words.signed_byte(at)}));  // a negative length marks a locked record
         const int group = int{words.signed_byte(at + 1)};
         const std::size_t pointer = at + 2 + name_length;
-        if (!words.holds(pointer, 2)) {
+        if (!words.holds(pointer, 2))
             return Error{"the parameter record " + at_byte(at) + " runs over the end of the file", file};
-        }
         const std::string name = capitals(clean_c3d_text(words.text(at + 2, name_length)));
         const std::size_t step = words.word(pointer);
-        // Negative group number: definition of a group; positive: parameter of that group.
-        if (group < 0) {
-            groups[-group] = name;
-        } else if (group > 0) {
-            Result<C3dParameter> parameter = read_body(words, pointer + 2, name, file);
-            if (!parameter) return parameter.error();
-            pending.push_back({group, name, *parameter});
-        } else {
-            return Error{
-                "the parameter record " + at_byte(at) + " belongs to no group; the parameter section is damaged", file};
-        }
+        if (const Result<void> read = read_record(words, pointer, group, name, groups, pending, at, file); !read)
+            return read.error();
         if (step == 0) break;  // end mark of some writers
-        if (step < 2) {
-            return Error{
-                "the parameter record " + at_byte(at) + " points into itself; the parameter section is damaged", file};
-        }
+        if (step < 2) return damaged_record(at, "points into itself", file);
         at = pointer + step;
     }
-    // A parameter may precede the record that names its group: resolve names at the end.
-    std::map<std::string, C3dParameter> entries;
-    for (const PendingParameter& entry : pending) {
-        const auto group = groups.find(entry.group);
-        if (group != groups.end()) entries[group->second + ":" + entry.name] = entry.parameter;
-    }
-    return C3dParameters(words, std::move(entries));
+    return C3dParameters(words, with_group_names(groups, pending));
 }
 
 }  // namespace myo::measurement

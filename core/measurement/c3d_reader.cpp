@@ -146,6 +146,13 @@ Result<void> Reader::choose_counts(Layout& layout) const {
                    ", and the file size fits neither");
 }
 
+/// Why a file of `size` bytes is too short for the layout.
+std::string too_short(const Layout& layout, std::size_t size) {
+    return "ends at byte " + std::to_string(size) + ", but " + std::to_string(layout.frames) + " frames of " +
+           std::to_string(layout.points) + " points from byte " + std::to_string(layout.data_offset) + " need " +
+           std::to_string(layout.end()) + " bytes";
+}
+
 Result<Layout> Reader::layout(std::optional<double> unit_override) const {
     Layout layout;
     const double scale = parameters_.number("POINT:SCALE").value_or(words_.real(12));
@@ -153,17 +160,14 @@ Result<Layout> Reader::layout(std::optional<double> unit_override) const {
     // Format convention: a negative scale means float data.
     layout.real = scale < 0.0;
     layout.scale = std::abs(scale);
-
     layout.rate_Hz = parameters_.number("POINT:RATE").value_or(0.0);
     // Fall back to the header.
     if (!(layout.rate_Hz > 0.0)) layout.rate_Hz = words_.real(20);
-    if (!std::isfinite(layout.rate_Hz) || layout.rate_Hz < 1e-6 || layout.rate_Hz > 1e7) {
+    if (!std::isfinite(layout.rate_Hz) || layout.rate_Hz < 1e-6 || layout.rate_Hz > 1e7)
         return failure("POINT:RATE is no frame rate (" + format_number(layout.rate_Hz) + " Hz)");
-    }
     const double frames = frame_count();
     if (!usable_count(frames)) return failure("holds no frames (POINT:FRAMES)");
     layout.frames = static_cast<std::size_t>(frames);
-
     // DATA_START counts blocks of 512 bytes from 1; block 1 is the header.
     const double header_start = words_.word(16);
     double start = parameters_.number("POINT:DATA_START").value_or(header_start);
@@ -173,11 +177,7 @@ Result<Layout> Reader::layout(std::optional<double> unit_override) const {
 
     if (Result<void> counts = choose_counts(layout); !counts) return counts.error();
     if (layout.points == 0) return failure("holds no 3D points (POINT:USED is 0)");
-    if (layout.end() > words_.size()) {
-        return failure("ends at byte " + std::to_string(words_.size()) + ", but " + std::to_string(layout.frames) +
-                       " frames of " + std::to_string(layout.points) + " points from byte " +
-                       std::to_string(layout.data_offset) + " need " + std::to_string(layout.end()) + " bytes");
-    }
+    if (layout.end() > words_.size()) return failure(too_short(layout, words_.size()));
     const Result<double> unit_m = unit(unit_override);
     if (!unit_m) return unit_m.error();
     layout.metres_per_unit = *unit_m;
@@ -203,16 +203,23 @@ std::vector<std::string> Reader::labels(std::size_t points) const {
     return result;
 }
 
-Result<Recording> Reader::samples(const Layout& layout) const {
-    const double nan = std::numeric_limits<double>::quiet_NaN();
+/// A recording of the labels, still without positions.
+Recording c3d_recording(const Layout& layout, std::vector<std::string> labels) {
     const auto frame_count = static_cast<Eigen::Index>(layout.frames);
     Recording recording;
-    recording.labels = labels(layout.points);
+    recording.labels = std::move(labels);
     recording.rate_Hz = layout.rate_Hz;
     recording.time_s.resize(frame_count);
     for (Eigen::Index t = 0; t < frame_count; ++t) recording.time_s(t) = static_cast<double>(t) / layout.rate_Hz;
     recording.tracks.assign(layout.points, Eigen::Matrix3Xd(3, frame_count));
     recording.residual_m.assign(layout.points, Eigen::VectorXd(frame_count));
+    return recording;
+}
+
+Result<Recording> Reader::samples(const Layout& layout) const {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    const auto frame_count = static_cast<Eigen::Index>(layout.frames);
+    Recording recording = c3d_recording(layout, labels(layout.points));
     for (std::size_t i = 0; i < layout.points; ++i) {
         for (Eigen::Index t = 0; t < frame_count; ++t) {
             const std::size_t at = layout.data_offset + static_cast<std::size_t>(t) * layout.frame_size() +
@@ -246,13 +253,8 @@ Result<Recording> Reader::read(std::optional<double> unit_override) {
     return samples(*found);
 }
 
-}  // namespace
-
-Result<Recording> read_c3d(const std::filesystem::path& path, std::optional<double> metres_per_unit) {
-    const std::string file = path.string();
-    const Result<std::string> content = read_file(path);
-    if (!content) return content.error();
-    const std::string_view bytes = *content;
+/// Byte where the parameter section starts, by the header of the file.
+Result<std::size_t> parameters_start_of(std::string_view bytes, const std::string& file) {
     if (bytes.size() < c3d_reader_format.block_size) {
         return Error{"is no C3D file: " + std::to_string(bytes.size()) + " bytes are too few for its header of 512",
                      file};
@@ -270,13 +272,25 @@ Result<Recording> read_c3d(const std::filesystem::path& path, std::optional<doub
                          ", the file ends at byte " + std::to_string(bytes.size()),
                      file};
     }
-    const std::optional<C3dProcessor> processor = c3d_processor(byte_at(parameters_start + 3));
-    if (!processor) {
-        return Error{"has the unknown processor code " + std::to_string(int{byte_at(parameters_start + 3)}) +
-                         " at byte " + std::to_string(parameters_start + 3) +
-                         " (84 Intel, 85 DEC and 86 SGI are known)",
+    return parameters_start;
+}
+
+}  // namespace
+
+Result<Recording> read_c3d(const std::filesystem::path& path, std::optional<double> metres_per_unit) {
+    const std::string file = path.string();
+    const Result<std::string> content = read_file(path);
+    if (!content) return content.error();
+    const std::string_view bytes = *content;
+    const Result<std::size_t> start = parameters_start_of(bytes, file);
+    if (!start) return start.error();
+    const std::size_t parameters_start = *start;
+    const int code = static_cast<unsigned char>(bytes[parameters_start + 3]);
+    const std::optional<C3dProcessor> processor = c3d_processor(static_cast<unsigned char>(code));
+    if (!processor)
+        return Error{"has the unknown processor code " + std::to_string(code) + " at byte " +
+                         std::to_string(parameters_start + 3) + " (84 Intel, 85 DEC and 86 SGI are known)",
                      file};
-    }
     const C3dWords words(bytes, *processor);
     Result<C3dParameters> parameters = read_c3d_parameters(words, parameters_start, file);
     if (!parameters) return parameters.error();

@@ -53,6 +53,44 @@ Result<std::size_t> column_index(const std::vector<std::string>& names, const st
     return static_cast<std::size_t>(found - names.begin());
 }
 
+/// Whether the mapping is complete and unambiguous.
+Result<void> check_mapping(const HeaderMapping& mapping, const std::filesystem::path& path) {
+    if (mapping.markers.empty()) return Error{"the header mapping names no marker", path.string()};
+    if (!positive(mapping.metres_per_unit)) return Error{"the header mapping gives no length unit", path.string()};
+    if (!mapping.time_column && !positive(mapping.rate_Hz)) {
+        return Error{"the header mapping gives neither a time column nor a rate", path.string()};
+    }
+    if (mapping.time_column && !positive(mapping.seconds_per_unit))
+        return Error{"the header mapping gives no unit of time", path.string()};
+    // 1,5 would be ambiguous.
+    if (mapping.decimal_comma && mapping.separator == ',') {
+        return Error{"a comma cannot be both decimal mark and separator", path.string()};
+    }
+    return {};
+}
+
+/// Finds the columns of the time and of the markers by their names.
+Result<void> map_columns(SampleTable& table, const HeaderMapping& mapping, const std::string& where) {
+    if (mapping.time_column) {
+        const Result<std::size_t> column = column_index(table.column_names, *mapping.time_column, where);
+        if (!column) return column.error();
+        table.time_column = *column;
+        table.seconds_per_unit = mapping.seconds_per_unit;
+    } else {
+        table.rate_Hz = mapping.rate_Hz;
+    }
+    for (const MappedMarker& marker : mapping.markers) {
+        MarkerColumns columns{marker.label, {}};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const Result<std::size_t> column = column_index(table.column_names, marker.columns[axis], where);
+            if (!column) return column.error();
+            columns.columns[axis] = *column;
+        }
+        table.markers.push_back(std::move(columns));
+    }
+    return {};
+}
+
 }  // namespace
 
 Result<Recording> read_columns(const std::filesystem::path& path, const ColumnLayout& layout) {
@@ -77,17 +115,7 @@ Result<Recording> read_columns(const std::filesystem::path& path, const ColumnLa
 }
 
 Result<Recording> read_mapped_csv(const std::filesystem::path& path, const HeaderMapping& mapping) {
-    if (mapping.markers.empty()) return Error{"the header mapping names no marker", path.string()};
-    if (!positive(mapping.metres_per_unit)) return Error{"the header mapping gives no length unit", path.string()};
-    if (!mapping.time_column && !positive(mapping.rate_Hz)) {
-        return Error{"the header mapping gives neither a time column nor a rate", path.string()};
-    }
-    if (mapping.time_column && !positive(mapping.seconds_per_unit))
-        return Error{"the header mapping gives no unit of time", path.string()};
-    // 1,5 would be ambiguous.
-    if (mapping.decimal_comma && mapping.separator == ',') {
-        return Error{"a comma cannot be both decimal mark and separator", path.string()};
-    }
+    if (const Result<void> complete = check_mapping(mapping, path); !complete) return complete.error();
     const Result<std::string> content = read_file(path);
     if (!content) return content.error();
     const std::vector<TextLine> lines = split_lines(*content);
@@ -99,24 +127,8 @@ Result<Recording> read_mapped_csv(const std::filesystem::path& path, const Heade
     for (const std::string_view name : split_fields(lines[header].text, mapping.separator))
         table.column_names.emplace_back(name);
     table.field_count = table.column_names.size();
-    const std::string where = at_line(path, mapping.header_line);
-    if (mapping.time_column) {
-        const Result<std::size_t> column = column_index(table.column_names, *mapping.time_column, where);
-        if (!column) return column.error();
-        table.time_column = *column;
-        table.seconds_per_unit = mapping.seconds_per_unit;
-    } else {
-        table.rate_Hz = mapping.rate_Hz;
-    }
-    for (const MappedMarker& marker : mapping.markers) {
-        MarkerColumns columns{marker.label, {}};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            const Result<std::size_t> column = column_index(table.column_names, marker.columns[axis], where);
-            if (!column) return column.error();
-            columns.columns[axis] = *column;
-        }
-        table.markers.push_back(std::move(columns));
-    }
+    if (const Result<void> mapped = map_columns(table, mapping, at_line(path, mapping.header_line)); !mapped)
+        return mapped.error();
     table.metres_per_unit = mapping.metres_per_unit;
     table.separator = mapping.separator;
     table.decimal_comma = mapping.decimal_comma;

@@ -85,6 +85,26 @@ private:
         return (now + before).norm() < exchanges_policy.much_nearer * (now - before).norm();
     }
 
+    /// Discards moves that form no cycle: the new label was not given up, or the old label was not taken.
+    void discard_open_moves(std::vector<std::optional<std::size_t>>& moved) const {
+        for (bool changed = true; changed;) {
+            changed = false;
+            const auto left = [&](std::size_t label) {
+                for (std::size_t j = 0; j < names_.size(); ++j)
+                    if (moved[j] && names_[j] == label) return true;
+                return false;
+            };
+            const auto taken = [&](std::size_t label) {
+                return std::find(moved.begin(), moved.end(), std::optional(label)) != moved.end();
+            };
+            for (std::size_t i = 0; i < names_.size(); ++i)
+                if (moved[i] && !(left(*moved[i]) && taken(names_[i]))) {
+                    moved[i].reset();
+                    changed = true;
+                }
+        }
+    }
+
     /// Determines the moves at a sample and applies those that form closed cycles.
     void rename(Index at) {
         std::vector<std::optional<std::size_t>> moved;
@@ -102,23 +122,7 @@ private:
                 if (moved[i] && *moved[i] == names_[j] && !moved[j] && past_[j].known() && past_[j].sample < at - 1 &&
                     is_seen(tracks_[names_[i]], at))
                     moved[j] = names_[i];
-        // Discard moves that form no cycle: the new label was not given up, or the old label was not taken.
-        for (bool changed = true; changed;) {
-            changed = false;
-            const auto left = [&](std::size_t label) {
-                for (std::size_t j = 0; j < names_.size(); ++j)
-                    if (moved[j] && names_[j] == label) return true;
-                return false;
-            };
-            const auto taken = [&](std::size_t label) {
-                return std::find(moved.begin(), moved.end(), std::optional(label)) != moved.end();
-            };
-            for (std::size_t i = 0; i < names_.size(); ++i)
-                if (moved[i] && !(left(*moved[i]) && taken(names_[i]))) {
-                    moved[i].reset();
-                    changed = true;
-                }
-        }
+        discard_open_moves(moved);
         for (std::size_t i = 0; i < names_.size(); ++i)
             if (moved[i]) names_[i] = *moved[i];
     }
@@ -141,6 +145,47 @@ std::vector<std::size_t> groups_of(const std::vector<Names>& names) {
     return group;
 }
 
+std::vector<std::size_t> members_of(const std::vector<std::size_t>& group, std::size_t g) {
+    std::vector<std::size_t> members;
+    for (std::size_t i = 0; i < group.size(); ++i)
+        if (group[i] == g) members.push_back(i);
+    return members;
+}
+
+/// Exchanges among the members of a group.
+void add_exchanges(std::vector<Exchange>& exchanges, const std::vector<Names>& names,
+                   const std::vector<std::size_t>& members) {
+    const auto count = static_cast<Index>(names.size());
+    if (members.size() < 2) return;
+    // A group is in its exchanged state while any member carries a foreign label.
+    const auto exchanged = [&](Index t) {
+        return std::any_of(members.begin(), members.end(),
+                           [&](std::size_t i) { return names[static_cast<std::size_t>(t)][i] != i; });
+    };
+    for (Index first = 0; first < count; ++first) {
+        if (!exchanged(first)) continue;
+        Index end = first;
+        while (end < count && exchanged(end)) ++end;
+        std::vector<std::size_t> markers;
+        for (const std::size_t i : members)
+            if (std::any_of(names.begin() + first, names.begin() + end, [&](const Names& now) { return now[i] != i; }))
+                markers.push_back(i);
+        // An exchange that lasts to the end is kept, see the header.
+        if (end < count) exchanges.push_back({markers, first, end});
+        first = end;
+    }
+}
+
+void put_back(std::vector<Eigen::Matrix3Xd>& tracks, const Exchange& exchange, const std::vector<Names>& names) {
+    for (Index t = exchange.first; t < exchange.end; ++t) {
+        // Copy first: the assignments are a permutation.
+        std::vector<Vector3d> there;
+        for (const std::size_t i : exchange.markers)
+            there.push_back(tracks[names[static_cast<std::size_t>(t)][i]].col(t));
+        for (std::size_t k = 0; k < there.size(); ++k) tracks[exchange.markers[k]].col(t) = there[k];
+    }
+}
+
 }  // namespace
 
 std::vector<Exchange> put_back_exchanges(std::vector<Eigen::Matrix3Xd>& tracks) {
@@ -151,37 +196,9 @@ std::vector<Exchange> put_back_exchanges(std::vector<Eigen::Matrix3Xd>& tracks) 
     const std::vector<std::size_t> group = groups_of(names);
     std::vector<Exchange> exchanges;
     for (std::size_t g = 0; g < tracks.size(); ++g) {
-        std::vector<std::size_t> members;
-        for (std::size_t i = 0; i < tracks.size(); ++i)
-            if (group[i] == g) members.push_back(i);
-        if (members.size() < 2) continue;
-        // A group is in its exchanged state while any member carries a foreign label.
-        const auto exchanged = [&](Index t) {
-            return std::any_of(members.begin(), members.end(),
-                               [&](std::size_t i) { return names[static_cast<std::size_t>(t)][i] != i; });
-        };
-        for (Index first = 0; first < count; ++first) {
-            if (!exchanged(first)) continue;
-            Index end = first;
-            while (end < count && exchanged(end)) ++end;
-            std::vector<std::size_t> markers;
-            for (const std::size_t i : members)
-                if (std::any_of(names.begin() + first, names.begin() + end,
-                                [&](const Names& now) { return now[i] != i; }))
-                    markers.push_back(i);
-            // An exchange that lasts to the end is kept, see the header.
-            if (end < count) exchanges.push_back({markers, first, end});
-            first = end;
-        }
+        add_exchanges(exchanges, names, members_of(group, g));
     }
-    for (const Exchange& exchange : exchanges)
-        for (Index t = exchange.first; t < exchange.end; ++t) {
-            // Copy first: the assignments are a permutation.
-            std::vector<Vector3d> there;
-            for (const std::size_t i : exchange.markers)
-                there.push_back(tracks[names[static_cast<std::size_t>(t)][i]].col(t));
-            for (std::size_t k = 0; k < there.size(); ++k) tracks[exchange.markers[k]].col(t) = there[k];
-        }
+    for (const Exchange& exchange : exchanges) put_back(tracks, exchange, names);
     std::sort(exchanges.begin(), exchanges.end(),
               [](const Exchange& a, const Exchange& b) { return a.first < b.first; });
     return exchanges;

@@ -94,6 +94,17 @@ bool are_there_and_back(const Step& away, const Step& back) {
            std::max(there, here) < excursions_policy.max_inequality * std::min(there, here);
 }
 
+/// Steps of marker m that are far above its noise while no other marker jumps.
+std::vector<std::size_t> lone_jumps(const std::vector<std::vector<Step>>& steps, std::size_t m, double sigma_m) {
+    const std::vector<Step>& own = steps[m];
+    std::vector<std::size_t> jumps;
+    for (std::size_t i = 0; i < own.size(); ++i)
+        if (own[i].known && own[i].jump.norm() > excursions_policy.min_deviations * sigma_m &&
+            is_alone(steps, m, own[i]))
+            jumps.push_back(i);
+    return jumps;
+}
+
 }  // namespace
 
 std::vector<Excursion> find_excursions(const std::vector<Eigen::Matrix3Xd>& tracks, const Eigen::VectorXd& time_s,
@@ -104,12 +115,7 @@ std::vector<Excursion> find_excursions(const std::vector<Eigen::Matrix3Xd>& trac
     std::vector<Excursion> excursions;
     for (std::size_t m = 0; m < tracks.size(); ++m) {
         const std::vector<Step>& own = steps[m];
-        std::vector<std::size_t> jumps;
-        for (std::size_t i = 0; i < own.size(); ++i)
-            if (own[i].known &&
-                own[i].jump.norm() > excursions_policy.min_deviations * sigma_m(static_cast<Index>(m)) &&
-                is_alone(steps, m, own[i]))
-                jumps.push_back(i);
+        const std::vector<std::size_t> jumps = lone_jumps(steps, m, sigma_m(static_cast<Index>(m)));
         // Shortest first, so that a marker that slips between two excursions does not pair with either of them.
         for (std::size_t length = excursions_policy.shortest; 2 * length <= own.size(); ++length)
             for (const std::size_t away : jumps) {

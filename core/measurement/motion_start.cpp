@@ -163,22 +163,26 @@ struct OnsetLaw {
     double at(double t) const { return t > start_s ? std::pow(slope * (t - start_s), power) : 0.0; }
 };
 
+/// Calls visit(point, weight) for the positive displacements: point (t, d^(1/power)), with the weight that converts
+/// errors of the root to errors of d, which have equal variance.
+template <class Visit>
+void for_each_root(const Eigen::VectorXd& time_s, const Eigen::VectorXd& displacement, double power,
+                   const Visit& visit) {
+    for (Eigen::Index k = 0; k < time_s.size(); ++k) {
+        const double d = displacement(k);
+        if (d > 0.0)
+            visit(Eigen::Vector2d(time_s(k), std::pow(d, 1.0 / power)), std::pow(d, 2.0 * (power - 1.0) / power));
+    }
+}
+
 // Weighted least-squares fit of the onset law for a given power.
 OnsetLaw fit_onset(const Eigen::VectorXd& time_s, const Eigen::VectorXd& displacement, double power) {
     OnsetLaw law;
     law.power = power;
-    // Linear regression of d^(1/power). The weights convert errors of the root to errors of d, which have equal
-    // variance.
+    // Linear regression of d^(1/power).
     double weight = 0.0;
     Eigen::Vector2d mean = Eigen::Vector2d::Zero();
-    const auto for_each_point = [&](const auto& visit) {
-        for (Eigen::Index k = 0; k < time_s.size(); ++k) {
-            const double d = displacement(k);
-            if (d > 0.0)
-                visit(Eigen::Vector2d(time_s(k), std::pow(d, 1.0 / power)), std::pow(d, 2.0 * (power - 1.0) / power));
-        }
-    };
-    for_each_point([&](const Eigen::Vector2d& point, double w) {
+    for_each_root(time_s, displacement, power, [&](const Eigen::Vector2d& point, double w) {
         weight += w;
         mean += w * point;
     });
@@ -186,7 +190,7 @@ OnsetLaw fit_onset(const Eigen::VectorXd& time_s, const Eigen::VectorXd& displac
     mean /= weight;
     double moment = 0.0;
     double spread = 0.0;
-    for_each_point([&](const Eigen::Vector2d& point, double w) {
+    for_each_root(time_s, displacement, power, [&](const Eigen::Vector2d& point, double w) {
         moment += w * (point.x() - mean.x()) * (point.y() - mean.y());
         spread += w * (point.x() - mean.x()) * (point.x() - mean.x());
     });
@@ -236,6 +240,103 @@ double onset_time(const Recording& movers, const Eigen::VectorXd& departure, Eig
 
 std::string seconds_text(double seconds) { return format_number(seconds, 5) + " s"; }
 
+/// Markers that depart from their recent position, as a recording of them alone.
+struct MovingMarkers {
+    std::vector<std::string> labels;
+    std::vector<Eigen::VectorXd> departures;  // [m], one vector per marker
+};
+
+MovingMarkers moving_markers(const Recording& chosen, const Window& window, const MotionStartOptions& options) {
+    std::vector<Eigen::VectorXd> departure;
+    std::vector<double> peaks;
+    for (const Eigen::Matrix3Xd& track : chosen.tracks) {
+        departure.push_back(departures(track, window));
+        peaks.push_back(sustained_peak(departure.back(), options.sustained_samples));
+    }
+    const double largest = peaks.empty() ? 0.0 : *std::max_element(peaks.begin(), peaks.end());
+    MovingMarkers moving;
+    for (std::size_t i = 0; i < peaks.size(); ++i) {
+        if (!(peaks[i] > options.mover_fraction * largest)) continue;
+        moving.departures.push_back(departure[i]);
+        moving.labels.push_back(chosen.labels[i]);
+    }
+    return moving;
+}
+
+/// A low quantile of the departures of the group. In a still recording all departures have similar size, whatever the
+/// type of noise.
+double quiet_departure(const Eigen::VectorXd& group) {
+    std::vector<double> known;
+    for (const double value : group) {
+        if (!std::isnan(value)) known.push_back(value);
+    }
+    std::sort(known.begin(), known.end());
+    return known.empty() ? 0.0 : known[known.size() / 5];
+}
+
+/// Departure that counts as motion in the search backwards from the first certain motion, sample `gross`.
+double backward_threshold(const Eigen::VectorXd& group, Eigen::Index gross, double peak, double noise_m,
+                          const MotionStartOptions& options) {
+    double threshold_m = std::max(options.noise_factor * noise_m, 0.002 * peak);
+    if (gross < 12) return threshold_m;
+    std::vector<double> before;
+    for (Eigen::Index t = 1; t < gross; ++t) {
+        if (!std::isnan(group(t))) before.push_back(group(t));
+    }
+    // Noise need not be white: departures before the motion count as well (2.5 medians are about 4 deviations).
+    if (!before.empty()) {
+        const double usual = median(
+            Eigen::Map<Eigen::VectorXd>(before.data(), static_cast<Eigen::Index>(before.size())));
+        threshold_m = std::max(threshold_m, std::min(2.5 * usual, options.gross_fraction * peak));
+    }
+    return threshold_m;
+}
+
+/// The start of the motion whose first certain sample is known: the first moving sample, and the onset between the
+/// samples.
+///
+/// @param samples  indices in the recording of the samples in `group`
+void locate_start(StartOfMotion& result, const Recording& movers, const Eigen::VectorXd& group,
+                  const std::vector<Eigen::Index>& samples, Eigen::Index gross, double peak, const Window& window) {
+    const Eigen::Index first = trace_back(group, gross, result.threshold_m);
+    if (first <= 1) {
+        // Sample 0 is its own reference: whether the body was at rest then is unknown.
+        result.message = "the motion has started by the second sample, so the start is taken at the first one, " +
+                         seconds_text(result.time_s) + "; give the start if the recording begins later";
+        return;
+    }
+    result.found = true;
+    result.first_moving = samples[static_cast<std::size_t>(first)];
+    result.last_still = result.first_moving - 1;
+    result.time_s = onset_time(movers, group, first, peak, result.threshold_m, window);
+    result.message = "motion starts at " + seconds_text(result.time_s) + " (sample " +
+                     std::to_string(result.first_moving) + " is the first to leave the rest by more than " +
+                     format_number(1e3 * result.threshold_m, 3) + " mm)";
+}
+
+/// The start of the motion of the moving markers: departure of the group, first certain motion, threshold of the search
+/// backwards, first moving sample.
+void find_group_start(StartOfMotion& result, const Recording& movers, const std::vector<Eigen::VectorXd>& moving,
+                      const std::vector<Eigen::Index>& samples, const Window& window,
+                      const MotionStartOptions& options) {
+    const Eigen::VectorXd group = group_departure(moving);
+    const double peak = sustained_peak(group, options.sustained_samples);
+    result.noise_m = mean_noise(estimate_noise(movers));
+    if (!(peak > std::max(10.0 * result.noise_m, 5.0 * quiet_departure(group)))) {
+        result.message = "no marker leaves its rest clearly: the largest departure is " + format_number(1e3 * peak, 3) +
+                         " mm";
+        return;
+    }
+    const std::optional<Eigen::Index> gross = first_sustained(group, options.gross_fraction * peak,
+                                                              options.sustained_samples);
+    if (!gross) {
+        result.message = "no sustained motion";
+        return;
+    }
+    result.threshold_m = backward_threshold(group, *gross, peak, result.noise_m, options);
+    locate_start(result, movers, group, samples, *gross, peak, window);
+}
+
 }  // namespace
 
 StartOfMotion find_motion_start(const Recording& recording, const std::vector<std::string>& labels,
@@ -247,7 +348,6 @@ StartOfMotion find_motion_start(const Recording& recording, const std::vector<st
     }
     result.time_s = recording.time_s(0);
     // Repeated samples have no time of their own: without them the sample intervals are those of the motion.
-    // 1. Departure of each marker from its recent position, and selection of the moving markers.
     const std::vector<Eigen::Index> samples = new_samples(recording);
     const Result<Recording> chosen = select_labels(take_samples(recording, samples),
                                                    labels.empty() ? recording.labels : labels);
@@ -256,77 +356,14 @@ StartOfMotion find_motion_start(const Recording& recording, const std::vector<st
         return result;
     }
     const Window window = reference_window(recording, options);
-    std::vector<Eigen::VectorXd> departure;
-    std::vector<double> peaks;
-    for (const Eigen::Matrix3Xd& track : chosen->tracks) {
-        departure.push_back(departures(track, window));
-        peaks.push_back(sustained_peak(departure.back(), options.sustained_samples));
-    }
-    const double largest = peaks.empty() ? 0.0 : *std::max_element(peaks.begin(), peaks.end());
-    std::vector<Eigen::VectorXd> moving;
-    for (std::size_t i = 0; i < peaks.size(); ++i) {
-        if (!(peaks[i] > options.mover_fraction * largest)) continue;
-        moving.push_back(departure[i]);
-        result.movers.push_back(chosen->labels[i]);
-    }
-    if (moving.empty()) {
+    const MovingMarkers moving = moving_markers(*chosen, window, options);
+    result.movers = moving.labels;
+    if (moving.labels.empty()) {
         result.message = "no marker moves";
         return result;
     }
-    // 2. Departure of the group, and noise of the moving markers.
     const Recording movers = select_labels(*chosen, result.movers).value();
-    const Eigen::VectorXd group = group_departure(moving);
-    const double peak = sustained_peak(group, options.sustained_samples);
-    result.noise_m = mean_noise(estimate_noise(movers));
-
-    std::vector<double> known;
-    for (const double value : group) {
-        if (!std::isnan(value)) known.push_back(value);
-    }
-    std::sort(known.begin(), known.end());
-    // In a still recording all departures have similar size, whatever the type of noise: compare with a low quantile.
-    const double quiet = known.empty() ? 0.0 : known[known.size() / 5];
-    if (!(peak > std::max(10.0 * result.noise_m, 5.0 * quiet))) {
-        result.message = "no marker leaves its rest clearly: the largest departure is " + format_number(1e3 * peak, 3) +
-                         " mm";
-        return result;
-    }
-    // 3. First certain motion.
-    const std::optional<Eigen::Index> gross = first_sustained(group, options.gross_fraction * peak,
-                                                              options.sustained_samples);
-    if (!gross) {
-        result.message = "no sustained motion";
-        return result;
-    }
-    // 4. Threshold of the search backwards.
-    result.threshold_m = std::max(options.noise_factor * result.noise_m, 0.002 * peak);
-    if (*gross >= 12) {
-        std::vector<double> before;
-        for (Eigen::Index t = 1; t < *gross; ++t) {
-            if (!std::isnan(group(t))) before.push_back(group(t));
-        }
-        // Noise need not be white: departures before the motion count as well (2.5 medians are about 4 deviations).
-        if (!before.empty()) {
-            const double usual = median(
-                Eigen::Map<Eigen::VectorXd>(before.data(), static_cast<Eigen::Index>(before.size())));
-            result.threshold_m = std::max(result.threshold_m, std::min(2.5 * usual, options.gross_fraction * peak));
-        }
-    }
-    // 5. First moving sample and the onset between the samples.
-    const Eigen::Index first = trace_back(group, *gross, result.threshold_m);
-    if (first <= 1) {
-        // Sample 0 is its own reference: whether the body was at rest then is unknown.
-        result.message = "the motion has started by the second sample, so the start is taken at the first one, " +
-                         seconds_text(result.time_s) + "; give the start if the recording begins later";
-        return result;
-    }
-    result.found = true;
-    result.first_moving = samples[static_cast<std::size_t>(first)];
-    result.last_still = result.first_moving - 1;
-    result.time_s = onset_time(movers, group, first, peak, result.threshold_m, window);
-    result.message = "motion starts at " + seconds_text(result.time_s) + " (sample " +
-                     std::to_string(result.first_moving) + " is the first to leave the rest by more than " +
-                     format_number(1e3 * result.threshold_m, 3) + " mm)";
+    find_group_start(result, movers, moving.departures, samples, window, options);
     return result;
 }
 

@@ -21,6 +21,16 @@ Matrix3Xd combine(const HermiteWeights& w, const Positions& x, const Velocities&
 
 Matrix3Xd columns(const Matrix3Xd& X, const std::vector<int>& positions) { return X(Eigen::all, positions); }
 
+/// Tangents of the nodes. Interpolation is linear, so tangents use the same weights.
+std::vector<Matrix3Xd> node_tangents(const sensitivity::SensitiveTrace& run, const HermiteWeights& w) {
+    std::vector<Matrix3Xd> d;
+    for (const sensitivity::NodeTangent& tangent : run.tangents)
+        d.push_back(combine(
+            w, [&](std::size_t k) -> const Matrix3Xd& { return tangent.positions[k]; },
+            [&](std::size_t k) -> const Matrix3Xd& { return tangent.velocities[k]; }));
+    return d;
+}
+
 }  // namespace
 
 MarkerSet marker_set(const mesh::VolumeMesh& mesh, const std::vector<Eigen::Vector3d>& rest_m) {
@@ -58,12 +68,7 @@ SensitiveTracks observe(const sensitivity::SensitiveTrace& run, const MarkerSet&
         const HermiteWeights w = hermite_weights(run.trace.times_s, times_s(t));
         // The velocity of a marker is its tangent along the nodal velocities.
         const Matrix3Xd now = combine(w, x, v), rate = combine(w.rate(), x, v);
-        std::vector<Matrix3Xd> d;
-        // Interpolation is linear, so tangents use the same weights.
-        for (const sensitivity::NodeTangent& tangent : run.tangents)
-            d.push_back(combine(
-                w, [&](std::size_t k) -> const Matrix3Xd& { return tangent.positions[k]; },
-                [&](std::size_t k) -> const Matrix3Xd& { return tangent.velocities[k]; }));
+        const std::vector<Matrix3Xd> d = node_tangents(run, w);
         for (std::size_t m = 0; m < count; ++m) {
             const MarkerBinding& binding = markers.bindings[m];
             const Matrix3Xd local = columns(now, markers.positions[m]);

@@ -44,6 +44,27 @@ Result<HeaderNumber> header_number(const std::vector<std::string_view>& fields, 
     return number;
 }
 
+/// Reads an entry of the header; unknown ones are ignored.
+Result<void> read_entry(QtmHeader& header, const std::vector<std::string_view>& fields, int line,
+                        const std::filesystem::path& path) {
+    const std::string_view key = fields[0];
+    if (key == "NO_OF_FRAMES" || key == "NO_OF_MARKERS") {
+        const Result<HeaderNumber> number = header_number(fields, std::string(key), line, path, true);
+        if (!number) return number.error();
+        (key == "NO_OF_FRAMES" ? header.frames : header.markers) = *number;
+    } else if (key == "FREQUENCY" && !(fields.size() > 1 && fields[1] == "EXT")) {  // EXT: external clock
+        const Result<HeaderNumber> number = header_number(fields, "FREQUENCY", line, path, false);
+        if (!number) return number.error();
+        header.rate_Hz = *number;
+    } else if (key == "MARKER_NAMES") {
+        for (std::size_t k = 1; k < fields.size(); ++k) header.names.emplace_back(fields[k]);
+        // Exports may end the line with separators.
+        while (!header.names.empty() && header.names.back().empty()) header.names.pop_back();
+        header.names_line = line;
+    }
+    return {};
+}
+
 /// Reads header lines up to the first data line, or through the line `Frame`.
 Result<QtmHeader> read_header(const std::vector<TextLine>& lines, const std::filesystem::path& path) {
     QtmHeader header;
@@ -60,20 +81,7 @@ Result<QtmHeader> read_header(const std::vector<TextLine>& lines, const std::fil
             header.has_time = true;
             return header;
         }
-        if (key == "NO_OF_FRAMES" || key == "NO_OF_MARKERS") {
-            const Result<HeaderNumber> number = header_number(fields, std::string(key), lines[i].number, path, true);
-            if (!number) return number.error();
-            (key == "NO_OF_FRAMES" ? header.frames : header.markers) = *number;
-        } else if (key == "FREQUENCY" && !(fields.size() > 1 && fields[1] == "EXT")) {  // EXT: external clock
-            const Result<HeaderNumber> number = header_number(fields, "FREQUENCY", lines[i].number, path, false);
-            if (!number) return number.error();
-            header.rate_Hz = *number;
-        } else if (key == "MARKER_NAMES") {
-            for (std::size_t k = 1; k < fields.size(); ++k) header.names.emplace_back(fields[k]);
-            // Exports may end the line with separators.
-            while (!header.names.empty() && header.names.back().empty()) header.names.pop_back();
-            header.names_line = lines[i].number;
-        }
+        if (const Result<void> read = read_entry(header, fields, lines[i].number, path); !read) return read.error();
     }
     return header;
 }
@@ -104,6 +112,30 @@ Result<void> check_header(const QtmHeader& header, std::size_t rows, const std::
     return {};
 }
 
+/// Columns of the rows.
+SampleTable qtm_table(const QtmHeader& header) {
+    SampleTable table;
+    table.separator = '\t';
+    table.metres_per_unit = 1e-3;
+    table.rate_Hz = header.rate_Hz.value;
+    table.zero_is_occluded = true;
+    table.null_is_occluded = true;
+    table.trailing_separator = true;
+    // Coordinates start after frame and time, if present.
+    const std::size_t first = header.has_time ? 2 : 0;
+    if (header.has_time) {
+        table.frame_column = 0;
+        table.time_column = 1;
+        table.column_names = {"Frame", "Time"};
+    }
+    for (std::size_t i = 0; i < header.names.size(); ++i) {
+        table.markers.push_back({header.names[i], {first + 3 * i, first + 3 * i + 1, first + 3 * i + 2}});
+        for (const char* axis : {" X", " Y", " Z"}) table.column_names.push_back(header.names[i] + axis);
+    }
+    table.field_count = first + 3 * header.names.size();
+    return table;
+}
+
 }  // namespace
 
 Result<Recording> read_qtm_tsv(const std::filesystem::path& path) {
@@ -115,25 +147,7 @@ Result<Recording> read_qtm_tsv(const std::filesystem::path& path) {
     if (!header) return header.error();
     const std::span<const TextLine> rows = std::span<const TextLine>(lines).subspan(header->first_row);
 
-    SampleTable table;
-    table.separator = '\t';
-    table.metres_per_unit = 1e-3;
-    table.rate_Hz = header->rate_Hz.value;
-    table.zero_is_occluded = true;
-    table.null_is_occluded = true;
-    table.trailing_separator = true;
-    // Coordinates start after frame and time, if present.
-    const std::size_t first = header->has_time ? 2 : 0;
-    if (header->has_time) {
-        table.frame_column = 0;
-        table.time_column = 1;
-        table.column_names = {"Frame", "Time"};
-    }
-    for (std::size_t i = 0; i < header->names.size(); ++i) {
-        table.markers.push_back({header->names[i], {first + 3 * i, first + 3 * i + 1, first + 3 * i + 2}});
-        for (const char* axis : {" X", " Y", " Z"}) table.column_names.push_back(header->names[i] + axis);
-    }
-    table.field_count = first + 3 * header->names.size();
+    const SampleTable table = qtm_table(*header);
     if (const Result<void> checked = check_header(*header, rows.size(), path); !checked) return checked.error();
     return read_samples(path, rows, table);
 }

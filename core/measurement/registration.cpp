@@ -25,6 +25,15 @@ bool on_a_line(const Eigen::Matrix3Xd& centred, const Eigen::VectorXd& weights) 
     return !(squares(1) > registration_policy.line_ratio * registration_policy.line_ratio * squares(0));
 }
 
+Result<void> check_points(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to, const Eigen::VectorXd& w) {
+    if (!from.allFinite() || !to.allFinite() || !w.allFinite() || (w.array() < 0.0).any()) {
+        return Error{"rigid registration needs finite positions and weights that are not negative", ""};
+    }
+    const Eigen::Index used = (w.array() > 0.0).count();
+    if (used < 3) return Error{"rigid registration needs at least 3 points, got " + std::to_string(used), ""};
+    return {};
+}
+
 }  // namespace
 
 Result<Registration> rigid_registration(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to,
@@ -32,11 +41,7 @@ Result<Registration> rigid_registration(const Eigen::Matrix3Xd& from, const Eige
     assert(from.cols() == to.cols() && (weights.size() == 0 || weights.size() == from.cols()));
     const Eigen::Index n = from.cols();
     Eigen::VectorXd w = weights.size() == 0 ? Eigen::VectorXd(Eigen::VectorXd::Ones(n)) : weights;
-    if (!from.allFinite() || !to.allFinite() || !w.allFinite() || (w.array() < 0.0).any()) {
-        return Error{"rigid registration needs finite positions and weights that are not negative", ""};
-    }
-    const Eigen::Index used = (w.array() > 0.0).count();
-    if (used < 3) return Error{"rigid registration needs at least 3 points, got " + std::to_string(used), ""};
+    if (const Result<void> enough = check_points(from, to, w); !enough) return enough.error();
     // Normalised weights: sums below are weighted means.
     w /= w.sum();
 

@@ -40,6 +40,12 @@ Eigen::Matrix3Xd without_outliers(const Eigen::Matrix3Xd& samples, double deviat
     return 2 * count > samples.cols() ? Eigen::Matrix3Xd(kept.leftCols(count)) : samples;
 }
 
+/// Standard deviation of a coordinate, pooled over the three coordinates.
+double deviation(const Eigen::Matrix3Xd& kept, const Eigen::Vector3d& mean) {
+    const double squares = (kept.colwise() - mean).squaredNorm();
+    return std::sqrt(squares / (3.0 * static_cast<double>(kept.cols() - 1)));
+}
+
 }  // namespace
 
 Result<RestPose> rest_pose(const Recording& recording, Eigen::Index start_sample, const RestPoseOptions& options) {
@@ -48,7 +54,6 @@ Result<RestPose> rest_pose(const Recording& recording, Eigen::Index start_sample
     Eigen::Index first = 0;
     // First sample of the averaging interval.
     while (first < end - 1 && recording.time_s(first) < recording.time_s(end - 1) - options.longest_s) ++first;
-
     const auto count = static_cast<Eigen::Index>(recording.labels.size());
     RestPose pose;
     pose.labels = recording.labels;
@@ -67,11 +72,7 @@ Result<RestPose> rest_pose(const Recording& recording, Eigen::Index start_sample
         const Eigen::Matrix3Xd kept = without_outliers(samples, options.outlier_deviations);
         pose.positions_m.col(i) = kept.rowwise().mean();
         pose.samples_used(i) = static_cast<int>(kept.cols());
-        if (kept.cols() > 1) {
-            // Pooled over the three coordinates.
-            const double squares = (kept.colwise() - pose.positions_m.col(i)).squaredNorm();
-            pose.deviation_m(i) = std::sqrt(squares / (3.0 * static_cast<double>(kept.cols() - 1)));
-        }
+        if (kept.cols() > 1) pose.deviation_m(i) = deviation(kept, pose.positions_m.col(i));
     }
     if (pose.missing.size() == recording.labels.size())
         return Error{"no marker is seen before the start of the motion, so no rest pose", ""};

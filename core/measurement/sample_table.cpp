@@ -72,6 +72,23 @@ private:
     std::vector<std::string_view> fields_;
 };
 
+/// Labels and sizes of a recording with `count` samples.
+Recording empty_recording(const SampleTable& table, Eigen::Index count) {
+    Recording recording;
+    for (const MarkerColumns& marker : table.markers) {
+        recording.labels.push_back(marker.label);
+        recording.tracks.emplace_back(3, count);
+    }
+    recording.time_s.resize(count);
+    return recording;
+}
+
+Error time_does_not_ascend(const Recording& recording, Eigen::Index t, const std::string& where) {
+    return {"time " + format_number(recording.time_s(t), 9) + " s does not ascend from " +
+                format_number(recording.time_s(t - 1), 9) + " s in the row before",
+            where};
+}
+
 }  // namespace
 
 double median_rate(const Eigen::VectorXd& time_s) {
@@ -91,28 +108,19 @@ Result<Recording> read_samples(const std::filesystem::path& path, std::span<cons
                                const SampleTable& table) {
     if (rows.empty()) return Error{"holds no rows of data", path.string()};
     const auto count = static_cast<Eigen::Index>(rows.size());
-    Recording recording;
-    for (const MarkerColumns& marker : table.markers) {
-        recording.labels.push_back(marker.label);
-        recording.tracks.emplace_back(3, count);
-    }
-    recording.time_s.resize(count);
+    Recording recording = empty_recording(table, count);
     RowReader reader(path, table);
     for (Eigen::Index t = 0; t < count; ++t) {
         const TextLine& line = rows[static_cast<std::size_t>(t)];
         if (const Result<void> opened = reader.open(line); !opened) return opened.error();
-        if (table.frame_column) {
+        if (table.frame_column)
             if (const Result<double> frame = reader.number(*table.frame_column, false); !frame) return frame.error();
-        }
         if (table.time_column) {
             const Result<double> time = reader.number(*table.time_column, false);
             if (!time) return time.error();
             recording.time_s(t) = *time * table.seconds_per_unit;
-            if (t > 0 && !(recording.time_s(t) > recording.time_s(t - 1))) {
-                return Error{"time " + format_number(recording.time_s(t), 9) + " s does not ascend from " +
-                                 format_number(recording.time_s(t - 1), 9) + " s in the row before",
-                             at_line(path, line.number)};
-            }
+            if (t > 0 && !(recording.time_s(t) > recording.time_s(t - 1)))
+                return time_does_not_ascend(recording, t, at_line(path, line.number));
         } else {
             assert(table.rate_Hz > 0.0);
             recording.time_s(t) = static_cast<double>(t) / table.rate_Hz;

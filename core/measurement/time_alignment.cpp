@@ -63,6 +63,26 @@ double correlation(const std::vector<Eigen::RowVectorXd>& a, const std::vector<E
     return ab / std::sqrt(aa * bb);
 }
 
+/// All coordinates of the tracks on a grid of times.
+std::vector<Eigen::RowVectorXd> on_grid(const Eigen::VectorXd& time_s, const std::vector<Matrix3Xd>& tracks,
+                                        const Eigen::VectorXd& grid, bool holds_ends) {
+    std::vector<Eigen::RowVectorXd> rows;
+    for (const Matrix3Xd& track : tracks)
+        for (int axis = 0; axis < 3; ++axis) rows.push_back(resampled(time_s, track.row(axis), grid, holds_ends));
+    return rows;
+}
+
+/// Vertex of the parabola through the best score and its neighbours, in steps from the best.
+double vertex_offset(const Eigen::VectorXd& scores, Index best) {
+    const Index count = scores.size();
+    double shift = 0.0;
+    if (best > 0 && best + 1 < count && !std::isnan(scores[best - 1]) && !std::isnan(scores[best + 1])) {
+        const double bend = scores[best - 1] - 2.0 * scores[best] + scores[best + 1];
+        if (bend < 0.0) shift = 0.5 * (scores[best - 1] - scores[best + 1]) / bend;
+    }
+    return shift;
+}
+
 }  // namespace
 
 Result<TimeAlignment> align_in_time(const Eigen::VectorXd& reference_time_s, const std::vector<Matrix3Xd>& reference,
@@ -76,17 +96,11 @@ Result<TimeAlignment> align_in_time(const Eigen::VectorXd& reference_time_s, con
     const auto count = static_cast<Index>(std::floor(length / step + 1e-9)) + 1;
     const Eigen::VectorXd grid = Eigen::VectorXd::LinSpaced(count, first,
                                                             first + step * static_cast<double>(count - 1));
-    std::vector<Eigen::RowVectorXd> seen;
-    for (const Matrix3Xd& track : record)
-        for (int axis = 0; axis < 3; ++axis) seen.push_back(resampled(record_time_s, track.row(axis), grid, false));
+    const std::vector<Eigen::RowVectorXd> seen = on_grid(record_time_s, record, grid, false);
     // Exhaustive search: time 0 of the reference may lie anywhere in the record.
     Eigen::VectorXd scores(count);
     const auto score = [&](double delay) {
-        std::vector<Eigen::RowVectorXd> shifted;
-        for (const Matrix3Xd& track : reference)
-            for (int axis = 0; axis < 3; ++axis)
-                shifted.push_back(resampled(reference_time_s, track.row(axis), grid.array() - delay, true));
-        return correlation(shifted, seen);
+        return correlation(on_grid(reference_time_s, reference, grid.array() - delay, true), seen);
     };
     const double earliest = first - reference_time_s[0];
     Index best = -1;
@@ -95,12 +109,7 @@ Result<TimeAlignment> align_in_time(const Eigen::VectorXd& reference_time_s, con
         if (!std::isnan(scores[i]) && (best < 0 || scores[i] > scores[best])) best = i;
     }
     if (best < 0) return Error{"nothing moves in one of the records", ""};
-    // Vertex of the parabola through the best score and its neighbours.
-    double shift = 0.0;
-    if (best > 0 && best + 1 < count && !std::isnan(scores[best - 1]) && !std::isnan(scores[best + 1])) {
-        const double bend = scores[best - 1] - 2.0 * scores[best] + scores[best + 1];
-        if (bend < 0.0) shift = 0.5 * (scores[best - 1] - scores[best + 1]) / bend;
-    }
+    const double shift = vertex_offset(scores, best);
     return TimeAlignment{earliest + step * (static_cast<double>(best) + shift), scores[best]};
 }
 

@@ -14,6 +14,26 @@ namespace {
 
 constexpr std::array<std::string_view, 3> axis_suffixes{"_x_m", "_y_m", "_z_m"};
 
+/// The coordinate that a column name ends with.
+std::optional<std::size_t> axis_of(std::string_view name) {
+    std::optional<std::size_t> axis;
+    for (std::size_t a = 0; a < 3; ++a) {
+        if (name.size() > axis_suffixes[a].size() && name.ends_with(axis_suffixes[a])) axis = a;
+    }
+    return axis;
+}
+
+Result<void> check_complete(const std::vector<MarkerColumns>& markers, std::size_t absent, const std::string& where) {
+    for (const MarkerColumns& marker : markers) {
+        for (std::size_t a = 0; a < 3; ++a) {
+            if (marker.columns[a] == absent) {
+                return Error{"column '" + marker.label + std::string(axis_suffixes[a]) + "' is missing", where};
+            }
+        }
+    }
+    return {};
+}
+
 // Columns of the axes of each marker, from the header line.
 Result<std::vector<MarkerColumns>> marker_columns(const std::vector<std::string_view>& names,
                                                   const std::string& where) {
@@ -22,10 +42,7 @@ Result<std::vector<MarkerColumns>> marker_columns(const std::vector<std::string_
     constexpr std::size_t absent = static_cast<std::size_t>(-1);
     for (std::size_t column = 1; column < names.size(); ++column) {
         const std::string_view name = names[column];
-        std::optional<std::size_t> axis;
-        for (std::size_t a = 0; a < 3; ++a) {
-            if (name.size() > axis_suffixes[a].size() && name.ends_with(axis_suffixes[a])) axis = a;
-        }
+        const std::optional<std::size_t> axis = axis_of(name);
         if (!axis) {
             return Error{"column " + std::to_string(column + 1) + " is '" + std::string(name) +
                              "', expected <marker>_x_m, <marker>_y_m or <marker>_z_m",
@@ -39,13 +56,7 @@ Result<std::vector<MarkerColumns>> marker_columns(const std::vector<std::string_
         if (place != absent) return Error{"column '" + std::string(name) + "' appears twice", where};
         place = column;
     }
-    for (const MarkerColumns& marker : markers) {
-        for (std::size_t a = 0; a < 3; ++a) {
-            if (marker.columns[a] == absent) {
-                return Error{"column '" + marker.label + std::string(axis_suffixes[a]) + "' is missing", where};
-            }
-        }
-    }
+    if (const Result<void> complete = check_complete(markers, absent, where); !complete) return complete.error();
     if (markers.empty()) return Error{"names no marker", where};
     return markers;
 }

@@ -72,6 +72,34 @@ Result<void> check_count(const std::map<std::string, std::string>& values, const
     return {};
 }
 
+/// Metres per unit of length.
+Result<double> header_unit(const std::map<std::string, std::string>& values, const std::filesystem::path& path) {
+    const auto unit = values.find("Units");
+    const std::optional<double> metres = unit != values.end() ? metres_per_unit(unit->second) : std::nullopt;
+    if (!metres)
+        return Error{unit == values.end() ? "has no Units in its header" : "its unit '" + unit->second + "' is unknown",
+                     at_line(path, values_line + 1)};
+    return *metres;
+}
+
+/// Columns of the rows: frame, time, and three coordinates of each marker.
+SampleTable trc_table(const std::vector<std::string>& names, double metres_per_unit, double rate_Hz) {
+    SampleTable table;
+    table.separator = '\t';
+    table.metres_per_unit = metres_per_unit;
+    table.rate_Hz = rate_Hz;
+    table.trailing_separator = true;
+    table.frame_column = 0;
+    table.time_column = 1;
+    table.column_names = {"Frame#", "Time"};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        table.markers.push_back({names[i], {2 + 3 * i, 3 + 3 * i, 4 + 3 * i}});
+        for (const char* axis : {" X", " Y", " Z"}) table.column_names.push_back(names[i] + axis);
+    }
+    table.field_count = 2 + 3 * names.size();
+    return table;
+}
+
 }  // namespace
 
 Result<Recording> read_trc(const std::filesystem::path& path) {
@@ -83,11 +111,8 @@ Result<Recording> read_trc(const std::filesystem::path& path) {
     const std::map<std::string, std::string> values = header_values(lines);
     const Result<double> rate = header_number(values, "DataRate", path);
     if (!rate) return rate.error();
-    const auto unit = values.find("Units");
-    const std::optional<double> metres = unit != values.end() ? metres_per_unit(unit->second) : std::nullopt;
-    if (!metres)
-        return Error{unit == values.end() ? "has no Units in its header" : "its unit '" + unit->second + "' is unknown",
-                     at_line(path, values_line + 1)};
+    const Result<double> metres = header_unit(values, path);
+    if (!metres) return metres.error();
     const Result<std::vector<std::string>> names = marker_names(lines[names_line], path);
     if (!names) return names.error();
 
@@ -100,19 +125,7 @@ Result<Recording> read_trc(const std::filesystem::path& path) {
     if (const Result<void> counted = check_count(values, "NumFrames", rows.size(), path); !counted)
         return counted.error();
 
-    SampleTable table;
-    table.separator = '\t';
-    table.metres_per_unit = *metres;
-    table.rate_Hz = *rate;
-    table.trailing_separator = true;
-    table.frame_column = 0;
-    table.time_column = 1;
-    table.column_names = {"Frame#", "Time"};
-    for (std::size_t i = 0; i < names->size(); ++i) {
-        table.markers.push_back({(*names)[i], {2 + 3 * i, 3 + 3 * i, 4 + 3 * i}});
-        for (const char* axis : {" X", " Y", " Z"}) table.column_names.push_back((*names)[i] + axis);
-    }
-    table.field_count = 2 + 3 * names->size();
+    const SampleTable table = trc_table(*names, *metres, *rate);
     return read_samples(path, rows, table);
 }
 

@@ -11,10 +11,10 @@
 #include "experiment/read_trial.hpp"
 #include "fibre/switches.hpp"
 #include "material/catalogue.hpp"
-#include "measurement/noise.hpp"
 #include "mesh/region.hpp"
 #include "setup/activation_range.hpp"
 #include "setup/first_vibration.hpp"
+#include "setup/marker_noise.hpp"
 #include "setup/mesh_suitability.hpp"
 #include "setup/muscle_groups.hpp"
 #include "setup/recording_frame.hpp"
@@ -79,6 +79,21 @@ Result<void> add_activation(const Setup& setup, const experiment::TrialDeclarati
     return {};
 }
 
+/// Start, scheme, step and end of the runs of a trial.
+void set_time_integration(const Setup& setup, experiment::StartState start, PreparedTrial& trial) {
+    trial.options.start = start == experiment::StartState::straight ? dynamics::StartKind::straight
+                                                                    : dynamics::StartKind::equilibrium;
+    trial.options.integrator = setup.settings.scheme();
+    trial.options.solver.strategy = setup.settings.strategy;
+    // Provisional step of half a sampling interval; choose_steps() may replace it.
+    const Eigen::VectorXd& times = trial.measured.time_s;
+    const double interval = sampling_interval_s(trial);
+    trial.recorded_activation = trial.model.activation;
+    set_step(trial, setup.settings.h_s.value_or(0.5 * interval));
+    // Beyond the last sample, so that a start found a little later still has simulated data under every sample.
+    trial.options.end_s = std::max(times(times.size() - 1), interval) + 3.0 * interval;
+}
+
 Result<PreparedTrial> prepare_trial(const Setup& setup, const model::Model& model,
                                     const experiment::TrialDeclaration& declaration,
                                     std::vector<std::string>& warnings) {
@@ -99,56 +114,8 @@ Result<PreparedTrial> prepare_trial(const Setup& setup, const model::Model& mode
     if (const Result<void> framed = place_recording(experiment, declaration, recording->recording, trial); !framed)
         return framed.error();
 
-    trial.options.start = declaration.start == experiment::StartState::straight ? dynamics::StartKind::straight
-                                                                                : dynamics::StartKind::equilibrium;
-    trial.options.integrator = setup.settings.scheme();
-    trial.options.solver.strategy = setup.settings.strategy;
-    // Provisional step of half a sampling interval; choose_steps() may replace it.
-    const Eigen::VectorXd& times = trial.measured.time_s;
-    const double interval = sampling_interval_s(trial);
-    trial.recorded_activation = trial.model.activation;
-    set_step(trial, setup.settings.h_s.value_or(0.5 * interval));
-    // Beyond the last sample, so that a start found a little later still has simulated data under every sample.
-    trial.options.end_s = std::max(times(times.size() - 1), interval) + 3.0 * interval;
+    set_time_integration(setup, declaration.start, trial);
     return trial;
-}
-
-/// Noise per marker: declared, or estimated per trial and pooled (rms). Markers without an estimate get the mean of the
-/// others. Never below the deviation that rounding produces.
-void set_noise(const std::vector<measurement::Recording>& recordings, Setup& setup) {
-    const auto count = static_cast<Eigen::Index>(setup.marker_names.size());
-    const auto coarsest = std::max_element(
-        setup.trials.begin(), setup.trials.end(),
-        [](const PreparedTrial& a, const PreparedTrial& b) { return a.rounding_m < b.rounding_m; });
-    const double rounded_m = measurement::rounding_deviation(coarsest->rounding_m);
-    if (const auto declared = setup.experiment.markers.noise_m) {
-        setup.noise_m = Eigen::VectorXd::Constant(count, std::max(*declared, rounded_m));
-        if (rounded_m > *declared)
-            setup.warnings.push_back("markers.noise_m: the numbers of trial " + coarsest->name + " are rounded to " +
-                                     format_number(1e3 * coarsest->rounding_m) + " mm, which is noise of " +
-                                     format_number(1e3 * rounded_m, 3) + " mm by itself; it is taken in place of the " +
-                                     format_number(1e3 * *declared, 3) + " mm declared");
-        return;
-    }
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(count), found = Eigen::VectorXd::Zero(count);
-    for (const measurement::Recording& recording : recordings)
-        for (Eigen::Index m = 0; m < count; ++m) {
-            const measurement::NoiseEstimate estimate = measurement::estimate_track_noise(
-                recording.tracks[static_cast<std::size_t>(m)]);
-            if (!estimate.found || !(estimate.sigma_m > 0.0)) continue;
-            sum(m) += estimate.sigma_m * estimate.sigma_m;
-            found(m) += 1.0;
-        }
-    // Without any estimate, 0.1 mm: typical of mocap cameras.
-    const double typical = found.sum() > 0.0 ? std::sqrt(sum.sum() / found.sum()) : 1e-4;
-    if (found.sum() == 0.0)
-        setup.warnings.push_back(
-            "markers.noise_m: not declared and not to be estimated from the traces; 0.1 mm is assumed");
-    setup.noise_m.resize(count);
-    // Half the typical noise as a floor: a single marker with a too small estimate would dominate the fit.
-    for (Eigen::Index m = 0; m < count; ++m)
-        setup.noise_m(m) = std::max(
-            {found(m) > 0.0 ? std::sqrt(sum(m) / found(m)) : typical, 0.5 * typical, rounded_m});
 }
 
 /// Trials without a visible marker are excluded; at least one fit trial must remain.
@@ -208,6 +175,88 @@ Result<std::vector<int>> clamped_nodes(const experiment::Experiment& experiment,
     if (static_cast<Eigen::Index>(clamped.size()) == mesh.mesh.node_count())
         return experiment::holds_whole_body(experiment);
     return clamped;
+}
+
+/// The declared law of the material, or the one that the settings name, e.g. for the published formulation.
+Result<material::MaterialPointer> chosen_material(const experiment::Experiment& experiment,
+                                                  const SetupSettings& settings) {
+    const std::string law = settings.material.value_or(experiment.material.model);
+    material::MaterialPointer material = material::find_material(
+        law, law == experiment.material.model ? experiment.material.law : std::vector<double>{});
+    if (!material) return experiment::declaration_error(experiment, "material.model", "no material law '" + law + "'");
+    return material;
+}
+
+/// Mesh, held body and bound markers.
+///
+/// @param meshed  mesh to use; null: a new one
+Result<void> add_body(Setup& setup, const BodyMesh* meshed, const Progress& progress) {
+    const experiment::Experiment& experiment = setup.experiment;
+    // The mesh conforms to the part of the body that the clamp really holds, see held_part().
+    const Box held = held_part(experiment.clamp_box_m, mesh::bounding_box(setup.surface.vertices));
+    Result<BodyMesh> mesh = meshed ? *meshed : mesh_body(setup.surface, setup.settings.mesh, {held}, progress);
+    if (!mesh) return mesh.error();
+    setup.mesh = std::move(*mesh);
+    setup.warnings.insert(setup.warnings.end(), setup.mesh.warnings.begin(), setup.mesh.warnings.end());
+    // An unsuitable mesh is a warning, not an error: the user may have chosen it on purpose.
+    const std::vector<std::string> unfit = unsuitable({setup.surface, setup.mesh, experiment.effects});
+    setup.warnings.insert(setup.warnings.end(), unfit.begin(), unfit.end());
+    const Result<std::vector<int>> clamped = clamped_nodes(experiment, setup.mesh, held);
+    if (!clamped) return clamped.error();
+    // Effects that vary within a cell need an element that resolves them.
+    const bool fine = setup.settings.fine_element || effect::any_varies_within_cells(experiment.effects);
+    setup.body = model::make_body(setup.mesh.mesh, fine ? fem::fine_element(setup.mesh.element) : setup.mesh.element,
+                                  *clamped);
+    // Markers are bound to the surface of the mesh, which may differ slightly from the declared surface.
+    std::vector<Eigen::Vector3d> rest;
+    for (const experiment::MarkerDeclaration& marker : experiment.markers.on_body) {
+        setup.marker_names.push_back(marker.name);
+        rest.push_back(marker.rest_m);
+    }
+    setup.markers = measurement::marker_set(setup.mesh.mesh, rest);
+    return {};
+}
+
+/// The model that the trials share: body, material and fibres. Only activations and loads differ between trials.
+Result<model::Model> shared_model(Setup& setup, const material::MaterialPointer& material) {
+    const experiment::Experiment& experiment = setup.experiment;
+    model::Model model;
+    model.body = setup.body;
+    model.material = material;
+    model.moduli = model::uniform_moduli(setup.body->cell_count(), experiment.material.youngs_modulus_Pa,
+                                         experiment.material.poissons_ratio);
+    model.density_kg_m3 = experiment.material.density_kg_m3;
+    model.mass_model = setup.settings.mass_model;
+    warn_of_mass(model, setup.warnings);
+    model.velocity_force_1_s = setup.settings.velocity_force_1_s;
+    model.gravity_m_s2 = experiment.gravity_m_s2;
+    // The assumed damping needs the first vibration, hence a complete model except for the muscles.
+    model.damping_s = experiment.material.damping_s ? *experiment.material.damping_s
+                                                    : assumed_damping_s(model, setup.settings);
+    Result<std::vector<fibre::FibreGroup>> muscles = muscle_groups(experiment, setup.mesh, &setup.warnings);
+    if (!muscles) return muscles.error();
+    model.fibres = std::make_shared<const std::vector<fibre::FibreGroup>>(std::move(*muscles));
+    return model;
+}
+
+/// The trials with their traces, and the noise of the markers, which is estimated from all of them.
+Result<void> add_trials(Setup& setup, const model::Model& model, const Progress& progress) {
+    const experiment::Experiment& experiment = setup.experiment;
+    std::vector<measurement::Recording> recordings;
+    for (const experiment::TrialDeclaration& declaration : experiment.trials) {
+        if (progress.cancelled()) return Error{"stopped before trial " + declaration.name + " was read", ""};
+        Result<PreparedTrial> trial = prepare_trial(setup, model, declaration, setup.warnings);
+        if (!trial) return trial.error();
+        recordings.push_back(trial->measured);
+        setup.trials.push_back(std::move(*trial));
+    }
+    if (const Result<void> seen = check_seen(setup); !seen) return seen.error();
+    // An effect on the actuation of a body without muscles is declared in vain.
+    for (const effect::EffectDeclaration& effect : experiment.effects)
+        if (experiment.muscles.empty() && effect::find_effect(effect.id)->kind == effect::EffectKind::actuation)
+            setup.warnings.push_back("effect " + effect.id + ": there is no muscle, so it does nothing");
+    set_noise(recordings, setup);
+    return {};
 }
 
 }  // namespace
@@ -291,79 +340,19 @@ Result<Setup> prepare_setup(const experiment::Experiment& experiment, const Setu
     Setup setup;
     setup.experiment = experiment;
     setup.settings = settings;
-    // Order of the work below: geometry and mesh, clamp, markers, model, then the trials, which share body and fibres.
     setup.warnings = experiment.warnings;
     Result<mesh::SurfaceMesh> surface = experiment::read_body_surface(experiment);
     if (!surface) return surface.error();
     setup.surface = std::move(*surface);
     if (const Result<void> fits = experiment::check_on_body(experiment, setup.surface); !fits) return fits.error();
-
     if (!settings.as_published)
         if (const Result<void> positive = check_declared_activation(experiment); !positive) return positive.error();
-
-    // The command line may replace the declared law, e.g. for the published formulation.
-    const std::string law = settings.material.value_or(experiment.material.model);
-    const material::MaterialPointer material = material::find_material(
-        law, law == experiment.material.model ? experiment.material.law : std::vector<double>{});
-    if (!material) return experiment::declaration_error(experiment, "material.model", "no material law '" + law + "'");
-
-    // The mesh conforms to the part of the body that the clamp really holds, see held_part().
-    const Box held = held_part(experiment.clamp_box_m, mesh::bounding_box(setup.surface.vertices));
-    Result<BodyMesh> mesh = meshed ? *meshed : mesh_body(setup.surface, settings.mesh, {held}, progress);
-    if (!mesh) return mesh.error();
-    setup.mesh = std::move(*mesh);
-    setup.warnings.insert(setup.warnings.end(), setup.mesh.warnings.begin(), setup.mesh.warnings.end());
-    // An unsuitable mesh is a warning, not an error: the user may have chosen it on purpose.
-    const std::vector<std::string> unfit = unsuitable({setup.surface, setup.mesh, experiment.effects});
-    setup.warnings.insert(setup.warnings.end(), unfit.begin(), unfit.end());
-    const Result<std::vector<int>> clamped = clamped_nodes(experiment, setup.mesh, held);
-    if (!clamped) return clamped.error();
-    // Effects that vary within a cell need an element that resolves them.
-    const bool fine = settings.fine_element || effect::any_varies_within_cells(experiment.effects);
-    setup.body = model::make_body(setup.mesh.mesh, fine ? fem::fine_element(setup.mesh.element) : setup.mesh.element,
-                                  *clamped);
-
-    // Markers are bound to the surface of the mesh, which may differ slightly from the declared surface.
-    std::vector<Eigen::Vector3d> rest;
-    for (const experiment::MarkerDeclaration& marker : experiment.markers.on_body) {
-        setup.marker_names.push_back(marker.name);
-        rest.push_back(marker.rest_m);
-    }
-    setup.markers = measurement::marker_set(setup.mesh.mesh, rest);
-
-    model::Model model;
-    model.body = setup.body;
-    model.material = material;
-    model.moduli = model::uniform_moduli(setup.body->cell_count(), experiment.material.youngs_modulus_Pa,
-                                         experiment.material.poissons_ratio);
-    model.density_kg_m3 = experiment.material.density_kg_m3;
-    model.mass_model = settings.mass_model;
-    warn_of_mass(model, setup.warnings);
-    model.velocity_force_1_s = settings.velocity_force_1_s;
-    model.gravity_m_s2 = experiment.gravity_m_s2;
-    // The assumed damping needs the first vibration, hence a complete model except for the muscles.
-    model.damping_s = experiment.material.damping_s ? *experiment.material.damping_s
-                                                    : assumed_damping_s(model, settings);
-    // Fibres are shared by all trials; only activations and loads differ.
-    Result<std::vector<fibre::FibreGroup>> muscles = muscle_groups(experiment, setup.mesh, &setup.warnings);
-    if (!muscles) return muscles.error();
-    model.fibres = std::make_shared<const std::vector<fibre::FibreGroup>>(std::move(*muscles));
-
-    std::vector<measurement::Recording> recordings;
-    for (const experiment::TrialDeclaration& declaration : experiment.trials) {
-        if (progress.cancelled()) return Error{"stopped before trial " + declaration.name + " was read", ""};
-        Result<PreparedTrial> trial = prepare_trial(setup, model, declaration, setup.warnings);
-        if (!trial) return trial.error();
-        // Noise is estimated after all trials have been read, because trials are pooled.
-        recordings.push_back(trial->measured);
-        setup.trials.push_back(std::move(*trial));
-    }
-    if (const Result<void> seen = check_seen(setup); !seen) return seen.error();
-    // An effect on the actuation of a body without muscles is declared in vain.
-    for (const effect::EffectDeclaration& effect : experiment.effects)
-        if (experiment.muscles.empty() && effect::find_effect(effect.id)->kind == effect::EffectKind::actuation)
-            setup.warnings.push_back("effect " + effect.id + ": there is no muscle, so it does nothing");
-    set_noise(recordings, setup);
+    const Result<material::MaterialPointer> material = chosen_material(experiment, settings);
+    if (!material) return material.error();
+    if (const Result<void> meshed_body = add_body(setup, meshed, progress); !meshed_body) return meshed_body.error();
+    const Result<model::Model> model = shared_model(setup, *material);
+    if (!model) return model.error();
+    if (const Result<void> read = add_trials(setup, *model, progress); !read) return read.error();
     add_warnings(setup);
     return setup;
 }

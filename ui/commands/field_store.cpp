@@ -36,6 +36,19 @@ std::shared_ptr<const FieldFrame> force_frame(const WorkbenchState& state) {
     return std::make_shared<const FieldFrame>(std::move(frame));
 }
 
+/// Range of the values over a trial of `count` frames, from at most range_frames of them.
+template <class Values>
+std::array<double, 2> range_over_trial(std::size_t count, const Values& values_at) {
+    std::array<double, 2> range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    const std::size_t samples = std::min(count, range_frames);
+    for (std::size_t k = 0; k < samples; ++k) {
+        const std::size_t frame = samples > 1 ? k * (count - 1) / (samples - 1) : 0;
+        const auto here = range_of(values_at(frame));
+        range = {std::min(range[0], here[0]), std::max(range[1], here[1])};
+    }
+    return range;
+}
+
 }  // namespace
 
 std::vector<FieldKind> field_kinds(const Backend& backend) {
@@ -71,17 +84,45 @@ void FieldStore::take(Answer answer) {
     shown_ = std::move(frame);
 }
 
+const std::shared_ptr<const FieldFrame>& FieldStore::update_force(const WorkbenchState& state) {
+    source_ = {};
+    const ForceKey key{state.diagnosis, state.body, state.candidate, state.trial, state.time_s};
+    if (!(force_key_ == key)) shown_ = force_frame(state);
+    force_key_ = key;
+    return shown_;
+}
+
+void FieldStore::change_source(const Source& wanted) {
+    // Values of another field or body cannot be shown on this one. Values of another run of the same field and body
+    // stay visible until the new ones arrive, so that a preview does not flicker.
+    const bool keeps = source_.field == wanted.field && source_.body == wanted.body;
+    if (!keeps) shown_.reset();
+    source_ = wanted;
+    frame_.reset();
+    range_.reset();
+}
+
+void FieldStore::request_frame(const Source& wanted, std::size_t frame, const Backend& backend) {
+    job_ = std::async(std::launch::async, [wanted, frame, &backend] {
+        return Answer{wanted, frame, backend.field(wanted.field, *wanted.body, *wanted.run, wanted.trial, frame), {}};
+    });
+}
+
+void FieldStore::request_range(const Source& wanted, std::size_t count, const Backend& backend) {
+    job_ = std::async(std::launch::async, [wanted, count, &backend] {
+        const auto values_at = [&](std::size_t frame) {
+            return backend.field(wanted.field, *wanted.body, *wanted.run, wanted.trial, frame);
+        };
+        const std::array<double, 2> range = range_over_trial(count, values_at);
+        return Answer{wanted, 0, {}, range};
+    });
+}
+
 std::shared_ptr<const FieldFrame> FieldStore::update(const WorkbenchState& state, const Backend& backend) {
     // Never wait for the background thread here: the UI must not stall.
     if (job_.valid() && job_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) take(job_.get());
     const SimulatedTrial* const trial = state.simulated_trial();
-    if (state.view.field == force_field) {
-        source_ = {};
-        const ForceKey key{state.diagnosis, state.body, state.candidate, state.trial, state.time_s};
-        if (!(force_key_ == key)) shown_ = force_frame(state);
-        force_key_ = key;
-        return shown_;
-    }
+    if (state.view.field == force_field) return update_force(state);
     force_key_.reset();
     Source wanted{state.shown_run(), state.body, state.view.field, static_cast<std::size_t>(state.trial)};
     if (wanted.field.empty() || !trial || trial->frames.empty() || !state.body) {
@@ -89,38 +130,16 @@ std::shared_ptr<const FieldFrame> FieldStore::update(const WorkbenchState& state
         shown_.reset();
         return nullptr;
     }
-    if (!(wanted == source_)) {
-        // Values of another field or body cannot be shown on this one. Values of another run of the same field and body
-        // stay visible until the new ones arrive, so that a preview does not flicker.
-        const bool keeps = source_.field == wanted.field && source_.body == wanted.body;
-        if (!keeps) shown_.reset();
-        source_ = wanted;
-        frame_.reset();
-        range_.reset();
-    }
+    if (!(wanted == source_)) change_source(wanted);
     const TimePlace place = place_in_time(trial->frame_time_s, state.time_s);
     const auto nearest = static_cast<std::size_t>(place.weight < 0.5 ? place.index : place.next);
     // One request at a time: the backend is free for the next frame that is shown.
     if (job_.valid()) return shown_;
     // First the values of the shown frame, then the range of the trial, which takes up to range_frames times as long.
-    if (frame_ != nearest) {
-        job_ = std::async(std::launch::async, [wanted, nearest, &backend] {
-            return Answer{
-                wanted, nearest, backend.field(wanted.field, *wanted.body, *wanted.run, wanted.trial, nearest), {}};
-        });
-    } else if (!range_) {
-        job_ = std::async(std::launch::async, [wanted, count = trial->frames.size(), &backend] {
-            std::array<double, 2> range{std::numeric_limits<double>::infinity(),
-                                        -std::numeric_limits<double>::infinity()};
-            const std::size_t samples = std::min(count, range_frames);
-            for (std::size_t k = 0; k < samples; ++k) {
-                const std::size_t frame = samples > 1 ? k * (count - 1) / (samples - 1) : 0;
-                const auto here = range_of(backend.field(wanted.field, *wanted.body, *wanted.run, wanted.trial, frame));
-                range = {std::min(range[0], here[0]), std::max(range[1], here[1])};
-            }
-            return Answer{wanted, 0, {}, range};
-        });
-    }
+    if (frame_ != nearest)
+        request_frame(wanted, nearest, backend);
+    else if (!range_)
+        request_range(wanted, trial->frames.size(), backend);
     // Fast fields are ready within this frame, without a frame of old values.
     if (job_.valid() && job_.wait_for(std::chrono::milliseconds(4)) == std::future_status::ready) take(job_.get());
     return shown_;

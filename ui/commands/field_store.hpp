@@ -69,6 +69,14 @@ private:
     };
     /// Stores an answer, unless it belongs to an earlier request.
     void take(Answer answer);
+    /// Force of the selected row of the diagnosis at the shown time.
+    const std::shared_ptr<const FieldFrame>& update_force(const WorkbenchState& state);
+    /// Drops what another source has given.
+    void change_source(const Source& wanted);
+    /// Requests the values of a frame.
+    void request_frame(const Source& wanted, std::size_t frame, const Backend& backend);
+    /// Requests the range of a trial of `count` frames, which takes up to range_frames times as long.
+    void request_range(const Source& wanted, std::size_t count, const Backend& backend);
 
     Source source_;
     std::optional<ForceKey> force_key_;           // key of shown_ if that is a force

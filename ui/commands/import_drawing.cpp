@@ -6,6 +6,23 @@
 
 namespace myo::ui::commands {
 
+namespace {
+
+/// The target ring and the line to it show how far label i lies from its marker before the start.
+void add_target(viewport::DrawnScene& drawn, const ImportView& view, std::size_t i, const platform::Theme& theme,
+                bool chosen) {
+    const Eigen::Vector3d target = view.target_m.col(static_cast<Eigen::Index>(i));
+    if (!target.allFinite()) return;
+    drawn.markers.push_back({target, viewport::color_of(chosen ? theme.accent : theme.simulated), true, "", -1});
+    const Eigen::Vector3d before = view.before_m.col(static_cast<Eigen::Index>(i));
+    if (!before.allFinite()) return;
+    Eigen::Matrix3Xd apart(3, 2);
+    apart << before, target;
+    drawn.lines.push_back({apart, viewport::color_of(theme.failure), 2.0});
+}
+
+}  // namespace
+
 void add_import(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme) {
     const RecordingImport& import = *state.import;
     const measurement::Recording& recording = *import.file.recording;
@@ -29,15 +46,7 @@ void add_import(viewport::DrawnScene& drawn, const WorkbenchState& state, const 
                                                         : marker.name.empty() ? theme.muted
                                                                               : theme.measured),
                                      false, label, -1});
-        const Eigen::Vector3d target = import.view.target_m.col(static_cast<Eigen::Index>(i));
-        if (!target.allFinite()) continue;
-        // The target ring and the line to it show how far the label lies from its marker before the start.
-        drawn.markers.push_back({target, viewport::color_of(chosen ? theme.accent : theme.simulated), true, "", -1});
-        const Eigen::Vector3d before = import.view.before_m.col(static_cast<Eigen::Index>(i));
-        if (!before.allFinite()) continue;
-        Eigen::Matrix3Xd apart(3, 2);
-        apart << before, target;
-        drawn.lines.push_back({apart, viewport::color_of(theme.failure), 2.0});
+        add_target(drawn, import.view, i, theme, chosen);
     }
 }
 

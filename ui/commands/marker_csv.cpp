@@ -44,6 +44,34 @@ const Eigen::Matrix3Xd* simulated_way(const SceneTrial& trial, const RunResult* 
     return way.cols() == trial.time_s.size() ? &way : nullptr;
 }
 
+/// Table of the curves in a range of time.
+std::string table_of(const std::vector<Curve>& curves, double first_s, double last_s) {
+    // Trials have different sample times. The table has a line for each time of any of them, with gaps as nan.
+    std::set<double> times;
+    for (const Curve& curve : curves) times.insert(curve.time_s->begin(), curve.time_s->end());
+    std::string text = "time_s";
+    for (const Curve& curve : curves) {
+        for (const char* const axis : {"_x_m", "_y_m", "_z_m"}) text += "," + quoted(curve.name + axis);
+    }
+    text += "\n";
+    std::vector<Eigen::Index> next(curves.size(), 0);
+    for (const double time : times) {
+        std::string line = format_number(time, digits);
+        for (std::size_t c = 0; c < curves.size(); ++c) {
+            const Eigen::VectorXd& at = *curves[c].time_s;
+            // Times ascend in the table and in each trial, so one pass with an index per trial suffices.
+            while (next[c] < at.size() && at(next[c]) < time) ++next[c];
+            const bool sampled = next[c] < at.size() && at(next[c]) == time;
+            for (int axis = 0; axis < 3; ++axis)
+                line += "," + format_number(sampled ? curves[c].position_m(axis, next[c])
+                                                    : std::numeric_limits<double>::quiet_NaN(),
+                                            digits);
+        }
+        if (time >= first_s && time <= last_s) text += line + "\n";
+    }
+    return text;
+}
+
 }  // namespace
 
 std::vector<ComparedMarker> compared_markers(const WorkbenchState& state) {
@@ -88,30 +116,7 @@ std::string marker_curves_csv(const WorkbenchState& state, double first_s, doubl
         curves.push_back({other.name, &trial->time_s, *other.position_m});
     for (const OverlaidMarker& other : overlaid_markers(state, overlaid))
         add_trial(curves, other.measured->name + "_", *other.measured, m, other.simulated_m);
-    // Trials have different sample times. The table has a line for each time of any of them, with gaps as nan.
-    std::set<double> times;
-    for (const Curve& curve : curves) times.insert(curve.time_s->begin(), curve.time_s->end());
-    std::string text = "time_s";
-    for (const Curve& curve : curves) {
-        for (const char* const axis : {"_x_m", "_y_m", "_z_m"}) text += "," + quoted(curve.name + axis);
-    }
-    text += "\n";
-    std::vector<Eigen::Index> next(curves.size(), 0);
-    for (const double time : times) {
-        std::string line = format_number(time, digits);
-        for (std::size_t c = 0; c < curves.size(); ++c) {
-            const Eigen::VectorXd& at = *curves[c].time_s;
-            // Times ascend in the table and in each trial, so one pass with an index per trial suffices.
-            while (next[c] < at.size() && at(next[c]) < time) ++next[c];
-            const bool sampled = next[c] < at.size() && at(next[c]) == time;
-            for (int axis = 0; axis < 3; ++axis)
-                line += "," + format_number(sampled ? curves[c].position_m(axis, next[c])
-                                                    : std::numeric_limits<double>::quiet_NaN(),
-                                            digits);
-        }
-        if (time >= first_s && time <= last_s) text += line + "\n";
-    }
-    return text;
+    return table_of(curves, first_s, last_s);
 }
 
 std::string marker_errors_csv(const std::vector<MarkerError>& errors) {

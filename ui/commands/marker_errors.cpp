@@ -5,6 +5,40 @@
 
 namespace myo::ui::commands {
 
+namespace {
+
+/// Sums over the samples of a marker from t = 0 on.
+struct ErrorSums {
+    Eigen::Vector3d differences = Eigen::Vector3d::Zero(), squares = Eigen::Vector3d::Zero();
+    Eigen::Vector3d largest_axis = Eigen::Vector3d::Zero();
+    double largest = 0.0;
+    int samples = 0, seen = 0, compared = 0;
+};
+
+/// @param simulated  null: nothing to compare with
+ErrorSums error_sums(const Eigen::VectorXd& time_s, const Eigen::Matrix3Xd& measured,
+                     const Eigen::Matrix3Xd* simulated) {
+    ErrorSums sums;
+    for (Eigen::Index t = 0; t < measured.cols(); ++t) {
+        // Before the start the body is held, so these samples say nothing about the motion.
+        if (time_s(t) < 0.0) continue;
+        ++sums.samples;
+        if (!measured.col(t).allFinite()) continue;
+        ++sums.seen;
+        // An occluded marker has NaN in all coordinates.
+        if (simulated == nullptr || !simulated->col(t).allFinite()) continue;
+        const Eigen::Vector3d difference = simulated->col(t) - measured.col(t);
+        sums.differences += difference;
+        sums.squares += difference.cwiseAbs2();
+        sums.largest_axis = sums.largest_axis.cwiseMax(difference.cwiseAbs());
+        sums.largest = std::max(sums.largest, difference.norm());
+        ++sums.compared;
+    }
+    return sums;
+}
+
+}  // namespace
+
 std::vector<MarkerError> marker_errors(const Scene& scene, const SceneTrial& trial, const SimulatedTrial* simulated) {
     std::vector<MarkerError> errors;
     for (std::size_t m = 0; m < scene.markers.size() && m < trial.measured.size(); ++m) {
@@ -13,33 +47,15 @@ std::vector<MarkerError> marker_errors(const Scene& scene, const SceneTrial& tri
         const Eigen::Matrix3Xd& measured = trial.measured[m];
         const bool predicted = simulated && m < simulated->markers.size() &&
                                simulated->markers[m].cols() == measured.cols();
-        Eigen::Vector3d sum = Eigen::Vector3d::Zero(), squares = Eigen::Vector3d::Zero();
-        Eigen::Vector3d largest_axis = Eigen::Vector3d::Zero();
-        double largest = 0.0;
-        int seen = 0, count = 0, samples = 0;
-        for (Eigen::Index t = 0; t < measured.cols(); ++t) {
-            // Before the start the body is held, so these samples say nothing about the motion.
-            if (trial.time_s(t) < 0.0) continue;
-            ++samples;
-            if (!measured.col(t).allFinite()) continue;
-            ++seen;
-            // An occluded marker has NaN in all coordinates.
-            if (!predicted || !simulated->markers[m].col(t).allFinite()) continue;
-            const Eigen::Vector3d difference = simulated->markers[m].col(t) - measured.col(t);
-            sum += difference;
-            squares += difference.cwiseAbs2();
-            largest_axis = largest_axis.cwiseMax(difference.cwiseAbs());
-            largest = std::max(largest, difference.norm());
-            ++count;
-        }
-        if (samples > 0) error.seen = static_cast<double>(seen) / samples;
-        if (count > 0) {
-            error.rms_axis_m = (squares / count).cwiseSqrt();
+        const ErrorSums sums = error_sums(trial.time_s, measured, predicted ? &simulated->markers[m] : nullptr);
+        if (sums.samples > 0) error.seen = static_cast<double>(sums.seen) / sums.samples;
+        if (sums.compared > 0) {
+            error.rms_axis_m = (sums.squares / sums.compared).cwiseSqrt();
             // over coordinates, not distances: three per sample
-            error.rms_m = std::sqrt(squares.sum() / (3.0 * count));
-            error.bias_m = sum / count;
-            error.largest_axis_m = largest_axis;
-            error.largest_m = largest;
+            error.rms_m = std::sqrt(sums.squares.sum() / (3.0 * sums.compared));
+            error.bias_m = sums.differences / sums.compared;
+            error.largest_axis_m = sums.largest_axis;
+            error.largest_m = sums.largest;
         }
         errors.push_back(error);
     }

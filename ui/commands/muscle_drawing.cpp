@@ -50,21 +50,33 @@ viewport::DrawnLine lines_of(const std::vector<Vector3d>& points, const Eigen::V
     return line;
 }
 
+/// Painted cells of the drawn body: faces at its surface, and cells inside it.
+struct PaintedCells {
+    std::vector<Index> faces, inside;
+};
+
+PaintedCells painted_cells(const viewport::DrawnScene& drawn, const mesh::VolumeMesh& mesh,
+                           const fibre::CellPaint& paint) {
+    const mesh::BoundaryFaces& boundary = drawn.body->faces;
+    std::vector<bool> at_surface(static_cast<std::size_t>(mesh.cell_count()), false);
+    PaintedCells painted;
+    for (Index f = 0; f < boundary.count(); ++f) {
+        if (!(paint.weights(boundary.cell(f)) > 0.0)) continue;
+        at_surface[static_cast<std::size_t>(boundary.cell(f))] = true;
+        painted.faces.push_back(f);
+    }
+    for (Index c = 0; c < mesh.cell_count(); ++c)
+        if (paint.weights(c) > 0.0 && drawn.body->has(c) && !at_surface[static_cast<std::size_t>(c)])
+            painted.inside.push_back(c);
+    return painted;
+}
+
 /// Adds the fibres of one muscle. Cells with a face on the surface show their fibre on it, all others inside.
 void add_fibres(viewport::DrawnScene& drawn, const MeshedBody& body, const fibre::CellPaint& paint, double spacing_m,
                 const Eigen::Vector3f& color, double width) {
     const mesh::BoundaryFaces& boundary = drawn.body->faces;
     const mesh::VolumeMesh& mesh = body.mesh;
-    std::vector<bool> at_surface(static_cast<std::size_t>(mesh.cell_count()), false);
-    std::vector<Index> faces, inside;
-    for (Index f = 0; f < boundary.count(); ++f) {
-        if (!(paint.weights(boundary.cell(f)) > 0.0)) continue;
-        at_surface[static_cast<std::size_t>(boundary.cell(f))] = true;
-        faces.push_back(f);
-    }
-    for (Index c = 0; c < mesh.cell_count(); ++c)
-        if (paint.weights(c) > 0.0 && drawn.body->has(c) && !at_surface[static_cast<std::size_t>(c)])
-            inside.push_back(c);
+    const auto [faces, inside] = painted_cells(drawn, mesh, paint);
     // Stride over both lists together, so that the density is the same on the surface and inside.
     const std::size_t stride = std::max<std::size_t>(1, (faces.size() + inside.size() + max_fibres - 1) / max_fibres);
     const double half = 0.5 * fibre_length * spacing_m;

@@ -76,6 +76,44 @@ std::vector<ReportLine> lines_about_marker(int marker, const WorkbenchState& sta
     return lines;
 }
 
+/// The marker nearest to the pixel, within reach [pixels]. `hit`: where the ray through the pixel meets the body.
+std::optional<PickedPlace> marker_at(const viewport::DrawnScene& scene, const viewport::Camera& camera,
+                                     const viewport::ViewSize& size, const Eigen::Vector2d& pixel, double reach,
+                                     const std::optional<viewport::SurfaceHit>& hit) {
+    const viewport::Ray ray = viewport::ray_through(camera, size, pixel);
+    std::optional<PickedPlace> picked;
+    double nearest = reach;
+    for (const viewport::DrawnMarker& marker : scene.markers) {
+        if (marker.number < 0 || !marker.position.allFinite()) continue;
+        const auto seen = viewport::project(camera, size, marker.position);
+        if (!seen || (seen->head<2>() - pixel).norm() > nearest) continue;
+        // Markers take precedence over the body, unless the body hides them.
+        const double depth = ray.direction.dot(marker.position - ray.origin_m);
+        if (hit && depth > hit->distance_m + 2.0 * scene.marker_radius) continue;
+        nearest = (seen->head<2>() - pixel).norm();
+        picked = PickedPlace{marker.number, marker.ring, {-1, -1, -1}, Vector3d::Zero(), -1, -1};
+    }
+    return picked;
+}
+
+/// A place on the body, by the nodes of its triangle.
+PickedPlace place_on_body(const viewport::DrawnScene& scene, const viewport::SurfaceHit& hit) {
+    PickedPlace place;
+    for (std::size_t k = 0; k < 3; ++k)
+        place.corners[k] = scene.surface->corners[3 * static_cast<std::size_t>(hit.triangle) + k];
+    place.weights = hit.weights;
+    const int face = hit.triangle / scene.surface->triangles_per_face();
+    place.cell = scene.body->faces.cell(face);
+    const Vector3d at = hit.place(*scene.surface, scene.positions);
+    // The nearest node of the face, for the values of node fields.
+    double closest = std::numeric_limits<double>::infinity();
+    for (const int node : scene.body->faces.nodes.col(face)) {
+        const double squared_distance = (scene.positions.col(node) - at).squaredNorm();
+        if (squared_distance < closest) closest = squared_distance, place.node = node;
+    }
+    return place;
+}
+
 }  // namespace
 
 std::optional<std::size_t> pick_one(const std::vector<Vector3d>& places_m, const viewport::DrawnScene& scene,
@@ -109,34 +147,10 @@ std::optional<PickedPlace> pick_place(const WorkbenchState& state, const viewpor
                       scene.positions.cols() == state.body->mesh.node_count();
     const viewport::Ray ray = viewport::ray_through(camera, size, pixel);
     const auto hit = body ? viewport::pick_surface(*scene.surface, scene.positions, ray) : std::nullopt;
-    std::optional<PickedPlace> picked;
-    double nearest = reach;
-    for (const viewport::DrawnMarker& marker : scene.markers) {
-        if (marker.number < 0 || !marker.position.allFinite()) continue;
-        const auto seen = viewport::project(camera, size, marker.position);
-        if (!seen || (seen->head<2>() - pixel).norm() > nearest) continue;
-        // Markers take precedence over the body, unless the body hides them.
-        const double depth = ray.direction.dot(marker.position - ray.origin_m);
-        if (hit && depth > hit->distance_m + 2.0 * scene.marker_radius) continue;
-        nearest = (seen->head<2>() - pixel).norm();
-        picked = PickedPlace{marker.number, marker.ring, {-1, -1, -1}, Vector3d::Zero(), -1, -1};
-    }
+    const std::optional<PickedPlace> picked = marker_at(scene, camera, size, pixel, reach, hit);
     // A place on the body is stored by the nodes of its triangle, so that it moves with them.
     if (picked || !hit) return picked;
-    PickedPlace place;
-    for (std::size_t k = 0; k < 3; ++k)
-        place.corners[k] = scene.surface->corners[3 * static_cast<std::size_t>(hit->triangle) + k];
-    place.weights = hit->weights;
-    const int face = hit->triangle / scene.surface->triangles_per_face();
-    place.cell = scene.body->faces.cell(face);
-    const Vector3d at = hit->place(*scene.surface, scene.positions);
-    // The nearest node of the face, for the values of node fields.
-    double closest = std::numeric_limits<double>::infinity();
-    for (const int node : scene.body->faces.nodes.col(face)) {
-        const double squared_distance = (scene.positions.col(node) - at).squaredNorm();
-        if (squared_distance < closest) closest = squared_distance, place.node = node;
-    }
-    return place;
+    return place_on_body(scene, *hit);
 }
 
 Vector3d place_now(const PickedPlace& place, const viewport::DrawnScene& scene) {

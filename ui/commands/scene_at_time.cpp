@@ -54,10 +54,35 @@ void add_line(viewport::DrawnScene& scene, Eigen::Matrix3Xd points, const viewpo
     if (points.cols() > 1) scene.lines.push_back({std::move(points), color, width});
 }
 
+/// Marker m of the simulation, with its trail and the line from the measured one.
+void add_simulated_marker(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme,
+                          std::size_t m, const TimePlace& place) {
+    const SceneTrial* trial = state.scene_trial();
+    const SimulatedTrial* simulated = state.simulated_trial();
+    const ViewOptions& view = state.view;
+    const Eigen::Vector3d measured = at_time(trial->measured[m], place);
+    if (!simulated || !view.simulated || m >= simulated->markers.size() ||
+        simulated->markers[m].cols() != trial->time_s.size())
+        return;
+    const Eigen::Vector3d predicted = at_time(simulated->markers[m], place);
+    // The label belongs to the measured marker while that is visible.
+    drawn.markers.push_back({predicted, viewport::color_of(theme.simulated), true,
+                             measured.allFinite() && view.measured ? "" : state.scene->markers[m].name,
+                             static_cast<int>(m)});
+    if (view.trails) {
+        add_line(drawn, trail(simulated->markers[m], trial->time_s, state.time_s),
+                 viewport::color_of(theme.simulated, 0.75f), 1.5);
+    }
+    if (view.errors && view.measured) {
+        Eigen::Matrix3Xd whisker(3, 2);
+        whisker << measured, predicted;
+        add_line(drawn, whisker, viewport::color_of(theme.failure), 2.0);
+    }
+}
+
 /// Adds measured and simulated markers, trails and error lines of the shown trial.
 void add_markers(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme) {
     const SceneTrial* trial = state.scene_trial();
-    const SimulatedTrial* simulated = state.simulated_trial();
     const ViewOptions& view = state.view;
     const TimePlace place = trial ? place_in_time(trial->time_s, state.time_s) : TimePlace{};
     for (std::size_t m = 0; m < state.scene->markers.size(); ++m) {
@@ -76,23 +101,7 @@ void add_markers(viewport::DrawnScene& drawn, const WorkbenchState& state, const
                 add_line(drawn, trail(trial->measured[m], trial->time_s, state.time_s),
                          viewport::color_of(theme.measured, 0.75f), 1.5);
         }
-        // A trial that did not complete has no simulated markers.
-        if (!simulated || !view.simulated || m >= simulated->markers.size() ||
-            simulated->markers[m].cols() != trial->time_s.size())
-            continue;
-        const Eigen::Vector3d predicted = at_time(simulated->markers[m], place);
-        // The label belongs to the measured marker while that is visible.
-        drawn.markers.push_back({predicted, viewport::color_of(theme.simulated), true,
-                                 measured.allFinite() && view.measured ? "" : label, number});
-        if (view.trails) {
-            add_line(drawn, trail(simulated->markers[m], trial->time_s, state.time_s),
-                     viewport::color_of(theme.simulated, 0.75f), 1.5);
-        }
-        if (view.errors && view.measured) {
-            Eigen::Matrix3Xd whisker(3, 2);
-            whisker << measured, predicted;
-            add_line(drawn, whisker, viewport::color_of(theme.failure), 2.0);
-        }
+        add_simulated_marker(drawn, state, theme, m, place);
     }
 }
 
@@ -134,6 +143,22 @@ void add_field(viewport::DrawnScene& drawn, const ViewOptions& view, const Field
     const double least = 1e-9 * std::max(std::abs(field.lowest), std::abs(field.highest)) + 1e-12;
     if (!(field.highest - field.lowest > least)) field.highest = field.lowest + std::max(1e-3, std::abs(field.lowest));
     drawn.field = std::move(field);
+}
+
+/// The body at the shown time, still without anything on it.
+viewport::DrawnScene drawn_body(const WorkbenchState& state, const MotionSummary& motion) {
+    viewport::DrawnScene drawn;
+    drawn.surface = motion.surface;
+    drawn.body = motion.body;
+    drawn.positions = positions_at_time(state);
+    drawn.edges = state.view.edges;
+    drawn.grid = state.view.grid;
+    drawn.body_opacity = state.view.opacity;
+    drawn.extent = motion.rest;
+    drawn.reach = motion.reach;
+    // 1.2 % of the diagonal: visible, without covering the body.
+    drawn.marker_radius = 0.012 * motion.rest.size().norm();
+    return drawn;
 }
 
 }  // namespace
@@ -197,18 +222,8 @@ MotionSummary summarize_motion(const WorkbenchState& state) {
 viewport::DrawnScene scene_at_time(const WorkbenchState& state, const platform::Theme& theme,
                                    const MotionSummary& motion, const fibre::CellPaint* live, const FieldKind* kind,
                                    const FieldFrame* field) {
-    viewport::DrawnScene drawn;
-    if (!state.scene) return drawn;
-    drawn.surface = motion.surface;
-    drawn.body = motion.body;
-    drawn.positions = positions_at_time(state);
-    drawn.edges = state.view.edges;
-    drawn.grid = state.view.grid;
-    drawn.body_opacity = state.view.opacity;
-    drawn.extent = motion.rest;
-    drawn.reach = motion.reach;
-    // 1.2 % of the diagonal: visible, without covering the body.
-    drawn.marker_radius = 0.012 * motion.rest.size().norm();
+    if (!state.scene) return {};
+    viewport::DrawnScene drawn = drawn_body(state, motion);
     if (kind && field) add_field(drawn, state.view, *kind, *field);
     if (state.view.clamp && state.scene->clamp_m) {
         for (viewport::DrawnLine& line :

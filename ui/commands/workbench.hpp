@@ -153,6 +153,26 @@ private:
     void open(const std::filesystem::path& path, std::optional<double> metres_per_unit);
     /// Shows an opened scene and resets everything that belonged to the previous one.
     void show_scene(Scene scene, std::optional<double> metres_per_unit);
+    /// Removes what belongs to the previous scene: body, runs, results, import and history.
+    void forget_scene();
+    /// Logs what the new scene contains.
+    void report_scene();
+    /// What was read from a file to open: the scene and, from a project, the project.
+    struct OpenedFile {
+        std::optional<Project> project = {};
+        Result<Scene> scene = Error{"not read", ""};
+    };
+    static OpenedFile read_file(Backend& backend, const std::filesystem::path& path,
+                                std::optional<double> metres_per_unit, const Progress& progress);
+    void show_opened(const std::filesystem::path& path, std::optional<double> metres_per_unit, OpenedFile& opened);
+    /// Ends the task if there is no mesh; returns whether it did.
+    bool end_without_mesh(const Result<MeshedBody>& body, bool cancelled);
+    /// Shows a complete simulation with these settings, and ends the task.
+    void show_simulated(RunResult result, const Settings& settings);
+    /// Logs the errors before and after the search whose result is shown.
+    void log_found(const std::string& verb);
+    JobRecord record_of(const SearchResult& found) const;
+    void end_diagnosis(Result<DiagnosisView> result, bool cancelled);
     /// Shows an opened scene with the settings of its project.
     void show_project(const std::filesystem::path& file, Project project, Scene scene);
     /// Meshes the body of the current request, shows it, and continues with `then` (may be empty).

@@ -8,6 +8,16 @@
 
 namespace myo::ui::commands {
 
+void Workbench::end_diagnosis(Result<DiagnosisView> result, bool cancelled) {
+    live_diagnosis_.reset();
+    if (result) return show_diagnosis(std::move(*result));
+    if (cancelled)
+        log(LogLevel::information, "Diagnosis cancelled without results.");
+    else
+        log_failure(result.error(), "Diagnosis failed");
+    end_task(cancelled ? JobOutcome::stopped : JobOutcome::failed, cancelled ? "cancelled" : result.error().text());
+}
+
 void Workbench::on(const Diagnose&) {
     if (!may_compute()) return;
     if (!can_be_diagnosed(*state_.scene)) {
@@ -32,16 +42,7 @@ void Workbench::on(const Diagnose&) {
                       auto result = std::make_shared<Result<DiagnosisView>>(
                           backend_->diagnose(*scene, *body, settings, progress, show));
                       const bool cancelled = progress.cancelled();
-                      return [this, result, cancelled] {
-                          live_diagnosis_.reset();
-                          if (*result) return show_diagnosis(std::move(**result));
-                          if (cancelled)
-                              log(LogLevel::information, "Diagnosis cancelled without results.");
-                          else
-                              log_failure(result->error(), "Diagnosis failed");
-                          end_task(cancelled ? JobOutcome::stopped : JobOutcome::failed,
-                                   cancelled ? "cancelled" : result->error().text());
-                      };
+                      return [this, result, cancelled] { end_diagnosis(std::move(*result), cancelled); };
                   },
                   {true, false});
         });

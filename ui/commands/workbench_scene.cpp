@@ -7,6 +7,38 @@
 
 namespace myo::ui::commands {
 
+Workbench::OpenedFile Workbench::read_file(Backend& backend, const std::filesystem::path& path,
+                                           std::optional<double> metres_per_unit, const Progress& progress) {
+    OpenedFile opened;
+    if (is_project(path)) {
+        Result<Project> read = backend.read_project(path);
+        if (read) {
+            opened.project = std::move(*read);
+            opened.scene = backend.open(opened.project->source, opened.project->metres_per_unit, progress);
+        } else {
+            opened.scene = read.error();
+        }
+    } else {
+        opened.scene = backend.open(path, metres_per_unit, progress);
+    }
+    return opened;
+}
+
+void Workbench::show_opened(const std::filesystem::path& path, std::optional<double> metres_per_unit,
+                            OpenedFile& opened) {
+    if (!opened.scene) {
+        log_failure(opened.scene.error(), "Cannot open");
+        return;
+    }
+    if (opened.project)
+        show_project(path, std::move(*opened.project), std::move(*opened.scene));
+    else
+        show_scene(std::move(*opened.scene), metres_per_unit);
+    remember_recent(path);
+    if (const auto recording = std::exchange(dropped_with_body_, std::nullopt)) read_recording(*recording, {});
+    build_mesh({});
+}
+
 void Workbench::open(const std::filesystem::path& given, std::optional<double> metres_per_unit) {
     std::filesystem::path path = given.lexically_normal();
     if (!path.has_filename()) path = path.parent_path();  // "folder/"
@@ -30,47 +62,13 @@ void Workbench::open(const std::filesystem::path& given, std::optional<double> m
     }
     request("Open " + path.filename().string(), [this, path, metres_per_unit] {
         start(request_->name, [this, path, metres_per_unit](const Progress& progress) -> Job::Completion {
-            auto project = std::make_shared<std::optional<Project>>();
-            auto scene = std::make_shared<Result<Scene>>(Error{"not read", ""});
-            if (is_project(path)) {
-                Result<Project> read = backend_->read_project(path);
-                if (read) {
-                    *project = std::move(*read);
-                    *scene = backend_->open((*project)->source, (*project)->metres_per_unit, progress);
-                } else {
-                    *scene = read.error();
-                }
-            } else {
-                *scene = backend_->open(path, metres_per_unit, progress);
-            }
-            return [this, path, metres_per_unit, project, scene] {
-                if (!*scene) {
-                    log_failure(scene->error(), "Cannot open");
-                    return;
-                }
-                if (*project)
-                    show_project(path, std::move(**project), std::move(**scene));
-                else
-                    show_scene(std::move(**scene), metres_per_unit);
-                remember_recent(path);
-                if (const auto recording = std::exchange(dropped_with_body_, std::nullopt))
-                    read_recording(*recording, {});
-                build_mesh({});
-            };
+            auto opened = std::make_shared<OpenedFile>(read_file(*backend_, path, metres_per_unit, progress));
+            return [this, path, metres_per_unit, opened] { show_opened(path, metres_per_unit, *opened); };
         });
     });
 }
 
-void Workbench::show_scene(Scene scene, std::optional<double> metres_per_unit) {
-    // From here on everything that belongs to the previous scene is replaced or removed.
-    state_.settings = state_.saved_settings = autosaved_ = within_limits(scene.settings);
-    state_.project.clear();
-    state_.metres_per_unit = metres_per_unit;
-    if (scene.frequency_Hz > 0.0) state_.damping_frequency_Hz = scene.frequency_Hz;
-    check_stability();
-    state_.scene = std::make_shared<Scene>(std::move(scene));
-    // The request that opened the scene continues with meshing, for which it needs the new scene and settings.
-    if (request_) request_->scene = state_.scene, request_->settings = state_.settings;
+void Workbench::forget_scene() {
     state_.body.reset();
     state_.ground.reset();
     state_.run.reset();
@@ -83,15 +81,9 @@ void Workbench::show_scene(Scene scene, std::optional<double> metres_per_unit) {
     state_.history.clear();
     state_.candidate.clear();
     state_.muscle = 0;
-    if (state_.scene->surface.vertices.cols() > 0)
-        state_.brush = brush_for(mesh::bounding_box(state_.scene->surface.vertices).size());
-    place_muscles();
-    undo_.clear();
-    state_.can_undo = state_.can_redo = false;
-    state_.playing = false;
-    state_.marker = 0;
-    choose_trial(0);
-    state_.prediction = backend_->predict(*state_.scene, state_.settings);
+}
+
+void Workbench::report_scene() {
     const auto counted = [](std::size_t count, const std::string& what) {
         return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
     };
@@ -101,6 +93,29 @@ void Workbench::show_scene(Scene scene, std::optional<double> metres_per_unit) {
     log_done("Opened " + state_.scene->name + (measured ? ": " + content : "."), state_.scene->checks);
     for (const std::string& warning : state_.scene->warnings) log(LogLevel::warning, warning);
     show_checks(state_.scene->checks, state_.settings);
+}
+
+void Workbench::show_scene(Scene scene, std::optional<double> metres_per_unit) {
+    // From here on everything that belongs to the previous scene is replaced or removed.
+    state_.settings = state_.saved_settings = autosaved_ = within_limits(scene.settings);
+    state_.project.clear();
+    state_.metres_per_unit = metres_per_unit;
+    if (scene.frequency_Hz > 0.0) state_.damping_frequency_Hz = scene.frequency_Hz;
+    check_stability();
+    state_.scene = std::make_shared<Scene>(std::move(scene));
+    // The request that opened the scene continues with meshing, for which it needs the new scene and settings.
+    if (request_) request_->scene = state_.scene, request_->settings = state_.settings;
+    forget_scene();
+    if (state_.scene->surface.vertices.cols() > 0)
+        state_.brush = brush_for(mesh::bounding_box(state_.scene->surface.vertices).size());
+    place_muscles();
+    undo_.clear();
+    state_.can_undo = state_.can_redo = false;
+    state_.playing = false;
+    state_.marker = 0;
+    choose_trial(0);
+    state_.prediction = backend_->predict(*state_.scene, state_.settings);
+    report_scene();
 }
 
 void Workbench::show_project(const std::filesystem::path& file, Project project, Scene scene) {
@@ -127,6 +142,20 @@ void Workbench::show_project(const std::filesystem::path& file, Project project,
         if (state_.scene->trials[t].name == project.trial) choose_trial(static_cast<int>(t));
 }
 
+bool Workbench::end_without_mesh(const Result<MeshedBody>& body, bool cancelled) {
+    if (cancelled) {
+        log(LogLevel::information, "Meshing cancelled.");
+        end_task(JobOutcome::stopped, "meshing cancelled");
+        return true;
+    }
+    if (!body) {
+        log_failure(body.error(), "Cannot mesh");
+        end_task(JobOutcome::failed, body.error().text());
+        return true;
+    }
+    return false;
+}
+
 void Workbench::build_mesh(std::function<void()> then) {
     const Settings settings = request_->settings;
     // Preparing the body for painting takes long on large meshes, so it belongs to the same job.
@@ -137,16 +166,7 @@ void Workbench::build_mesh(std::function<void()> then) {
                                                                 : nullptr;
         const bool cancelled = progress.cancelled();
         return [this, settings, body, ground, cancelled, then] {
-            if (cancelled) {
-                log(LogLevel::information, "Meshing cancelled.");
-                end_task(JobOutcome::stopped, "meshing cancelled");
-                return;
-            }
-            if (!*body) {
-                log_failure(body->error(), "Cannot mesh");
-                end_task(JobOutcome::failed, body->error().text());
-                return;
-            }
+            if (end_without_mesh(*body, cancelled)) return;
             request_->on = {std::make_shared<const MeshedBody>(std::move(**body)), ground, settings};
             show_body(request_->on);
             for (const ReportLine& line : state_.body->report) {

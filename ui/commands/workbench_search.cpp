@@ -18,6 +18,32 @@ void Workbench::show_run(std::shared_ptr<const RunResult> result, const Settings
     for (const std::string& warning : state_.run->warnings) log(LogLevel::warning, warning);
 }
 
+void Workbench::show_simulated(RunResult result, const Settings& settings) {
+    const double seconds = result.seconds, rms = result.rms_m;
+    // Only complete runs are timed: an aborted one has a wrong ratio of time to steps.
+    if (result.problem.empty() && result.steps > 0.0)
+        remember(state_.preferences.step_costs, {settings.element, request_->on.body->dofs, seconds / result.steps});
+    state_.found.reset();
+    show_body(request_->on);
+    // The run may have shortened the step. The record holds the step that was used.
+    Settings used = settings;
+    if (result.time_step_s > 0.0) {
+        used.time_step_s = result.time_step_s;
+        take_step(used.time_step_s);
+    }
+    show_run(std::make_shared<RunResult>(std::move(result)), used);
+    show_checks(state_.run->checks, used);
+    const std::string error = std::isfinite(rms) ? "rms error " + plot::millimetres(rms) : "";
+    const std::string told = error.empty() ? "." : ", " + error + ".";
+    log_done("Simulated in " + plot::value_label(seconds, 3) + " s" + told, state_.run->checks);
+    JobRecord record;
+    record.seconds = seconds;
+    record.settings = used;
+    record.run = state_.run;
+    if (!state_.run->checks.empty()) record.checks = state_.checks;
+    end_task(JobOutcome::done, error, std::move(record));
+}
+
 void Workbench::on(const Run&) {
     if (!may_compute()) return;
     const auto simulate = [this] {
@@ -35,30 +61,7 @@ void Workbench::on(const Run&) {
                           log_failure(result->error(), "Simulation failed");
                           end_task(JobOutcome::failed, result->error().text());
                       } else {
-                          const double seconds = (*result)->seconds, rms = (*result)->rms_m;
-                          // Only complete runs are timed: an aborted one has a wrong ratio of time to steps.
-                          if ((*result)->problem.empty() && (*result)->steps > 0.0)
-                              remember(state_.preferences.step_costs,
-                                       {settings.element, request_->on.body->dofs, seconds / (*result)->steps});
-                          state_.found.reset();
-                          show_body(request_->on);
-                          // The run may have shortened the step. The record holds the step that was used.
-                          Settings used = settings;
-                          if ((*result)->time_step_s > 0.0) {
-                              used.time_step_s = (*result)->time_step_s;
-                              take_step(used.time_step_s);
-                          }
-                          show_run(std::make_shared<RunResult>(std::move(**result)), used);
-                          show_checks(state_.run->checks, used);
-                          const std::string error = std::isfinite(rms) ? "rms error " + plot::millimetres(rms) : "";
-                          const std::string told = error.empty() ? "." : ", " + error + ".";
-                          log_done("Simulated in " + plot::value_label(seconds, 3) + " s" + told, state_.run->checks);
-                          JobRecord record;
-                          record.seconds = seconds;
-                          record.settings = used;
-                          record.run = state_.run;
-                          if (!state_.run->checks.empty()) record.checks = state_.checks;
-                          end_task(JobOutcome::done, error, std::move(record));
+                          show_simulated(std::move(**result), settings);
                       }
                   };
               });
@@ -133,6 +136,28 @@ void Workbench::on(const Optimize&) {
     });
 }
 
+void Workbench::log_found(const std::string& verb) {
+    const SearchResult& found = *state_.found;
+    const std::string errors = "rms error " + plot::millimetres(found.rms_before_m) + " before, " +
+                               plot::millimetres(found.rms_after_m) + " after, " + std::to_string(found.evaluations) +
+                               (found.evaluations == 1 ? " evaluation." : " evaluations.");
+    if (found.stopped)
+        log(LogLevel::warning, request_->name + " stopped; the best values so far are kept: " + errors);
+    else
+        log_done(verb + ": " + errors, found.run.checks);
+}
+
+JobRecord Workbench::record_of(const SearchResult& found) const {
+    JobRecord record;
+    record.seconds = found.run.seconds;
+    record.settings = found.settings;
+    record.run = state_.run;
+    record.found = state_.found;
+    record.search = state_.search;
+    if (!found.run.checks.empty()) record.checks = state_.checks;
+    return record;
+}
+
 void Workbench::show_found(const std::string& verb, SearchResult result) {
     show_body(request_->on);
     state_.found = std::make_shared<SearchResult>(std::move(result));
@@ -148,25 +173,13 @@ void Workbench::show_found(const std::string& verb, SearchResult result) {
     // Shares the ownership of the result instead of copying its run.
     show_run(std::shared_ptr<const RunResult>(state_.found, &found.run), found.settings);
     if (!found.problem.empty()) log(LogLevel::warning, found.problem);
-    const std::string errors = "rms error " + plot::millimetres(found.rms_before_m) + " before, " +
-                               plot::millimetres(found.rms_after_m) + " after, " + std::to_string(found.evaluations) +
-                               (found.evaluations == 1 ? " evaluation." : " evaluations.");
-    if (found.stopped)
-        log(LogLevel::warning, request_->name + " stopped; the best values so far are kept: " + errors);
-    else
-        log_done(verb + ": " + errors, found.run.checks);
+    log_found(verb);
     if (!untouched)
         log(LogLevel::information,
             "The settings were changed meanwhile and are kept; Restore in Jobs applies the result.");
     for (const std::string& warning : found.warnings) log(LogLevel::warning, warning);
     show_checks(found.run.checks, found.settings);
-    JobRecord record;
-    record.seconds = found.run.seconds;
-    record.settings = found.settings;
-    record.run = state_.run;
-    record.found = state_.found;
-    record.search = state_.search;
-    if (!found.run.checks.empty()) record.checks = state_.checks;
+    JobRecord record = record_of(found);
     end_task(
         found.stopped ? JobOutcome::stopped : JobOutcome::done,
         "rms error " + plot::millimetres(found.rms_before_m) + " \xe2\x86\x92 " + plot::millimetres(found.rms_after_m),

@@ -11,11 +11,11 @@
 namespace myo::ui::panels {
 namespace {
 
-// Members of each Action below, in order: id, menu, label, shortcut {key, ctrl, shift, label}, perform, enabled,
-// checked, separated. Members at the end that have their default value are left out.
+/// Members of each Action below, in order: id, menu, label, shortcut {key, ctrl, shift, label}, perform, enabled,
+/// checked, separated. Members at the end that have their default value are left out.
 using Enabled = std::function<bool(const commands::WorkbenchState&)>;
 
-// Conditions that several actions share.
+/// Conditions that several actions share.
 Enabled with_scene() {
     return [](const commands::WorkbenchState& s) { return s.scene != nullptr; };
 }
@@ -37,9 +37,8 @@ void rescale(PanelContext& context, float factor) {
                            std::clamp(context.state.scale() * factor, commands::min_scale, commands::greatest_scale)});
 }
 
-/// Menu File. Dialogs are requested from the window; saving is a command, as the workbench decides whether to ask for a
-/// name.
-void add_file_actions(std::vector<Action>& all) {
+/// Opening and saving of the project.
+void add_project_actions(std::vector<Action>& all) {
     all.push_back({"file.open",
                    "File",
                    "Open\xe2\x80\xa6",
@@ -61,6 +60,12 @@ void add_file_actions(std::vector<Action>& all) {
                    {platform::key_s, true, true, "Ctrl+Shift+S"},
                    emits(commands::AskWhereToSave{}),
                    with_scene()});
+}
+
+/// Menu File. Dialogs are requested from the window; saving is a command, as the workbench decides whether to ask for a
+/// name.
+void add_file_actions(std::vector<Action>& all) {
+    add_project_actions(all);
     all.push_back({"file.import",
                    "File",
                    "Import a recording\xe2\x80\xa6",
@@ -83,8 +88,7 @@ void add_file_actions(std::vector<Action>& all) {
         {"file.quit", "File", "Quit", {platform::key_q, true, false, "Ctrl+Q"}, emits(commands::Quit{}), {}, {}, true});
 }
 
-/// Menu Edit. Painting and erasing need a selected muscle.
-void add_edit_actions(std::vector<Action>& all) {
+void add_undo_actions(std::vector<Action>& all) {
     // Undo and redo are available only if there is an entry; the workbench keeps that in its state.
     all.push_back({"edit.undo",
                    "Edit",
@@ -98,16 +102,22 @@ void add_edit_actions(std::vector<Action>& all) {
                    {ImGuiKey_Y, true, false, "Ctrl+Y"},
                    emits(commands::Redo{}),
                    [](const commands::WorkbenchState& s) { return s.can_redo; }});
-    // Pressing the shortcut of the active tool again returns to the camera.
-    const auto toggle = [](commands::BrushTool tool) {
-        return [tool](PanelContext& context, viewport::ViewportState&) {
-            commands::BrushSettings brush = context.state.brush;
-            brush.tool = brush.tool == tool ? commands::BrushTool::none : tool;
-            context.emit(commands::ChangeBrush{brush});
-            // The brush settings are in the task Fibres, so that task is shown.
-            if (brush.tool != commands::BrushTool::none) context.window.task = commands::Task::fibres;
-        };
+}
+
+/// Switches a tool of the brush on; pressing the shortcut of the active tool again returns to the camera.
+std::function<void(PanelContext&, viewport::ViewportState&)> toggles(commands::BrushTool tool) {
+    return [tool](PanelContext& context, viewport::ViewportState&) {
+        commands::BrushSettings brush = context.state.brush;
+        brush.tool = brush.tool == tool ? commands::BrushTool::none : tool;
+        context.emit(commands::ChangeBrush{brush});
+        // The brush settings are in the task Fibres, so that task is shown.
+        if (brush.tool != commands::BrushTool::none) context.window.task = commands::Task::fibres;
     };
+}
+
+/// Menu Edit. Painting and erasing need a selected muscle.
+void add_edit_actions(std::vector<Action>& all) {
+    add_undo_actions(all);
     const auto has_muscle = [](const commands::WorkbenchState& s) { return s.chosen_muscle() != nullptr; };
     // State of the menu entry: the tick shows the tool that is active.
     const auto holds = [](commands::BrushTool tool) {
@@ -117,7 +127,7 @@ void add_edit_actions(std::vector<Action>& all) {
                    "Edit",
                    "Paint the muscle",
                    {platform::key_b, false, false, "B"},
-                   toggle(commands::BrushTool::add),
+                   toggles(commands::BrushTool::add),
                    has_muscle,
                    holds(commands::BrushTool::add),
                    true});
@@ -125,20 +135,13 @@ void add_edit_actions(std::vector<Action>& all) {
                    "Edit",
                    "Erase the muscle",
                    {platform::key_e, false, false, "E"},
-                   toggle(commands::BrushTool::erase),
+                   toggles(commands::BrushTool::erase),
                    has_muscle,
                    holds(commands::BrushTool::erase)});
 }
 
-/// Menu View. These actions change the camera or the view options; both leave the model as it is.
-void add_view_actions(std::vector<Action>& all) {
-    all.push_back({"view.fit",
-                   "View",
-                   "Show the whole motion",
-                   {platform::key_f, false, false, "F"},
-                   [](PanelContext&, viewport::ViewportState& view) { view.zoom_to_data_requested = true; },
-                   with_scene()});
-    // Directions and shortcuts are those of the buttons in the view.
+/// Directions and shortcuts are those of the buttons in the view.
+void add_direction_actions(std::vector<Action>& all) {
     struct Look {
         const char* id;
         const char* label;
@@ -163,29 +166,20 @@ void add_view_actions(std::vector<Action>& all) {
                        with_scene(),
                        {},
                        look.view == viewport::StandardView::oblique});
-    all.push_back(
-        {"view.orthographic",
-         "View",
-         "Parallel projection",
-         {platform::key_4, false, false, "4"},
-         [](PanelContext&, viewport::ViewportState& view) { view.camera.orthographic = !view.camera.orthographic; },
-         with_scene()});
-    all.push_back(
-        {"view.next_field",
-         "View",
-         "Colour by the next quantity",
-         {},
-         [](PanelContext& context, viewport::ViewportState&) {
-             const std::vector<commands::FieldKind> kinds = commands::field_kinds(context.backend);
-             commands::ViewOptions view = context.state.view;
-             const auto shown = std::find_if(kinds.begin(), kinds.end(),
-                                             [&](const commands::FieldKind& kind) { return kind.id == view.field; });
-             const auto next = shown == kinds.end() ? kinds.begin() : std::next(shown);  // after the last one: no field
-             view.field = next != kinds.end() ? next->id : "";
-             context.emit(commands::ChangeView{view});
-         },
-         with_scene(),
-         [](const commands::WorkbenchState& s) { return !s.view.field.empty(); }});
+}
+
+/// Colours the body by the quantity after the shown one; after the last one: by none.
+void show_next_field(PanelContext& context, viewport::ViewportState&) {
+    const std::vector<commands::FieldKind> kinds = commands::field_kinds(context.backend);
+    commands::ViewOptions view = context.state.view;
+    const auto shown = std::find_if(kinds.begin(), kinds.end(),
+                                    [&](const commands::FieldKind& kind) { return kind.id == view.field; });
+    const auto next = shown == kinds.end() ? kinds.begin() : std::next(shown);
+    view.field = next != kinds.end() ? next->id : "";
+    context.emit(commands::ChangeView{view});
+}
+
+void add_distance_actions(std::vector<Action>& all) {
     all.push_back({"view.distance",
                    "View",
                    "Measure distances",
@@ -207,6 +201,10 @@ void add_view_actions(std::vector<Action>& all) {
                    {},
                    [](PanelContext& context, viewport::ViewportState&) { context.window.clear_distances = true; },
                    with_scene()});
+}
+
+/// Theme, size of text and layout of the window.
+void add_appearance_actions(std::vector<Action>& all) {
     // The theme has two values, so the action is a toggle with a tick for the light one.
     all.push_back({"view.theme",
                    "View",
@@ -234,6 +232,78 @@ void add_view_actions(std::vector<Action>& all) {
     all.push_back({"view.reset_layout", "View", "Reset the layout", {}, emits(commands::SetLayout{})});
 }
 
+/// Menu View. These actions change the camera or the view options; both leave the model as it is.
+void add_view_actions(std::vector<Action>& all) {
+    all.push_back({"view.fit",
+                   "View",
+                   "Show the whole motion",
+                   {platform::key_f, false, false, "F"},
+                   [](PanelContext&, viewport::ViewportState& view) { view.zoom_to_data_requested = true; },
+                   with_scene()});
+    add_direction_actions(all);
+    all.push_back(
+        {"view.orthographic",
+         "View",
+         "Parallel projection",
+         {platform::key_4, false, false, "4"},
+         [](PanelContext&, viewport::ViewportState& view) { view.camera.orthographic = !view.camera.orthographic; },
+         with_scene()});
+    all.push_back({"view.next_field",
+                   "View",
+                   "Colour by the next quantity",
+                   {},
+                   show_next_field,
+                   with_scene(),
+                   [](const commands::WorkbenchState& s) { return !s.view.field.empty(); }});
+    add_distance_actions(all);
+    add_appearance_actions(all);
+}
+
+/// Calibration, optimisation and diagnosis.
+void add_search_actions(std::vector<Action>& all) {
+    all.push_back(
+        {"run.calibrate", "Run", "Calibrate", {}, emits(commands::Calibrate{}), [](const commands::WorkbenchState& s) {
+             return s.scene && !s.scene->calibrated.empty();
+         }});
+    all.push_back({"run.optimize",
+                   "Run",
+                   "Optimise the signals",
+                   {},
+                   emits(commands::Optimize{}),
+                   [](const commands::WorkbenchState& s) { return s.scene && !s.settings.muscles.empty(); }});
+    all.push_back({"run.diagnose",
+                   "Run",
+                   "Diagnose",
+                   {platform::key_d, true, false, "Ctrl+D"},
+                   emits(commands::Diagnose{}),
+                   [](const commands::WorkbenchState& s) { return s.scene && commands::can_be_diagnosed(*s.scene); }});
+}
+
+/// Control of the running job and of the playback.
+void add_control_actions(std::vector<Action>& all) {
+    all.push_back({"run.pause",
+                   "Run",
+                   "Pause",
+                   {},
+                   [](PanelContext& context, viewport::ViewportState&) {
+                       context.emit(commands::Pause{!context.state.job->paused});
+                   },
+                   working(),
+                   [](const commands::WorkbenchState& s) { return s.job && s.job->paused; },
+                   true});
+    // A search that is cancelled keeps its best values, so no question is asked.
+    all.push_back({"run.cancel", "Run", "Cancel", {}, emits(commands::Cancel{}), working()});
+    all.push_back(
+        {"run.play",
+         "Run",
+         "Play the motion",
+         {ImGuiKey_Space, false, false, "Space"},
+         [](PanelContext& context, viewport::ViewportState&) { context.emit(commands::Play{!context.state.playing}); },
+         with_scene(),
+         [](const commands::WorkbenchState& s) { return s.playing; },
+         true});
+}
+
 /// Menu Run. Each job has one action here; the buttons in the panels emit the same commands.
 void add_run_actions(std::vector<Action>& all) {
     // The order of the menu is that of the work: mesh, run, preview, searches, diagnosis, and control of the running
@@ -256,43 +326,8 @@ void add_run_actions(std::vector<Action>& all) {
                    },
                    with_scene(),
                    [](const commands::WorkbenchState& s) { return s.preview.on; }});
-    all.push_back(
-        {"run.calibrate", "Run", "Calibrate", {}, emits(commands::Calibrate{}), [](const commands::WorkbenchState& s) {
-             return s.scene && !s.scene->calibrated.empty();
-         }});
-    all.push_back({"run.optimize",
-                   "Run",
-                   "Optimise the signals",
-                   {},
-                   emits(commands::Optimize{}),
-                   [](const commands::WorkbenchState& s) { return s.scene && !s.settings.muscles.empty(); }});
-    all.push_back({"run.diagnose",
-                   "Run",
-                   "Diagnose",
-                   {platform::key_d, true, false, "Ctrl+D"},
-                   emits(commands::Diagnose{}),
-                   [](const commands::WorkbenchState& s) { return s.scene && commands::can_be_diagnosed(*s.scene); }});
-    all.push_back({"run.pause",
-                   "Run",
-                   "Pause",
-                   {},
-                   [](PanelContext& context, viewport::ViewportState&) {
-                       context.emit(commands::Pause{!context.state.job->paused});
-                   },
-                   working(),
-                   [](const commands::WorkbenchState& s) { return s.job && s.job->paused; },
-                   true});
-    // A search that is cancelled keeps its best values, so no question is asked.
-    all.push_back({"run.cancel", "Run", "Cancel", {}, emits(commands::Cancel{}), working()});
-    all.push_back(
-        {"run.play",
-         "Run",
-         "Play the motion",
-         {ImGuiKey_Space, false, false, "Space"},
-         [](PanelContext& context, viewport::ViewportState&) { context.emit(commands::Play{!context.state.playing}); },
-         with_scene(),
-         [](const commands::WorkbenchState& s) { return s.playing; },
-         true});
+    add_search_actions(all);
+    add_control_actions(all);
 }
 
 /// The tasks of the left column. They have no menu and are found through the palette.

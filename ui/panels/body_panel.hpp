@@ -18,6 +18,9 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    /// Field of the path, and the button that chooses a file.
+    void draw_path(PanelContext& context);
+
     std::string path_;                              // text in the path field
     std::shared_ptr<const commands::Scene> scene_;  // scene whose path was written into the field
 };

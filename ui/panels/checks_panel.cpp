@@ -60,6 +60,26 @@ void draw_narrow_row(const platform::Theme& theme, const commands::CheckRow& row
     tooltip(theme, row.source);
 }
 
+/// Columns and headings. `wide`: five columns instead of two.
+void set_up_checks(const platform::Theme& theme, bool wide) {
+    ImGui::TableSetupScrollFreeze(0, 1);
+    const float state = ImGui::CalcTextSize((std::string(platform::icon::warning) + "  amber").c_str()).x;
+    ImGui::TableSetupColumn("state", ImGuiTableColumnFlags_WidthFixed, state);
+    ImGui::TableSetupColumn("check", ImGuiTableColumnFlags_WidthStretch, 1.0f);
+    if (wide) {
+        ImGui::TableSetupColumn("found", ImGuiTableColumnFlags_WidthStretch, 2.2f);
+        for (const char* name : {"figure", "threshold"})
+            ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed, 96.0f * theme.scale);
+        heading_row(theme, {{"State", ""},
+                            {"Check", ""},
+                            {"Finding", "Finding and remedy"},
+                            {"Value", "", true},
+                            {"Threshold", "Hover over a threshold to see its source", true}});
+    } else {
+        heading_row(theme, {{"State", ""}, {"Check", "Finding and remedy"}});
+    }
+}
+
 }  // namespace
 
 std::string ChecksPanel::title() const { return std::string(platform::icon::shield) + "  Checks"; }
@@ -109,22 +129,7 @@ void ChecksPanel::draw_rows(PanelContext& context) {
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
                                       ImGuiTableFlags_BordersOuterH;
     if (!ImGui::BeginTable("checks", wide ? 5 : 2, flags)) return;
-    ImGui::TableSetupScrollFreeze(0, 1);
-    const float state = ImGui::CalcTextSize((std::string(platform::icon::warning) + "  amber").c_str()).x;
-    ImGui::TableSetupColumn("state", ImGuiTableColumnFlags_WidthFixed, state);
-    ImGui::TableSetupColumn("check", ImGuiTableColumnFlags_WidthStretch, 1.0f);
-    if (wide) {
-        ImGui::TableSetupColumn("found", ImGuiTableColumnFlags_WidthStretch, 2.2f);
-        for (const char* name : {"figure", "threshold"})
-            ImGui::TableSetupColumn(name, ImGuiTableColumnFlags_WidthFixed, 96.0f * theme.scale);
-        heading_row(theme, {{"State", ""},
-                            {"Check", ""},
-                            {"Finding", "Finding and remedy"},
-                            {"Value", "", true},
-                            {"Threshold", "Hover over a threshold to see its source", true}});
-    } else {
-        heading_row(theme, {{"State", ""}, {"Check", "Finding and remedy"}});
-    }
+    set_up_checks(theme, wide);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         ImGui::TableNextRow();
         const std::string number = std::to_string(i);

@@ -24,20 +24,9 @@ void turn(const commands::MeshedBody& body, commands::ClipPlane& plane, const Ei
     plane.position_m = 0.5 * (lowest + highest);
 }
 
-}  // namespace
-
-void draw_clip_options(PanelContext& context, const viewport::Camera& camera, commands::ViewOptions& view) {
-    if (!context.state.body) return;
+/// Buttons of the direction of the plane.
+void draw_clip_directions(PanelContext& context, const viewport::Camera& camera, commands::ClipPlane& plane) {
     const commands::MeshedBody& body = *context.state.body;
-    commands::ClipPlane& plane = view.clip;
-    ImGui::Separator();
-    // Switching on puts the plane into the middle, where it always cuts the body.
-    if (ImGui::Checkbox("Cut the body open", &plane.on) && plane.on) turn(body, plane, plane.normal);
-    context.items.mark("view/clip");
-    tooltip(context.theme,
-            "Hides the elements whose centre at rest, X, lies beyond a plane: n \xc2\xb7 X > d. The selection does "
-            "not change while the body moves.");
-    if (!plane.on) return;
     struct Direction {
         const char* label;
         const char* name;
@@ -61,6 +50,23 @@ void draw_clip_options(PanelContext& context, const viewport::Camera& camera, co
         context.items.mark(direction.name);
         tooltip(context.theme, direction.tip);
     }
+}
+
+}  // namespace
+
+void draw_clip_options(PanelContext& context, const viewport::Camera& camera, commands::ViewOptions& view) {
+    if (!context.state.body) return;
+    const commands::MeshedBody& body = *context.state.body;
+    commands::ClipPlane& plane = view.clip;
+    ImGui::Separator();
+    // Switching on puts the plane into the middle, where it always cuts the body.
+    if (ImGui::Checkbox("Cut the body open", &plane.on) && plane.on) turn(body, plane, plane.normal);
+    context.items.mark("view/clip");
+    tooltip(context.theme,
+            "Hides the elements whose centre at rest, X, lies beyond a plane: n \xc2\xb7 X > d. The selection does "
+            "not change while the body moves.");
+    if (!plane.on) return;
+    draw_clip_directions(context, camera, plane);
     const auto [lowest, highest] = extent_along(body, plane.normal);
     // The slider covers exactly the extent of the body along the present direction.
     float position = static_cast<float>(1e3 * plane.position_m);

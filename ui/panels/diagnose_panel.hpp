@@ -26,6 +26,10 @@ private:
     /// Alternatives of the detail view, and the choice of marker and axis. `none`: the ranking is shown instead of the
     /// details.
     void draw_choices(PanelContext& context, bool none);
+    /// @param width  of the list [pixels]
+    void draw_axis_choice(PanelContext& context, float width);
+    /// Effect of the selected row: residual, force or errors. `narrow`: the ranking is one of the alternatives.
+    void draw_details(PanelContext& context, bool narrow);
     /// Plot of the measured residual and of the change that the selected row predicts.
     void draw_residual(PanelContext& context, const commands::DiagnosisRow& row);
     /// Plot of the missing force over time.

@@ -63,6 +63,22 @@ void DistanceTool::clear() {
     begun_.reset();
 }
 
+void DistanceTool::take_click(const PanelContext& context, const viewport::DrawnScene& scene,
+                              const viewport::ViewportState& view) {
+    const commands::WorkbenchState& state = context.state;
+    // Markers take precedence within reach, so that distances between markers are exact.
+    const auto place = commands::pick_place(state, scene, view.camera, view.size(), view.mouse,
+                                            static_cast<double>(marker_reach * context.theme.scale));
+    if (place && begun_)
+        distances_.push_back(
+            {*begun_, *place, 0.0,
+             (commands::place_at_rest(*place, state) - commands::place_at_rest(*begun_, state)).norm()});
+    if (place && begun_)
+        begun_.reset();
+    else if (place)
+        begun_ = place;
+}
+
 /// A click takes the first end, the second click completes the distance. All distances are drawn in each frame, as
 /// their ends move.
 void DistanceTool::update(PanelContext& context, const viewport::DrawnScene& scene, viewport::ViewportState& view) {
@@ -77,19 +93,7 @@ void DistanceTool::update(PanelContext& context, const viewport::DrawnScene& sce
     }
     // Measuring may have been switched off by its menu entry or shortcut.
     if (!view.measuring) begun_.reset();
-    if (view.measuring && view.clicked) {
-        // Markers take precedence within reach, so that distances between markers are exact.
-        const auto place = commands::pick_place(state, scene, view.camera, view.size(), view.mouse,
-                                                static_cast<double>(marker_reach * context.theme.scale));
-        if (place && begun_)
-            distances_.push_back(
-                {*begun_, *place, 0.0,
-                 (commands::place_at_rest(*place, state) - commands::place_at_rest(*begun_, state)).norm()});
-        if (place && begun_)
-            begun_.reset();
-        else if (place)
-            begun_ = place;
-    }
+    if (view.measuring && view.clicked) take_click(context, scene, view);
     // For a frame the scene may still show the previous mesh.
     if (state.body && scene.positions.cols() != state.body->mesh.node_count()) return;
     measure(distances_, scene);

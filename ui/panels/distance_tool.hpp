@@ -40,6 +40,10 @@ public:
     const std::vector<MeasuredDistance>& distances() const { return distances_; }
 
 private:
+    /// Starts or completes a distance at the place under the mouse.
+    void take_click(const PanelContext& context, const viewport::DrawnScene& scene,
+                    const viewport::ViewportState& view);
+
     std::vector<MeasuredDistance> distances_;           // the finished ones
     std::optional<commands::PickedPlace> begun_;        // first end of a distance whose second end is not set
     std::shared_ptr<const commands::Scene> scene_;      // scene of the distances

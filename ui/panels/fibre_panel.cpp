@@ -42,6 +42,124 @@ const std::vector<commands::Choice>& action_choices() {
     return choices;
 }
 
+/// Colour, name and painted volume of a muscle.
+void draw_muscle_row(PanelContext& context, int m) {
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
+    const commands::Muscle& muscle = state.settings.muscles[static_cast<std::size_t>(m)];
+    ImGui::PushID(m);
+    // A square in the muscle's colour before the name; the name is indented by spaces to leave room for it.
+    const float box = ImGui::GetTextLineHeight();
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    if (ImGui::Selectable(("        " + muscle.name).c_str(), m == state.muscle))
+        context.emit(commands::ChooseMuscle{m});
+    context.items.mark("fibres/muscle/" + muscle.name);
+    ImGui::GetWindowDrawList()->AddRectFilled({at.x + 2.0f * theme.scale, at.y + 1.0f},
+                                              {at.x + 2.0f * theme.scale + box, at.y + 1.0f + box - 2.0f},
+                                              platform::packed(theme.muscle(muscle.color)), 3.0f * theme.scale);
+    // During a stroke the amount follows the paint under the brush.
+    if (static_cast<std::size_t>(m) < state.paint.size() && state.ground) {
+        const fibre::CellPaint& paint = m == state.muscle && context.live_paint
+                                            ? *context.live_paint
+                                            : *state.paint[static_cast<std::size_t>(m)];
+        const fibre::PaintedAmount amount = fibre::amount_of(paint, state.ground->volumes_m3);
+        const std::string text = amount.cells > 0 ? plot::value_label(1e6 * amount.volume_m3, 3) + " cm\xc2\xb3"
+                                                  : "not painted";
+        const float width = ImGui::CalcTextSize(text.c_str()).x;
+        ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width);
+        ImGui::TextColored(theme.muted, "%s", text.c_str());
+    }
+    ImGui::PopID();
+}
+
+/// Ratio of the selected muscle to the one that it follows.
+void draw_ratio(PanelContext& context, OpenEdit& edit) {
+    // NumberField: label, item name, unit, tooltip, SI value per shown unit, limits, smallest change while dragging.
+    double ratio = context.state.chosen_muscle()->ratio;
+    bool goes_on = false;
+    const NumberField field{"Ratio",
+                            "fibres/ratio",
+                            "",
+                            "Factor from a \xe2\x88\x92 1 of the other muscle to that of this one: \xe2\x88\x92"
+                            "1 lengthens as much as the other shortens.",
+                            1.0,
+                            commands::muscle_ratio_limits,
+                            0.01};
+    if (number_row(context, field, edit, ratio, goes_on))
+        change(context, "ratio of antagonists", goes_on, [&](commands::Muscle& m) { m.ratio = ratio; });
+}
+
+/// Swatches of the colours that the muscle can have.
+void draw_colors(PanelContext& context, const commands::Muscle& muscle) {
+    const platform::Theme& theme = context.theme;
+    row_label(theme, "Colour");
+    // Eight swatches fill the column exactly, whatever its width.
+    const float swatch = std::floor((ImGui::GetContentRegionAvail().x - 7.0f * 2.0f * theme.scale) / 8.0f);
+    for (int c = 0; c < static_cast<int>(theme.muscles.size()); ++c) {
+        if (c > 0) ImGui::SameLine(0.0f, 2.0f * theme.scale);
+        ImGui::PushID(c);
+        const bool chosen = c == muscle.color % static_cast<int>(theme.muscles.size());
+        if (ImGui::ColorButton("##color", theme.muscles[static_cast<std::size_t>(c)],
+                               ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop,
+                               {swatch, ImGui::GetFrameHeight()}))
+            change(context, "colour", false, [&](commands::Muscle& m) { m.color = c; });
+        if (chosen)
+            ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
+                                                platform::packed(theme.text), 4.0f * theme.scale, 0,
+                                                2.0f * theme.scale);
+        context.items.mark("fibres/color/" + std::to_string(c));
+        ImGui::PopID();
+    }
+}
+
+void draw_stiffness(PanelContext& context, OpenEdit& edit) {
+    double stiffness = context.state.chosen_muscle()->stiffness_Pa;
+    bool goes_on = false;
+    const NumberField field{
+        "Stiffness w",
+        "fibres/stiffness",
+        "kPa",
+        "Energy per rest volume w/2 (|F m| \xe2\x88\x92 a)\xc2\xb2: m the fibre's direction, a(t) the target stretch.",
+        1e3,
+        commands::muscle_stiffness_limits,
+        0.1};
+    if (number_row(context, field, edit, stiffness, goes_on))
+        change(context, "stiffness of a muscle", goes_on, [&](commands::Muscle& m) { m.stiffness_Pa = stiffness; });
+}
+
+/// One of three buttons in a row. Returns true if it was pressed.
+bool paint_button(PanelContext& context, float width, const char* label, const char* name, const char* tip) {
+    const bool pressed = ImGui::Button(label, {width, 0.0f});
+    context.items.mark(name);
+    tooltip(context.theme, tip);
+    return pressed;
+}
+
+/// Settings without the selected muscle. Those that follow it become passive.
+commands::Settings without_chosen_muscle(const commands::WorkbenchState& state) {
+    const std::string name = state.chosen_muscle()->name;
+    commands::Settings settings = state.settings;
+    settings.muscles.erase(settings.muscles.begin() + state.muscle);
+    for (commands::Muscle& other : settings.muscles)
+        if (other.follows == name) other.follows.clear(), other.signal = fibre::Signal::constant(1.0);
+    return settings;
+}
+
+/// Declared muscles cannot be removed.
+void draw_remove_button(PanelContext& context, float width) {
+    ImGui::BeginDisabled(!context.state.chosen_muscle()->declared.empty());
+    if (paint_button(context, width, "Remove", "fibres/remove", "Remove the muscle from the model"))
+        context.emit(commands::ChangeSettings{without_chosen_muscle(context.state), "remove muscle", false});
+    ImGui::EndDisabled();
+}
+
+/// Only the directions change; weights stay.
+fibre::CellPaint straightened(const fibre::CellPaint& paint, const mesh::VolumeMesh& mesh) {
+    fibre::CellPaint straight = paint;
+    straight.directions = fibre::directions_along_longest_axis(mesh, paint.weights);
+    return straight;
+}
+
 }  // namespace
 
 commands::Muscle new_muscle(const commands::Settings& settings) {
@@ -73,33 +191,10 @@ void FibrePanel::draw(PanelContext& context) {
 
 void FibrePanel::draw_list(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
-    const platform::Theme& theme = context.theme;
-    if (state.settings.muscles.empty()) muted_text(theme, "No muscles yet. Add one, then paint it on the body.");
+    if (state.settings.muscles.empty())
+        muted_text(context.theme, "No muscles yet. Add one, then paint it on the body.");
     for (int m = 0; m < static_cast<int>(state.settings.muscles.size()); ++m) {
-        const commands::Muscle& muscle = state.settings.muscles[static_cast<std::size_t>(m)];
-        ImGui::PushID(m);
-        // A square in the muscle's colour before the name; the name is indented by spaces to leave room for it.
-        const float box = ImGui::GetTextLineHeight();
-        const ImVec2 at = ImGui::GetCursorScreenPos();
-        if (ImGui::Selectable(("        " + muscle.name).c_str(), m == state.muscle))
-            context.emit(commands::ChooseMuscle{m});
-        context.items.mark("fibres/muscle/" + muscle.name);
-        ImGui::GetWindowDrawList()->AddRectFilled({at.x + 2.0f * theme.scale, at.y + 1.0f},
-                                                  {at.x + 2.0f * theme.scale + box, at.y + 1.0f + box - 2.0f},
-                                                  platform::packed(theme.muscle(muscle.color)), 3.0f * theme.scale);
-        // During a stroke the amount follows the paint under the brush.
-        if (static_cast<std::size_t>(m) < state.paint.size() && state.ground) {
-            const fibre::CellPaint& paint = m == state.muscle && context.live_paint
-                                                ? *context.live_paint
-                                                : *state.paint[static_cast<std::size_t>(m)];
-            const fibre::PaintedAmount amount = fibre::amount_of(paint, state.ground->volumes_m3);
-            const std::string text = amount.cells > 0 ? plot::value_label(1e6 * amount.volume_m3, 3) + " cm\xc2\xb3"
-                                                      : "not painted";
-            const float width = ImGui::CalcTextSize(text.c_str()).x;
-            ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - width);
-            ImGui::TextColored(theme.muted, "%s", text.c_str());
-        }
-        ImGui::PopID();
+        draw_muscle_row(context, m);
     }
     if (ImGui::Button((std::string(platform::icon::plus) + "  Add a muscle").c_str(), {-1.0f, 0.0f})) {
         commands::Settings settings = state.settings;
@@ -163,57 +258,15 @@ void FibrePanel::draw_link(PanelContext& context) {
             if (partner.empty() && !m.signal && m.declared.empty()) m.signal = fibre::Signal::constant(1.0);
         });
     if (muscle.follows.empty()) return;
-    // NumberField: label, item name, unit, tooltip, SI value per shown unit, limits, smallest change while dragging.
-    double ratio = muscle.ratio;
-    bool goes_on = false;
-    const NumberField field{"Ratio",
-                            "fibres/ratio",
-                            "",
-                            "Factor from a \xe2\x88\x92 1 of the other muscle to that of this one: \xe2\x88\x92"
-                            "1 lengthens as much as the other shortens.",
-                            1.0,
-                            commands::muscle_ratio_limits,
-                            0.01};
-    if (number_row(context, field, edit_, ratio, goes_on))
-        change(context, "ratio of antagonists", goes_on, [&](commands::Muscle& m) { m.ratio = ratio; });
+    draw_ratio(context, edit_);
 }
 
 void FibrePanel::draw_muscle(PanelContext& context) {
-    const commands::WorkbenchState& state = context.state;
-    const platform::Theme& theme = context.theme;
-    const commands::Muscle& muscle = *state.chosen_muscle();
+    const commands::Muscle& muscle = *context.state.chosen_muscle();
     ImGui::Spacing();
     draw_name(context);
-    row_label(theme, "Colour");
-    // Eight swatches fill the column exactly, whatever its width.
-    const float swatch = std::floor((ImGui::GetContentRegionAvail().x - 7.0f * 2.0f * theme.scale) / 8.0f);
-    for (int c = 0; c < static_cast<int>(theme.muscles.size()); ++c) {
-        if (c > 0) ImGui::SameLine(0.0f, 2.0f * theme.scale);
-        ImGui::PushID(c);
-        const bool chosen = c == muscle.color % static_cast<int>(theme.muscles.size());
-        if (ImGui::ColorButton("##color", theme.muscles[static_cast<std::size_t>(c)],
-                               ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop,
-                               {swatch, ImGui::GetFrameHeight()}))
-            change(context, "colour", false, [&](commands::Muscle& m) { m.color = c; });
-        if (chosen)
-            ImGui::GetWindowDrawList()->AddRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax(),
-                                                platform::packed(theme.text), 4.0f * theme.scale, 0,
-                                                2.0f * theme.scale);
-        context.items.mark("fibres/color/" + std::to_string(c));
-        ImGui::PopID();
-    }
-    double stiffness = muscle.stiffness_Pa;
-    bool goes_on = false;
-    const NumberField field{
-        "Stiffness w",
-        "fibres/stiffness",
-        "kPa",
-        "Energy per rest volume w/2 (|F m| \xe2\x88\x92 a)\xc2\xb2: m the fibre's direction, a(t) the target stretch.",
-        1e3,
-        commands::muscle_stiffness_limits,
-        0.1};
-    if (number_row(context, field, edit_, stiffness, goes_on))
-        change(context, "stiffness of a muscle", goes_on, [&](commands::Muscle& m) { m.stiffness_Pa = stiffness; });
+    draw_colors(context, muscle);
+    draw_stiffness(context, edit_);
     // The action of a follower results from its ratio, so only leaders have this row.
     std::string action = muscle.extends ? "extends" : "contracts";
     if (muscle.follows.empty() &&
@@ -233,12 +286,10 @@ void FibrePanel::draw_muscle(PanelContext& context) {
 /// prepared for painting.
 void FibrePanel::draw_paint_actions(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
-    const platform::Theme& theme = context.theme;
-    const commands::Muscle& muscle = *state.chosen_muscle();
     const fibre::CellPaint* const paint = state.chosen_paint();
     const bool ready = paint && state.ground;
     if (ready)
-        text_row(theme, "Painted",
+        text_row(context.theme, "Painted",
                  amount_label(
                      fibre::amount_of(context.live_paint ? *context.live_paint : *paint, state.ground->volumes_m3)));
     // All paint actions end in the same command, each with its own name for undo.
@@ -247,13 +298,7 @@ void FibrePanel::draw_paint_actions(PanelContext& context) {
     };
     const float gap = ImGui::GetStyle().ItemSpacing.x,
                 third = std::floor((ImGui::GetContentRegionAvail().x - 2.0f * gap) / 3.0f);
-    // Three buttons per row.
-    const auto button = [&](const char* label, const char* name, const char* tip) {
-        const bool pressed = ImGui::Button(label, {third, 0.0f});
-        context.items.mark(name);
-        tooltip(theme, tip);
-        return pressed;
-    };
+    const auto button = [&](auto... texts) { return paint_button(context, third, texts...); };
     ImGui::BeginDisabled(!ready || !(paint->weights.maxCoeff() > 0.0));
     if (button("Grow", "fibres/grow", "Add one layer of elements"))
         repaint("grow", fibre::grown(*paint, state.ground->neighbours));
@@ -261,25 +306,12 @@ void FibrePanel::draw_paint_actions(PanelContext& context) {
     if (button("Shrink", "fibres/shrink", "Remove one layer of elements"))
         repaint("shrink", fibre::shrunk(*paint, state.ground->neighbours));
     ImGui::SameLine();
-    if (button("Straighten", "fibres/straighten", "Align all its fibres with its longest axis")) {
-        // Only the directions change; weights stay.
-        fibre::CellPaint straight = *paint;
-        straight.directions = fibre::directions_along_longest_axis(state.body->mesh, paint->weights);
-        repaint("straighten", std::move(straight));
-    }
+    if (button("Straighten", "fibres/straighten", "Align all its fibres with its longest axis"))
+        repaint("straighten", straightened(*paint, state.body->mesh));
     if (button("Clear", "fibres/clear", "Remove all its paint")) repaint("clear", fibre::blank_paint(state.body->mesh));
     ImGui::EndDisabled();
     ImGui::SameLine();
-    ImGui::BeginDisabled(!muscle.declared.empty());
-    if (button("Remove", "fibres/remove", "Remove the muscle from the model")) {
-        commands::Settings settings = state.settings;
-        settings.muscles.erase(settings.muscles.begin() + state.muscle);
-        // Followers of the removed muscle become passive.
-        for (commands::Muscle& other : settings.muscles)
-            if (other.follows == muscle.name) other.follows.clear(), other.signal = fibre::Signal::constant(1.0);
-        context.emit(commands::ChangeSettings{std::move(settings), "remove muscle", false});
-    }
-    ImGui::EndDisabled();
+    draw_remove_button(context, third);
 }
 
 }  // namespace myo::ui::panels

@@ -45,25 +45,31 @@ bool choose(PanelContext& context, const char* label, const char* name, const ch
     return true;
 }
 
+struct Tool {
+    commands::BrushTool tool;
+    const char* icon;
+    const char* label;
+    const char* name;
+    const char* tip;
+};
+constexpr std::array<Tool, 4> tools{{{commands::BrushTool::none, platform::icon::hand, "View", "fibres/tool/view",
+                                      "The mouse turns the view (Esc ends a stroke)"},
+                                     {commands::BrushTool::add, platform::icon::brush, "Paint", "fibres/tool/paint",
+                                      "Drag over the body to paint (B). Ctrl erases."},
+                                     {commands::BrushTool::erase, platform::icon::eraser, "Erase", "fibres/tool/erase",
+                                      "Drag over the body to remove paint (E). Ctrl paints."},
+                                     {commands::BrushTool::fill, platform::icon::drop, "Fill", "fibres/tool/fill",
+                                      "Click on the body: fills the elements up to existing paint"}}};
+
+/// Number of the brush. Brush settings are not part of undo, so it does not matter whether a drag continues.
+void brush_row(PanelContext& context, const NumberField& field, OpenEdit& edit, double& value) {
+    bool ignored = false;
+    number_row(context, field, edit, value, ignored);
+}
+
 /// The four tools; they need a mesh that is prepared for painting.
 void draw_tools(PanelContext& context, commands::BrushSettings& brush) {
     const platform::Theme& theme = context.theme;
-    struct Tool {
-        commands::BrushTool tool;
-        const char* icon;
-        const char* label;
-        const char* name;
-        const char* tip;
-    };
-    static constexpr std::array<Tool, 4> tools{
-        {{commands::BrushTool::none, platform::icon::hand, "View", "fibres/tool/view",
-          "The mouse turns the view (Esc ends a stroke)"},
-         {commands::BrushTool::add, platform::icon::brush, "Paint", "fibres/tool/paint",
-          "Drag over the body to paint (B). Ctrl erases."},
-         {commands::BrushTool::erase, platform::icon::eraser, "Erase", "fibres/tool/erase",
-          "Drag over the body to remove paint (E). Ctrl paints."},
-         {commands::BrushTool::fill, platform::icon::drop, "Fill", "fibres/tool/fill",
-          "Click on the body: fills the elements up to existing paint"}}};
     const float gap = 2.0f * theme.scale, width = std::floor((ImGui::GetContentRegionAvail().x - 3.0f * gap) / 4.0f);
     ImGui::BeginDisabled(!context.state.ground);
     for (const Tool& tool : tools) {
@@ -79,13 +85,64 @@ void draw_tools(PanelContext& context, commands::BrushSettings& brush) {
     ImGui::EndDisabled();
 }
 
+/// Radius and depth of the brush. `reach`: size of the body [m], for the ranges of the sliders.
+void draw_brush_extent(PanelContext& context, OpenEdit& edit, commands::BrushSettings& brush, double reach) {
+    brush_row(context,
+              {"Radius",
+               "fibres/radius",
+               "mm",
+               "Radius r of the brush [mm]: it paints the elements whose centre is at most r from the stroke, "
+               "measured along the surface.",
+               1e-3,
+               {1e-3 * reach, 0.5 * reach},
+               0.05},
+              edit, brush.radius_m);
+    ImGui::BeginDisabled(brush.through);
+    brush_row(context,
+              {"Depth",
+               "fibres/depth",
+               "mm",
+               "Depth of the brush below the surface [mm], along the surface's normal.",
+               1e-3,
+               {1e-3 * reach, reach},
+               0.05},
+              edit, brush.depth_m);
+    ImGui::EndDisabled();
+    row_label(context.theme, "", "");
+    ImGui::Checkbox("through the body", &brush.through);
+    context.items.mark("fibres/through");
+}
+
+/// Weight that the brush paints, in its centre and towards its edge.
+void draw_brush_weight(PanelContext& context, OpenEdit& edit, commands::BrushSettings& brush) {
+    brush_row(context,
+              {"Soft edge",
+               "fibres/falloff",
+               "%",
+               "Share q of the radius over which the weight falls to zero: at the distance d from the stroke it is "
+               "the strength times s² (3 − 2 s), s = (r − d) / (q r), at most 1.",
+               0.01,
+               {0.0, 1.0},
+               0.5},
+              edit, brush.falloff);
+    brush_row(context,
+              {"Strength",
+               "fibres/strength",
+               "%",
+               "Weight in the centre: the share of an element that becomes muscle. The fibres' energy w/2 (|F m| − "
+               "a)² is scaled by it.",
+               0.01,
+               {0.01, 1.0},
+               0.5},
+              edit, brush.strength);
+}
+
 }  // namespace
 
 /// Each tool shows only the settings that it uses: radius, depth, soft edge and strength belong to strokes, the
 /// direction also to a fill.
 void FibrePanel::draw_brush(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
-    const platform::Theme& theme = context.theme;
     ImGui::Spacing();
     // Edited as a copy; one command at the end if anything changed.
     commands::BrushSettings brush = state.brush;
@@ -93,52 +150,9 @@ void FibrePanel::draw_brush(PanelContext& context) {
     draw_tools(context, brush);
     // Ranges of the sliders follow the size of the body.
     const double reach = state.body ? mesh::bounding_box(state.body->mesh.nodes).size().norm() : 1.0;
-    // Brush settings are not part of undo, so it does not matter whether a drag continues.
-    bool ignored = false;
-    const auto number = [&](const NumberField& field, double& value) {
-        number_row(context, field, edit_, value, ignored);
-    };
     if (brush.tool == commands::BrushTool::add || brush.tool == commands::BrushTool::erase) {
-        number({"Radius",
-                "fibres/radius",
-                "mm",
-                "Radius r of the brush [mm]: it paints the elements whose centre is at most r from the stroke, "
-                "measured along the surface.",
-                1e-3,
-                {1e-3 * reach, 0.5 * reach},
-                0.05},
-               brush.radius_m);
-        ImGui::BeginDisabled(brush.through);
-        number({"Depth",
-                "fibres/depth",
-                "mm",
-                "Depth of the brush below the surface [mm], along the surface's normal.",
-                1e-3,
-                {1e-3 * reach, reach},
-                0.05},
-               brush.depth_m);
-        ImGui::EndDisabled();
-        row_label(theme, "", "");
-        ImGui::Checkbox("through the body", &brush.through);
-        context.items.mark("fibres/through");
-        number({"Soft edge",
-                "fibres/falloff",
-                "%",
-                "Share q of the radius over which the weight falls to zero: at the distance d from the stroke it is "
-                "the strength times s² (3 − 2 s), s = (r − d) / (q r), at most 1.",
-                0.01,
-                {0.0, 1.0},
-                0.5},
-               brush.falloff);
-        number({"Strength",
-                "fibres/strength",
-                "%",
-                "Weight in the centre: the share of an element that becomes muscle. The fibres' energy w/2 (|F m| − "
-                "a)² is scaled by it.",
-                0.01,
-                {0.01, 1.0},
-                0.5},
-               brush.strength);
+        draw_brush_extent(context, edit_, brush, reach);
+        draw_brush_weight(context, edit_, brush);
     }
     if (brush.tool == commands::BrushTool::add || brush.tool == commands::BrushTool::fill)
         choose(context, "Direction", "fibres/direction", "Direction of the fibres.", direction_choices(),

@@ -4,7 +4,6 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "base/letter_case.hpp"
 #include "panels/tables.hpp"
@@ -29,9 +28,17 @@ bool enter_pressed() {
            (ImGui::IsKeyPressed(ImGuiKey_Enter, false) || ImGui::IsKeyPressed(ImGuiKey_KeyPadEnter, false));
 }
 
-// The root folder has no file name.
-std::string folder_name(const fs::path& folder) {
-    return folder.filename().empty() ? folder.string() : folder.filename().string();
+/// `again`: Enter was pressed once for this file.
+void draw_replacement_warning(PanelContext& context, const fs::path& target, bool again) {
+    const platform::Theme& theme = context.theme;
+    const float room = ImGui::GetWindowContentRegionMax().x - ImGui::GetItemRectMax().x + ImGui::GetWindowPos().x -
+                       240.0f * theme.scale;
+    ImGui::SameLine();
+    const std::string told = std::string(platform::icon::warning) + "  " +
+                             (again ? "Enter again to replace it" : "Exists already: " + target.filename().string());
+    ImGui::TextColored(theme.warning, "%s", elided(told, room).c_str());
+    context.items.mark("browser/is_there");
+    tooltip(theme, told);
 }
 
 }  // namespace
@@ -106,92 +113,6 @@ void FileBrowser::cancel(PanelContext& context) {
     if (dialog.given_up) dialog.given_up(context);
 }
 
-// Bookmarks and fixed places on the left.
-void FileBrowser::draw_places(PanelContext& context) {
-    const commands::WorkbenchState& state = context.state;
-    const platform::Theme& theme = context.theme;
-    const auto place = [&](const char* icon, const std::string& label, const fs::path& folder,
-                           const std::string& item) {
-        if (folder.empty()) return;
-        ImGui::TextColored(theme.muted, "%s", icon);
-        ImGui::SameLine(28.0f * theme.scale);
-        ImGui::PushID(item.c_str());
-        if (ImGui::Selectable(elided(label, ImGui::GetContentRegionAvail().x).c_str(), folder == folder_))
-            go_to(folder);
-        ImGui::PopID();
-        context.items.mark(item);
-        tooltip(theme, folder.string());
-    };
-    const char* const home = std::getenv("HOME");
-    std::error_code ignored;
-    // Without HOME the entry is left out.
-    place(platform::icon::home, "Home", home ? home : "", "browser/place/home");
-    place(platform::icon::closed_folder, "Working folder", fs::current_path(ignored), "browser/place/working");
-    if (!state.examples.empty())
-        place(platform::icon::cube, "Examples", state.examples.front().path.parent_path(), "browser/place/examples");
-    for (std::size_t i = 0; i < state.preferences.bookmarks.size(); ++i) {
-        const fs::path& folder = state.preferences.bookmarks[i];
-        place(platform::icon::star, folder_name(folder), folder, "browser/bookmark/" + std::to_string(i));
-    }
-}
-
-// A double click enters a folder, but chooses an experiment folder.
-void FileBrowser::draw_entries(PanelContext& context) {
-    const platform::Theme& theme = context.theme;
-    if (entries_.empty()) muted_text(theme, "No matching files here.");
-    std::optional<fs::path> enter, chosen;
-    for (const FolderEntry& entry : entries_) {
-        const bool experiment = entry.experiment && dialog_->experiments;
-        const char* icon = experiment     ? platform::icon::cube
-                           : entry.folder ? platform::icon::closed_folder
-                                          : platform::icon::file;
-        ImGui::TextColored(experiment ? theme.accent : theme.muted, "%s", icon);
-        ImGui::SameLine(28.0f * theme.scale);
-        // Experiment folders are marked on the right, as they are opened as a whole.
-        const char* const tag = "experiment";
-        const float room = ImGui::GetContentRegionAvail().x -
-                           (experiment ? ImGui::CalcTextSize(tag).x + 16.0f * theme.scale : 0.0f);
-        ImGui::PushID(entry.name.c_str());
-        if (ImGui::Selectable(elided(entry.name, room).c_str(), selected_ == entry.name,
-                              ImGuiSelectableFlags_AllowDoubleClick)) {
-            selected_ = entry.name;
-            // Clicking an existing file proposes to replace it.
-            if (!entry.folder && writes()) name_ = entry.name;
-            if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
-                (entry.folder && !experiment ? enter : chosen) = folder_ / entry.name;
-        }
-        ImGui::PopID();
-        context.items.mark("browser/entry/" + entry.name);
-        if (!experiment) continue;
-        ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(tag).x - 4.0f * theme.scale);
-        ImGui::TextColored(theme.muted, "%s", tag);
-    }
-    // After the loop: go_to() replaces the list that the loop reads.
-    if (enter)
-        go_to(*enter);
-    else if (chosen && !writes())
-        choose(context, *chosen);
-}
-
-/// The facts come from the backend, which knows the file formats.
-void FileBrowser::draw_preview(PanelContext& context) {
-    const platform::Theme& theme = context.theme;
-    if (selected_.empty()) return muted_text(theme, "Select a file to see its description.");
-    const fs::path path = folder_ / selected_;
-    // Reading the file takes time, so the preview is computed once per selection.
-    if (path != previewed_) {
-        previewed_ = path;
-        preview_ = context.backend.preview(path);
-    }
-    ImGui::PushFont(theme.strong);
-    wrapped_text(selected_);
-    ImGui::PopFont();
-    for (const commands::ReportLine& line : preview_) {
-        muted_text(theme, line.label);
-        wrapped_text(line.value);
-    }
-}
-
 bool FileBrowser::draw_name(PanelContext& context, const fs::path& target, bool replaces) {
     const platform::Theme& theme = context.theme;
     ImGui::AlignTextToFramePadding();
@@ -206,16 +127,7 @@ bool FileBrowser::draw_name(PanelContext& context, const fs::path& target, bool 
     context.items.mark("browser/name");
     if (replaces) {
         // The first Enter only warns; replaced_ remembers for which file.
-        const bool again = target == replaced_;
-        const float room = ImGui::GetWindowContentRegionMax().x - ImGui::GetItemRectMax().x + ImGui::GetWindowPos().x -
-                           240.0f * theme.scale;
-        ImGui::SameLine();
-        const std::string told = std::string(platform::icon::warning) + "  " +
-                                 (again ? "Enter again to replace it"
-                                        : "Exists already: " + target.filename().string());
-        ImGui::TextColored(theme.warning, "%s", elided(told, room).c_str());
-        context.items.mark("browser/is_there");
-        tooltip(theme, told);
+        draw_replacement_warning(context, target, target == replaced_);
     }
     ImGui::SameLine();
     if (!entered) return false;
@@ -258,6 +170,21 @@ void FileBrowser::draw_foot(PanelContext& context) {
         choose(context, selected_.empty() && !writes() ? folder_ : asked);
 }
 
+void FileBrowser::make_folder() {
+    std::error_code failed;
+    const fs::path made = folder_ / new_folder_;
+    const bool is_new = fs::create_directories(made, failed);
+    // An existing folder of this name is opened, as that is what the user wants.
+    if (is_new || fs::is_directory(made)) {
+        go_to(made);
+        typing_name_ = true;
+        ImGui::CloseCurrentPopup();
+    } else {
+        problem_ = fs::exists(made) ? "A file of this name exists already." : "Cannot be created: " + failed.message();
+        typing_folder_ = true;
+    }
+}
+
 /// A new folder is shown at once, so that the file name can be typed next.
 void FileBrowser::draw_new_folder(PanelContext& context) {
     const platform::Theme& theme = context.theme;
@@ -282,29 +209,14 @@ void FileBrowser::draw_new_folder(PanelContext& context) {
     context.items.mark("browser/new_folder/make");
     ImGui::EndDisabled();
     if (pressed) {
-        std::error_code failed;
-        const fs::path made = folder_ / new_folder_;
-        const bool is_new = fs::create_directories(made, failed);
-        // An existing folder of this name is opened, as that is what the user wants.
-        if (is_new || fs::is_directory(made)) {
-            go_to(made);
-            typing_name_ = true;
-            ImGui::CloseCurrentPopup();
-        } else {
-            problem_ = fs::exists(made) ? "A file of this name exists already."
-                                        : "Cannot be created: " + failed.message();
-            typing_folder_ = true;
-        }
+        make_folder();
     }
     if (!problem_.empty()) ImGui::TextColored(theme.failure, "%s", problem_.c_str());
     if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 
-/// From top to bottom: the path with its buttons; places, entries and preview next to each other; the name and the
-/// buttons. Each part may close the dialog, so dialog_ is checked before the next one.
-void FileBrowser::draw(PanelContext& context) {
-    if (!dialog_) return;
+bool FileBrowser::begin(PanelContext& context) {
     const float s = context.theme.scale;
     // The part after ### identifies the popup, whatever title is shown.
     const std::string title = dialog_->title + "###file browser";
@@ -315,12 +227,15 @@ void FileBrowser::draw(PanelContext& context) {
     ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSize({std::min(860.0f * s, display.x - 40.0f), std::min(560.0f * s, display.y - 40.0f)});
     // If ImGui does not show the dialog any more, it counts as cancelled.
-    if (!ImGui::BeginPopupModal(title.c_str(), nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove)) {
-        const FileDialog dialog = *dialog_;
-        dialog_.reset();
-        if (dialog.given_up) dialog.given_up(context);
-        return;
-    }
+    if (!ImGui::BeginPopupModal(title.c_str(), nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
+        return true;
+    const FileDialog dialog = *dialog_;
+    dialog_.reset();
+    if (dialog.given_up) dialog.given_up(context);
+    return false;
+}
+
+void FileBrowser::draw_toolbar(PanelContext& context) {
     if (ImGui::Button(platform::icon::up)) go_to(folder_.parent_path());
     context.items.mark("browser/up");
     tooltip(context.theme, "Parent folder");
@@ -334,8 +249,10 @@ void FileBrowser::draw(PanelContext& context) {
             marked ? "Remove this folder from the list at the left" : "Add this folder to the list at the left");
     ImGui::SameLine();
     if (writes() || dialog_->folders) draw_new_folder(context);
+}
+
+std::optional<fs::path> FileBrowser::draw_path() {
     ImGui::SetNextItemWidth(-1.0f);
-    // Chosen at the end, as choosing closes the dialog while its parts are still being drawn.
     std::optional<fs::path> typed_file;
     if (ImGui::InputText("##path", &typed_, ImGuiInputTextFlags_EnterReturnsTrue)) {
         std::error_code ignored;
@@ -344,7 +261,11 @@ void FileBrowser::draw(PanelContext& context) {
         else if (fs::is_regular_file(typed_, ignored) && !writes())
             typed_file = typed_;
     }
-    context.items.mark("browser/path");
+    return typed_file;
+}
+
+void FileBrowser::draw_columns(PanelContext& context) {
+    const float s = context.theme.scale;
     // The lists leave room for the line of buttons below them.
     const float foot = ImGui::GetFrameHeightWithSpacing() + 4.0f * s;
     const float places = 170.0f * s, preview = 230.0f * s, gap = 2.0f * ImGui::GetStyle().ItemSpacing.x;
@@ -362,6 +283,18 @@ void FileBrowser::draw(PanelContext& context) {
         draw_preview(context);
         ImGui::EndChild();
     }
+}
+
+/// From top to bottom: the path with its buttons; places, entries and preview next to each other; the name and the
+/// buttons. Each part may close the dialog, so dialog_ is checked before the next one.
+void FileBrowser::draw(PanelContext& context) {
+    if (!dialog_) return;
+    if (!begin(context)) return;
+    draw_toolbar(context);
+    const std::optional<fs::path> typed_file = draw_path();
+    context.items.mark("browser/path");
+    draw_columns(context);
+    // Chosen at the end, as choosing closes the dialog while its parts are still being drawn.
     if (dialog_ && typed_file) choose(context, *typed_file);
     if (dialog_) draw_foot(context);
     if (!dialog_) ImGui::CloseCurrentPopup();

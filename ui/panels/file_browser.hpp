@@ -61,6 +61,16 @@ private:
     void draw_foot(PanelContext& context);
     /// Button and popup that create a folder.
     void draw_new_folder(PanelContext& context);
+    /// Creates the folder of the typed name and shows it.
+    void make_folder();
+    /// Opens and begins the popup. Returns false if it is not shown; if it was closed, that counts as cancelled.
+    bool begin(PanelContext& context);
+    /// Parent folder, bookmark and new folder.
+    void draw_toolbar(PanelContext& context);
+    /// Field for a path. Returns the file that was typed; a typed folder is shown.
+    std::optional<std::filesystem::path> draw_path();
+    /// Places, entries and preview, side by side.
+    void draw_columns(PanelContext& context);
     /// Closes the dialog and calls the callback.
     void choose(PanelContext& context, const std::filesystem::path& path);
     /// Closes the dialog and reports that the user cancelled.

@@ -11,6 +11,65 @@
 
 namespace myo::ui::panels {
 
+namespace {
+
+/// Number of the settings of a search. No part of undo, so it does not matter whether a drag continues.
+bool request_row(PanelContext& context, const NumberField& field, OpenEdit& edit, double& value) {
+    bool ignored = false;
+    return number_row(context, field, edit, value, ignored);
+}
+
+/// Row of a bound of the target stretch.
+///
+/// @param which  "Lower" or "Upper"
+/// @param meaning  what values on its side of 1 do
+NumberField bound_field(const char* label, const char* name, const std::string& which, const std::string& meaning,
+                        const commands::Limits& limits) {
+    return {label,
+            name,
+            "",
+            which +
+                " bound of the target stretch a, dimensionless: target length of the fibres over their length at "
+                "rest. " +
+                meaning,
+            1.0,
+            limits,
+            0.005};
+}
+
+/// Density of the knots, bounds and length of the search for signals.
+void draw_optimize_rows(PanelContext& context, OpenEdit& edit, commands::OptimizeRequest& request) {
+    request_row(
+        context,
+        {"Knots",
+         "fit/frequency",
+         "1/s",
+         "Knots of each signal a(t) per second [1/s]; between them it is linear. A trial of T seconds has about "
+         "T times as many unknowns for each muscle.",
+         1.0,
+         {0.5, 200.0},
+         0.1},
+        edit, request.frequency_Hz);
+    request_row(context, bound_field("Minimum a", "fit/lowest", "Lower", "Below 1 they pull.", {0.1, 1.0}), edit,
+                request.lowest);
+    request_row(context, bound_field("Maximum a", "fit/highest", "Upper", "Above 1 they push.", {1.0, 4.0}), edit,
+                request.highest);
+    // Number fields edit doubles; the request has an integer.
+    double evaluations = request.max_evaluations;
+    const NumberField field{
+        "Evaluations",
+        "fit/evaluations",
+        "",
+        "Maximum number of runs of the trial, each with the exact gradient of its loss by the adjoint method.",
+        1.0,
+        {1.0, 1000.0},
+        1.0};
+    if (request_row(context, field, edit, evaluations))
+        request.max_evaluations = static_cast<int>(std::lround(evaluations));
+}
+
+}  // namespace
+
 /// Both searches are shown below each other; each explains why it is not available.
 void FitPanel::draw(PanelContext& context) {
     if (!context.state.scene)
@@ -53,50 +112,7 @@ void FitPanel::draw_optimize(PanelContext& context) {
     commands::OptimizeRequest request = state.optimize;
     text_row(theme, "Follow", trial->name);
     tooltip(theme, "The trial that the timeline shows is the target.");
-    bool ignored = false;
-    number_row(context,
-               {"Knots",
-                "fit/frequency",
-                "1/s",
-                "Knots of each signal a(t) per second [1/s]; between them it is linear. A trial of T seconds has about "
-                "T times as many unknowns for each muscle.",
-                1.0,
-                {0.5, 200.0},
-                0.1},
-               edit_, request.frequency_Hz, ignored);
-    number_row(context,
-               {"Minimum a",
-                "fit/lowest",
-                "",
-                "Lower bound of the target stretch a, dimensionless: target length of the fibres over their "
-                "length at rest. Below 1 they pull.",
-                1.0,
-                {0.1, 1.0},
-                0.005},
-               edit_, request.lowest, ignored);
-    number_row(context,
-               {"Maximum a",
-                "fit/highest",
-                "",
-                "Upper bound of the target stretch a, dimensionless: target length of the fibres over their "
-                "length at rest. Above 1 they push.",
-                1.0,
-                {1.0, 4.0},
-                0.005},
-               edit_, request.highest, ignored);
-    // Number fields edit doubles; the request has an integer.
-    double evaluations = request.max_evaluations;
-    if (number_row(
-            context,
-            {"Evaluations",
-             "fit/evaluations",
-             "",
-             "Maximum number of runs of the trial, each with the exact gradient of its loss by the adjoint method.",
-             1.0,
-             {1.0, 1000.0},
-             1.0},
-            edit_, evaluations, ignored))
-        request.max_evaluations = static_cast<int>(std::lround(evaluations));
+    draw_optimize_rows(context, edit_, request);
     if (!(request == state.optimize)) context.emit(commands::ChangeOptimize{request});
     if (ImGui::Button((std::string(platform::icon::bolt) + "  Optimise").c_str(), {-1.0f, 0.0f}))
         context.emit(commands::Optimize{});

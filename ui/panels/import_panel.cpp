@@ -58,6 +58,67 @@ FileDialog new_folder_dialog(const commands::ImportChoices& choices, const std::
     return dialog;
 }
 
+/// Unit of the lengths in the file.
+void unit_row(PanelContext& context, commands::ReadingOptions& reading) {
+    // Millimetres are shown until the user chooses a unit.
+    std::string unit = "mm";
+    for (std::size_t u = 0; u < units.size(); ++u)
+        if (reading.metres_per_unit == unit_lengths[u]) unit = units[u].id;
+    if (choice_row(context, "Unit", "import/unit", "Unit of lengths; not stated in the file", units, unit))
+        for (std::size_t u = 0; u < units.size(); ++u)
+            if (units[u].id == unit) reading.metres_per_unit = unit_lengths[u];
+}
+
+/// The axis of the cameras along which the body's axis k points.
+void axis_choice(PanelContext& context, std::size_t k, float width, commands::ImportChoices& choices) {
+    if (k > 0) ImGui::SameLine();
+    ImGui::SetNextItemWidth(width);
+    const std::string item = std::string("import/axis_") + "xyz"[k];
+    const bool open = ImGui::BeginCombo(("##" + item).c_str(), axis_label(choices.axes[k]).c_str(),
+                                        ImGuiComboFlags_NoArrowButton);
+    context.items.mark(item);
+    tooltip(context.theme, std::string("The body's ") + "xyz"[k] + " points along this axis of the cameras.");
+    if (!open) return;
+    // Both signs of each axis.
+    for (const int axis : {1, -1, 2, -2, 3, -3}) {
+        if (ImGui::Selectable(axis_label(axis).c_str(), choices.axes[k] == axis) && choices.axes[k] != axis) {
+            // The axis that was selected here moves to where the new one was, so that the three stay different.
+            for (int& other : choices.axes)
+                if (std::abs(other) == std::abs(axis)) other = std::abs(choices.axes[k]) * (other > 0 ? 1 : -1);
+            choices.axes[k] = axis;
+        }
+        context.items.mark(item + "/" + std::to_string(axis));
+    }
+    ImGui::EndCombo();
+}
+
+/// Buttons that assign labels to markers: by a proposal, or by clicks on the body.
+void draw_assigning(PanelContext& context) {
+    const commands::RecordingImport& import = *context.state.import;
+    const platform::Theme& theme = context.theme;
+    const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+    if (ImGui::Button("Propose", {width, 0.0f})) context.emit(commands::ProposeMarkers{});
+    context.items.mark("import/propose");
+    tooltip(
+        theme,
+        "Matches labels to markers by their names and by the distances between them. On a plain mesh: assigns labels "
+        "that were not clicked to the nearest place on the body.");
+    ImGui::SameLine();
+    // The button is a toggle: its colour shows whether clicks place labels.
+    ImGui::PushStyleColor(ImGuiCol_Button, import.placing ? theme.accent : theme.raised);
+    ImGui::PushStyleColor(ImGuiCol_Text, import.placing ? theme.on_accent : theme.text);
+    ImGui::BeginDisabled(!context.state.body);
+    if (ImGui::Button("Click on the body", {width, 0.0f}))
+        context.emit(commands::ChooseLabel{import.label, !import.placing});
+    context.items.mark("import/place");
+    ImGui::EndDisabled();
+    ImGui::PopStyleColor(2);
+    tooltip(theme, import.declared.empty()
+                       ? "While on, a click on the body places the selected label and selects the next one."
+                       : "While on, a click on one of the experiment's markers (rings in the view) assigns it to "
+                         "the selected label and selects the next one.");
+}
+
 }  // namespace
 
 /// All parts edit one copy of the choices. One command at the end replaces them, so that a frame never sees half of a
@@ -91,13 +152,7 @@ void ImportPanel::draw_file(PanelContext& context) {
     commands::ReadingOptions reading = file.reading;
     // The unit is a property of the file, so changing it reads the file again.
     if (file.asks_unit) {
-        // Shown until the user chooses a unit.
-        std::string unit = "mm";
-        for (std::size_t u = 0; u < units.size(); ++u)
-            if (reading.metres_per_unit == unit_lengths[u]) unit = units[u].id;
-        if (choice_row(context, "Unit", "import/unit", "Unit of lengths; not stated in the file", units, unit))
-            for (std::size_t u = 0; u < units.size(); ++u)
-                if (units[u].id == unit) reading.metres_per_unit = unit_lengths[u];
+        unit_row(context, reading);
     }
     bool goes_on = false;
     if (file.asks_rate)
@@ -119,25 +174,7 @@ void ImportPanel::draw_placing(PanelContext& context, commands::ImportChoices& c
     row_label(context.theme, "Axes x, y, z", "Which axis of the cameras the body's x, y and z point along");
     const float width = (ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetStyle().ItemSpacing.x) / 3.0f;
     for (std::size_t k = 0; k < 3; ++k) {
-        if (k > 0) ImGui::SameLine();
-        ImGui::SetNextItemWidth(width);
-        const std::string item = std::string("import/axis_") + "xyz"[k];
-        const bool open = ImGui::BeginCombo(("##" + item).c_str(), axis_label(choices.axes[k]).c_str(),
-                                            ImGuiComboFlags_NoArrowButton);
-        context.items.mark(item);
-        tooltip(context.theme, std::string("The body's ") + "xyz"[k] + " points along this axis of the cameras.");
-        if (!open) continue;
-        // Both signs of each axis.
-        for (const int axis : {1, -1, 2, -2, 3, -3}) {
-            if (ImGui::Selectable(axis_label(axis).c_str(), choices.axes[k] == axis) && choices.axes[k] != axis) {
-                // The axis that was selected here moves to where the new one was, so that the three stay different.
-                for (int& other : choices.axes)
-                    if (std::abs(other) == std::abs(axis)) other = std::abs(choices.axes[k]) * (other > 0 ? 1 : -1);
-                choices.axes[k] = axis;
-            }
-            context.items.mark(item + "/" + std::to_string(axis));
-        }
-        ImGui::EndCombo();
+        axis_choice(context, k, width, choices);
     }
     row_label(context.theme, "Turn",
               "Three or more markers that are not collinear determine the cameras' frame (Kabsch 1976)");
@@ -178,10 +215,39 @@ void ImportPanel::draw_name(PanelContext& context, std::size_t label, commands::
     ImGui::EndCombo();
 }
 
+void ImportPanel::draw_label_row(PanelContext& context, std::size_t i, commands::ImportChoices& choices) {
+    const commands::RecordingImport& import = *context.state.import;
+    const platform::Theme& theme = context.theme;
+    const std::string& label = import.file.recording->labels[i];
+    ImGui::PushID(static_cast<int>(i));
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::AlignTextToFramePadding();
+    // The selected label is also the one that clicks in the view assign.
+    const bool chosen = static_cast<int>(i) == import.label;
+    const float own_width = ImGui::GetContentRegionAvail().x;
+    if (ImGui::Selectable(elided(label, ImGui::GetContentRegionAvail().x).c_str(), chosen,
+                          ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap)) {
+        context.emit(commands::ChooseLabel{static_cast<int>(i), import.placing});
+        // The plots of the selected label are below the view.
+        context.window.panel = "recording";
+    }
+    // Another column may cover the middle of the row, so tests get only its first cell.
+    context.items.add("import/label/" + label,
+                      {ImGui::GetItemRectMin(), {ImGui::GetItemRectMin().x + own_width, ImGui::GetItemRectMax().y}});
+    tooltip(theme, label);
+    ImGui::TableNextColumn();
+    draw_name(context, i, choices);
+    const double seen = 100.0 * import.file.seen[i], off = import.view.residual_m[static_cast<Eigen::Index>(i)];
+    // below 80 % the marker is occluded often
+    number_cell(theme, plot::value_label(seen, 3), seen < 80.0 ? &theme.warning : nullptr);
+    number_cell(theme, std::isfinite(off) ? fixed_mm(off) : dash);
+    ImGui::PopID();
+}
+
 /// A row per label with its marker, the share of samples in which it was seen, and its distance from the marker before
 /// the start.
 void ImportPanel::draw_markers(PanelContext& context, commands::ImportChoices& choices) {
-    const commands::RecordingImport& import = *context.state.import;
     const platform::Theme& theme = context.theme;
     const std::vector<Heading> headings{{"Label", ""},
                                         {"Marker", ""},
@@ -194,56 +260,11 @@ void ImportPanel::draw_markers(PanelContext& context, commands::ImportChoices& c
         number_column(theme, headings[3]);
         heading_row(theme, headings);
         for (std::size_t i = 0; i < choices.markers.size(); ++i) {
-            const std::string& label = import.file.recording->labels[i];
-            ImGui::PushID(static_cast<int>(i));
-            ImGui::TableNextRow();
-            ImGui::TableNextColumn();
-            ImGui::AlignTextToFramePadding();
-            // The selected label is also the one that clicks in the view assign.
-            const bool chosen = static_cast<int>(i) == import.label;
-            const float own_width = ImGui::GetContentRegionAvail().x;
-            if (ImGui::Selectable(elided(label, ImGui::GetContentRegionAvail().x).c_str(), chosen,
-                                  ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowItemOverlap)) {
-                context.emit(commands::ChooseLabel{static_cast<int>(i), import.placing});
-                // The plots of the selected label are below the view.
-                context.window.panel = "recording";
-            }
-            // Another column may cover the middle of the row, so tests get only its first cell.
-            context.items.add(
-                "import/label/" + label,
-                {ImGui::GetItemRectMin(), {ImGui::GetItemRectMin().x + own_width, ImGui::GetItemRectMax().y}});
-            tooltip(theme, label);
-            ImGui::TableNextColumn();
-            draw_name(context, i, choices);
-            const double seen = 100.0 * import.file.seen[i], off = import.view.residual_m[static_cast<Eigen::Index>(i)];
-            // below 80 % the marker is occluded often
-            number_cell(theme, plot::value_label(seen, 3), seen < 80.0 ? &theme.warning : nullptr);
-            number_cell(theme, std::isfinite(off) ? fixed_mm(off) : dash);
-            ImGui::PopID();
+            draw_label_row(context, i, choices);
         }
         ImGui::EndTable();
     }
-    const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-    if (ImGui::Button("Propose", {width, 0.0f})) context.emit(commands::ProposeMarkers{});
-    context.items.mark("import/propose");
-    tooltip(
-        theme,
-        "Matches labels to markers by their names and by the distances between them. On a plain mesh: assigns labels "
-        "that were not clicked to the nearest place on the body.");
-    ImGui::SameLine();
-    // The button is a toggle: its colour shows whether clicks place labels.
-    ImGui::PushStyleColor(ImGuiCol_Button, import.placing ? theme.accent : theme.raised);
-    ImGui::PushStyleColor(ImGuiCol_Text, import.placing ? theme.on_accent : theme.text);
-    ImGui::BeginDisabled(!context.state.body);
-    if (ImGui::Button("Click on the body", {width, 0.0f}))
-        context.emit(commands::ChooseLabel{import.label, !import.placing});
-    context.items.mark("import/place");
-    ImGui::EndDisabled();
-    ImGui::PopStyleColor(2);
-    tooltip(theme, import.declared.empty()
-                       ? "While on, a click on the body places the selected label and selects the next one."
-                       : "While on, a click on one of the experiment's markers (rings in the view) assigns it to "
-                         "the selected label and selects the next one.");
+    draw_assigning(context);
 }
 
 /// The start can be typed, dragged in the plot, set to the first large motion, or found by comparison with a run.

@@ -26,6 +26,8 @@ private:
     void draw_placing(PanelContext& context, commands::ImportChoices& choices);
     /// Table that assigns labels to markers.
     void draw_markers(PanelContext& context, commands::ImportChoices& choices);
+    /// Row of one label in that table.
+    void draw_label_row(PanelContext& context, std::size_t i, commands::ImportChoices& choices);
     /// Marker of one label, in its cell of the table: a list, or a free name on a plain mesh.
     void draw_name(PanelContext& context, std::size_t label, commands::ImportChoices& choices);
     /// Time in the file that becomes t = 0.

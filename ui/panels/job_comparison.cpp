@@ -38,6 +38,31 @@ std::string error_of(const commands::RunResult* run) {
     return run && std::isfinite(run->rms_m) ? plot::millimetres(run->rms_m) : "\xe2\x80\x93";
 }
 
+/// Columns and headings of the comparison.
+void set_up_comparison(const platform::Theme& theme, const std::vector<Compared>& columns) {
+    ImGui::TableSetupScrollFreeze(1, 1);
+    std::vector<Heading> headings{{"Differs in", ""}};
+    ImGui::TableSetupColumn("setting", ImGuiTableColumnFlags_WidthFixed, 128.0f * theme.scale);
+    for (const Compared& column : columns) {
+        headings.push_back({column.title, column.tip, true});
+        ImGui::TableSetupColumn(column.title.c_str(), ImGuiTableColumnFlags_WidthFixed, 92.0f * theme.scale);
+    }
+    heading_row(theme, headings);
+}
+
+void difference_row(PanelContext& context, const commands::SettingDifference& row) {
+    const platform::Theme& theme = context.theme;
+    ImGui::TableNextRow();
+    text_cell(theme, row.name, theme.muted);
+    context.items.mark("jobs/differs/" + row.name);
+    for (const std::string& value : row.values) {
+        // Long values, such as signals, are shortened; the tooltip has all of them.
+        const std::string shown = elided(value, 92.0f * theme.scale);
+        number_cell(theme, shown);
+        if (shown != value) tooltip(theme, value);
+    }
+}
+
 }  // namespace
 
 bool compares_jobs(const commands::WorkbenchState& state) {
@@ -56,14 +81,7 @@ void draw_job_comparison(PanelContext& context) {
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
                                       ImGuiTableFlags_ScrollX | ImGuiTableFlags_BordersOuterH;
     if (!ImGui::BeginTable("differences", 1 + static_cast<int>(columns.size()), flags)) return;
-    ImGui::TableSetupScrollFreeze(1, 1);
-    std::vector<Heading> headings{{"Differs in", ""}};
-    ImGui::TableSetupColumn("setting", ImGuiTableColumnFlags_WidthFixed, 128.0f * theme.scale);
-    for (const Compared& column : columns) {
-        headings.push_back({column.title, column.tip, true});
-        ImGui::TableSetupColumn(column.title.c_str(), ImGuiTableColumnFlags_WidthFixed, 92.0f * theme.scale);
-    }
-    heading_row(theme, headings);
+    set_up_comparison(theme, columns);
     ImGui::TableNextRow();
     text_cell(theme, "rms error", theme.muted);
     for (const Compared& column : columns) number_cell(theme, error_of(column.run));
@@ -71,15 +89,7 @@ void draw_job_comparison(PanelContext& context) {
     const std::vector<commands::SettingDifference> differences = commands::settings_differences(
         settings, state.materials, state.integrators);
     for (const commands::SettingDifference& row : differences) {
-        ImGui::TableNextRow();
-        text_cell(theme, row.name, theme.muted);
-        context.items.mark("jobs/differs/" + row.name);
-        for (const std::string& value : row.values) {
-            // Long values, such as signals, are shortened; the tooltip has all of them.
-            const std::string shown = elided(value, 92.0f * theme.scale);
-            number_cell(theme, shown);
-            if (shown != value) tooltip(theme, value);
-        }
+        difference_row(context, row);
     }
     if (differences.empty()) {
         ImGui::TableNextRow();

@@ -48,6 +48,21 @@ bool small_button(PanelContext& context, const char* label, const std::string& i
     return pressed;
 }
 
+/// Pause and Cancel.
+void running_buttons(PanelContext& context, const commands::JobView& job, bool wide) {
+    ImGui::BeginDisabled(job.cancelling);
+    if (small_button(
+            context,
+            wide ? (job.paused ? "Resume" : "Pause") : (job.paused ? platform::icon::play : platform::icon::pause),
+            "jobs/pause", "Pauses at the next step until resumed"))
+        context.emit(commands::Pause{!job.paused});
+    ImGui::SameLine();
+    if (small_button(context, wide ? "Cancel" : platform::icon::stop, "jobs/cancel",
+                     "Ends the job; a search keeps its best values"))
+        context.emit(commands::Cancel{});
+    ImGui::EndDisabled();
+}
+
 /// The running job: its progress, and buttons to pause and cancel it.
 void running_row(PanelContext& context, const commands::JobView& job, bool wide) {
     const platform::Theme& theme = context.theme;
@@ -68,17 +83,7 @@ void running_row(PanelContext& context, const commands::JobView& job, bool wide)
     tooltip(theme, told);
     ImGui::TableNextColumn();
     ImGui::TableNextColumn();
-    ImGui::BeginDisabled(job.cancelling);
-    if (small_button(
-            context,
-            wide ? (job.paused ? "Resume" : "Pause") : (job.paused ? platform::icon::play : platform::icon::pause),
-            "jobs/pause", "Pauses at the next step until resumed"))
-        context.emit(commands::Pause{!job.paused});
-    ImGui::SameLine();
-    if (small_button(context, wide ? "Cancel" : platform::icon::stop, "jobs/cancel",
-                     "Ends the job; a search keeps its best values"))
-        context.emit(commands::Cancel{});
-    ImGui::EndDisabled();
+    running_buttons(context, job, wide);
 }
 
 /// A waiting job can only be removed.
@@ -95,6 +100,19 @@ void waiting_row(PanelContext& context, const commands::QueuedJob& job, bool wid
     if (small_button(context, wide ? "Remove" : platform::icon::remove, "jobs/unqueue/" + std::to_string(job.id),
                      "Removes the job from the queue"))
         context.emit(commands::Unqueue{job.id});
+}
+
+/// Draws the markers of the record with those of the shown run.
+void compare_box(PanelContext& context, const commands::JobRecord& record) {
+    const std::string id = std::to_string(record.id);
+    bool compared = record.compared;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0f, 0.0f));
+    if (ImGui::Checkbox("##compare", &compared)) context.emit(commands::CompareRecord{record.id, compared});
+    ImGui::PopStyleVar();
+    context.items.mark("jobs/compare/" + id);
+    tooltip(context.theme,
+            "Draw its markers with those of the shown run: as curves in the plots, as rings of the same colour "
+            "in the view. The settings that differ are listed, too.");
 }
 
 /// An ended job. Compare exists only for jobs that kept their run.
@@ -115,16 +133,7 @@ void record_row(PanelContext& context, const commands::JobRecord& record, bool w
     text_cell(theme, result_text(record), theme.text);
     context.items.mark("jobs/record/" + id);
     ImGui::TableNextColumn();
-    if (record.run) {
-        bool compared = record.compared;
-        ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0.0f, 0.0f));
-        if (ImGui::Checkbox("##compare", &compared)) context.emit(commands::CompareRecord{record.id, compared});
-        ImGui::PopStyleVar();
-        context.items.mark("jobs/compare/" + id);
-        tooltip(theme,
-                "Draw its markers with those of the shown run: as curves in the plots, as rings of the same colour "
-                "in the view. The settings that differ are listed, too.");
-    }
+    if (record.run) compare_box(context, record);
     ImGui::TableNextColumn();
     // A failed job has nothing to show.
     ImGui::BeginDisabled(!record.can_be_restored());
@@ -135,6 +144,37 @@ void record_row(PanelContext& context, const commands::JobRecord& record, bool w
     ImGui::SameLine();
     if (small_button(context, wide ? "Delete" : platform::icon::remove, "jobs/forget/" + id, "Delete it from the list"))
         context.emit(commands::ForgetRecord{record.id});
+}
+
+/// Column of the list.
+struct JobColumn {
+    Heading heading;
+    float width;  // [pixels at scale 1]; 0: the remaining width
+};
+
+/// @param wide  with times, which are in tooltips otherwise, and with words on the buttons
+std::vector<JobColumn> job_columns(bool wide) {
+    std::vector<JobColumn> columns{
+        {{"", ""}, 20.0f},
+        {{"Job", ""}, 110.0f},
+        {{"Result", ""}, 0.0f},
+        {{wide ? "Compare" : "", "Its markers in the plots, and the settings that differ"}, wide ? 60.0f : 22.0f},
+        {{"", ""}, wide ? 132.0f : 64.0f}};
+    if (wide) columns.insert(columns.begin() + 2, {{{"Started", ""}, 64.0f}, {{"Time", "Wall time", true}, 80.0f}});
+    return columns;
+}
+
+/// Columns and headings of the list.
+void set_up_jobs(const platform::Theme& theme, const std::vector<JobColumn>& columns) {
+    ImGui::TableSetupScrollFreeze(0, 1);
+    std::vector<Heading> headings;
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        headings.push_back(columns[k].heading);
+        const ImGuiTableColumnFlags flags = columns[k].width > 0.0f ? ImGuiTableColumnFlags_WidthFixed
+                                                                    : ImGuiTableColumnFlags_WidthStretch;
+        ImGui::TableSetupColumn(std::to_string(k).c_str(), flags, columns[k].width * theme.scale);
+    }
+    heading_row(theme, headings);
 }
 
 }  // namespace
@@ -172,32 +212,13 @@ void JobsPanel::draw_list(PanelContext& context, const ImVec2& size) {
     const platform::Theme& theme = context.theme;
     const bool wide = (size.x > 0.0f ? size.x : ImGui::GetContentRegionAvail().x) >
                       620.0f * theme.scale;  // otherwise times are in tooltips and buttons are icons
-    struct Column {
-        Heading heading;
-        float width;
-    };  // width [pixels at scale 1]; 0: the remaining width
-    // Widths in pixels at scale 1.
-    std::vector<Column> columns{
-        {{"", ""}, 20.0f},
-        {{"Job", ""}, 110.0f},
-        {{"Result", ""}, 0.0f},
-        {{wide ? "Compare" : "", "Its markers in the plots, and the settings that differ"}, wide ? 60.0f : 22.0f},
-        {{"", ""}, wide ? 132.0f : 64.0f}};
-    if (wide) columns.insert(columns.begin() + 2, {{{"Started", ""}, 64.0f}, {{"Time", "Wall time", true}, 80.0f}});
+    const std::vector<JobColumn> columns = job_columns(wide);
     if (!ImGui::BeginTable(
             "jobs", static_cast<int>(columns.size()),
             ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_BordersOuterH,
             size))
         return;
-    ImGui::TableSetupScrollFreeze(0, 1);
-    std::vector<Heading> headings;
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-        headings.push_back(columns[k].heading);
-        const ImGuiTableColumnFlags flags = columns[k].width > 0.0f ? ImGuiTableColumnFlags_WidthFixed
-                                                                    : ImGuiTableColumnFlags_WidthStretch;
-        ImGui::TableSetupColumn(std::to_string(k).c_str(), flags, columns[k].width * theme.scale);
-    }
-    heading_row(theme, headings);
+    set_up_jobs(theme, columns);
     // Running first, then waiting, then ended jobs with the newest on top.
     if (state.job) running_row(context, *state.job, wide);
     for (const commands::QueuedJob& job : state.queue) {

@@ -9,16 +9,20 @@ namespace myo::ui::panels {
 
 std::string LogPanel::title() const { return std::string(platform::icon::list) + "  Messages"; }
 
+void LogPanel::forget_heights(float width, float scale) {
+    // Another width or scale wraps the lines differently.
+    heights_.clear();
+    width_ = width;
+    scale_ = scale;
+}
+
 // Numbers since the start identify lines, as old ones are removed at the front.
 void LogPanel::draw(PanelContext& context) {
     const std::vector<commands::LogLine>& lines = context.state.log;
     if (lines.empty()) muted_text(context.theme, "No messages yet.");
     const std::size_t logged = context.state.logged;
     const float width = ImGui::GetContentRegionAvail().x;
-    // Another width or scale wraps the lines differently.
-    if (width != width_ || context.theme.scale != scale_) heights_.clear();
-    width_ = width;
-    scale_ = context.theme.scale;
+    if (width != width_ || context.theme.scale != scale_) forget_heights(width, context.theme.scale);
     // Wrapped lines differ in height. Each is measured once and afterwards drawn only if it is visible; thousands of
     // lines would slow down every frame.
     for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -17,6 +17,9 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    /// For a new width of the lines or scale of the text.
+    void forget_heights(float width, float scale);
+
     std::size_t seen_ = 0;  // messages that were shown already
     // Measured heights by number since the start [pixels], valid for this width and scale.
     std::map<std::size_t, float> heights_;

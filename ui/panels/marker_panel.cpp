@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "commands/marker_csv.hpp"
 #include "panels/file_dialogs.hpp"
@@ -25,47 +24,51 @@ constexpr const char* plot_help =  // tooltip of the help icon
     "Shift and drag: select a time range and show its rms error; Shift and click: no range\n"
     "A name in the legend: hide or show the curve";
 
-/// Colour of another trial, chosen far in hue from measured, simulated and residual in both themes.
-const ImVec4& overlay_color(const platform::Theme& theme, std::size_t trial) {
-    // Indices in Theme::muscles.
-    constexpr std::array<int, 4> colors{3, 2, 7, 6};
-    return theme.muscle(colors[trial % colors.size()]);
-}
-
 /// Whether there is no room for text on the buttons. The legend of several trials is then in their menu.
 bool is_narrow(const platform::Theme& theme) { return ImGui::GetContentRegionAvail().x < 530.0f * theme.scale; }
 
-/// The curves of one trial for one coordinate.
-struct TrialCurves {
-    chart::Series measured, simulated, residual;  // simulated and residual are NaN without a run
-};
+/// Check boxes of the coordinates that are drawn.
+void draw_axis_boxes(PanelContext& context, std::array<bool, 3>& shown, bool narrow, float gap) {
+    const float s = context.theme.scale;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        ImGui::SameLine(0.0f, axis == 0 ? 2.0f * gap : gap);
+        if (narrow) ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, ImVec2(4.0f * s, 0.0f));
+        ImGui::Checkbox(axis_names[axis], &shown[axis]);
+        if (narrow) ImGui::PopStyleVar();
+        context.items.mark(std::string("markers/show/") + axis_names[axis]);
+    }
+}
 
-/// The curves of another trial [mm], in its own colour.
-TrialCurves overlaid_curves(const commands::OverlaidMarker& other, std::size_t marker, int axis,
-                            const platform::Theme& theme) {
-    const commands::SceneTrial& trial = *other.measured;
-    ImVec4 faint = overlay_color(theme, other.trial);
-    const Eigen::VectorXd measured = 1e3 * trial.measured[marker].row(axis).transpose();
-    Eigen::VectorXd simulated = Eigen::VectorXd::Constant(measured.size(), std::numeric_limits<double>::quiet_NaN());
-    if (other.simulated_m) simulated = 1e3 * other.simulated_m->row(axis).transpose();
-    const ImVec4 color = faint;
-    faint.w = 0.7f;  // keeps the line visible where dots cover it
-    return {plot::plot_series(trial.name + ", measured", trial.time_s, measured, faint, true),
-            plot::plot_series(trial.name + ", simulated", trial.time_s, simulated, color),
-            plot::plot_series(trial.name, trial.time_s, simulated - measured, color)};
+void draw_plot_help(PanelContext& context) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextColored(context.theme.muted, "%s", platform::icon::information);
+    context.items.mark("markers/help");
+    tooltip(context.theme, plot_help, 460.0f);
+}
+
+/// Error of the shown marker: that of the selected time range or, without one, that of the whole trial. Empty: there is
+/// none.
+std::string error_text(const commands::WorkbenchState& state, const std::optional<chart::Range>& chosen) {
+    const commands::SimulatedTrial* simulated = state.simulated_trial();
+    const auto m = static_cast<std::size_t>(state.marker);
+    std::string text;
+    if (chosen) {
+        const double rms = commands::marker_rms_m(*state.scene_trial(), simulated, m, chosen->lowest, chosen->highest);
+        const std::string range = " in " + plot::value_label(chosen->lowest, 3) + "\xe2\x80\x93" +
+                                  plot::value_label(chosen->highest, 3) + " s";
+        text = (std::isfinite(rms) ? "rms " + plot::value_label(1e3 * rms, 3) + " mm" : std::string("no comparison")) +
+               range;
+    } else if (simulated && m < simulated->marker_rms_m.size() && std::isfinite(simulated->marker_rms_m[m])) {
+        text = "rms of this marker  " + plot::value_label(1e3 * simulated->marker_rms_m[m], 3) + " mm";
+    }
+    return text;
 }
 
 }  // namespace
 
 std::string MarkerPanel::title() const { return std::string(platform::icon::chart) + "  Markers"; }
 
-/// Controls in one line; below it the plots of the selected coordinates next to each other, with equal widths.
-void MarkerPanel::draw(PanelContext& context) {
-    const commands::WorkbenchState& state = context.state;
-    if (!state.scene_trial() || state.scene->markers.empty()) {
-        muted_text(context.theme, "Measured and simulated markers are drawn here. Open an experiment folder to begin.");
-        return;
-    }
+void MarkerPanel::follow(const commands::WorkbenchState& state) {
     if (scene_ != state.scene || trial_ != state.trial || marker_ != state.marker) {
         // A different curve: the old zoom has no meaning for it.
         if (scene_ != state.scene || trial_ != state.trial) time_ = {};
@@ -76,6 +79,16 @@ void MarkerPanel::draw(PanelContext& context) {
         trial_ = state.trial;
         marker_ = state.marker;
     }
+}
+
+/// Controls in one line; below it the plots of the selected coordinates next to each other, with equal widths.
+void MarkerPanel::draw(PanelContext& context) {
+    const commands::WorkbenchState& state = context.state;
+    if (!state.scene_trial() || state.scene->markers.empty()) {
+        muted_text(context.theme, "Measured and simulated markers are drawn here. Open an experiment folder to begin.");
+        return;
+    }
+    follow(state);
     draw_choice(context);
     if (!is_narrow(context.theme) && !commands::overlaid_markers(state, overlaid_).empty()) draw_legend(context);
     // Collected while drawing, for export as SVG.
@@ -98,6 +111,13 @@ void MarkerPanel::draw(PanelContext& context) {
     }
 }
 
+void MarkerPanel::show_all() {
+    // A default value of the plot state means "all data".
+    time_.range.reset();
+    main_ = {};
+    residual_ = {};
+}
+
 /// In a narrow panel the buttons are icons, and the error moves to a line of its own or into the table of errors.
 void MarkerPanel::draw_choice(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
@@ -108,32 +128,12 @@ void MarkerPanel::draw_choice(PanelContext& context) {
     const bool narrow = is_narrow(context.theme);  // buttons then show icons
     const float gap = narrow ? 4.0f * s : 8.0f * s;
     ImGui::SetNextItemWidth(narrow ? 80.0f * s : std::min(200.0f * s, 0.34f * ImGui::GetContentRegionAvail().x));
-    const bool open = ImGui::BeginCombo("##marker", markers[current].name.c_str());
-    context.items.mark("markers/marker");
-    if (open) {
-        for (std::size_t m = 0; m < markers.size(); ++m) {
-            if (ImGui::Selectable(markers[m].name.c_str(), m == current))
-                context.emit(commands::ChooseMarker{static_cast<int>(m)});
-            context.items.mark("markers/marker/" + markers[m].name);
-        }
-        ImGui::EndCombo();
-    }
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        ImGui::SameLine(0.0f, axis == 0 ? 2.0f * gap : gap);
-        if (narrow) ImGui::PushStyleVar(ImGuiStyleVar_ItemInnerSpacing, ImVec2(4.0f * s, 0.0f));
-        ImGui::Checkbox(axis_names[axis], &shown_[axis]);
-        if (narrow) ImGui::PopStyleVar();
-        context.items.mark(std::string("markers/show/") + axis_names[axis]);
-    }
+    marker_list(context, "markers/marker");
+    draw_axis_boxes(context, shown_, narrow, gap);
     ImGui::SameLine(0.0f, 2.0f * gap);
     draw_trials(context, narrow);
     ImGui::SameLine(0.0f, gap);
-    // A default value of the plot state means "all data".
-    if (ImGui::Button(narrow ? platform::icon::expand : "Zoom to data")) {
-        time_.range.reset();
-        main_ = {};
-        residual_ = {};
-    }
+    if (ImGui::Button(narrow ? platform::icon::expand : "Zoom to data")) show_all();
     context.items.mark("markers/fit");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Show all data (double-click in a plot does the same)");
     ImGui::SameLine(0.0f, gap);
@@ -142,30 +142,14 @@ void MarkerPanel::draw_choice(PanelContext& context) {
     tooltip(context.theme, "Saves the visible curves of this marker as a table, a drawing or a picture");
     draw_export(context, state.scene_trial()->name + "_" + markers[current].name);
     ImGui::SameLine(0.0f, gap);
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextColored(context.theme.muted, "%s", platform::icon::information);
-    context.items.mark("markers/help");
-    tooltip(context.theme, plot_help, 460.0f);
+    draw_plot_help(context);
     draw_error(context);
 }
 
 /// Without a selected range: the error of the marker over the whole trial. With one: its error within the range.
 void MarkerPanel::draw_error(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
-    const commands::SimulatedTrial* simulated = state.simulated_trial();
-    const auto m = static_cast<std::size_t>(state.marker);
-    std::string text;
-    // A selected time range has its own error; otherwise that of the whole trial is shown.
-    if (time_.chosen) {
-        const double rms = commands::marker_rms_m(*state.scene_trial(), simulated, m, time_.chosen->lowest,
-                                                  time_.chosen->highest);
-        const std::string range = " in " + plot::value_label(time_.chosen->lowest, 3) + "\xe2\x80\x93" +
-                                  plot::value_label(time_.chosen->highest, 3) + " s";
-        text = (std::isfinite(rms) ? "rms " + plot::value_label(1e3 * rms, 3) + " mm" : std::string("no comparison")) +
-               range;
-    } else if (simulated && m < simulated->marker_rms_m.size() && std::isfinite(simulated->marker_rms_m[m])) {
-        text = "rms of this marker  " + plot::value_label(1e3 * simulated->marker_rms_m[m], 3) + " mm";
-    }
+    const std::string text = error_text(state, time_.chosen);
     if (text.empty()) return;
     ImGui::SameLine(0.0f, 16.0f * context.theme.scale);
     // Without room in the line of the controls, the text goes below it.
@@ -182,6 +166,33 @@ void MarkerPanel::draw_error(PanelContext& context) {
                 "trial, within the selected range. Shift and click in a plot: no range.");
 }
 
+void MarkerPanel::draw_trial_row(PanelContext& context, std::size_t t) {
+    const commands::WorkbenchState& state = context.state;
+    const commands::SceneTrial& trial = state.scene->trials[t];
+    const int index = static_cast<int>(t);
+    // The list contains the shown trial, too, so that its position among the others is clear.
+    bool drawn = index == state.trial || overlaid_.count(index) > 0;
+    // The shown trial is always drawn.
+    ImGui::BeginDisabled(index == state.trial);
+    ImGui::PushID(index);
+    if (ImGui::Checkbox("##drawn", &drawn)) {
+        if (drawn)
+            overlaid_.insert(index);
+        else
+            overlaid_.erase(index);
+    }
+    ImGui::PopID();
+    context.items.mark("markers/trial/" + trial.name);
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    ImGui::PushTextWrapPos(0.0f);
+    if (index == state.trial)
+        ImGui::TextColored(context.theme.muted, "%s (shown)", trial.name.c_str());
+    else
+        ImGui::TextColored(overlay_color(context.theme, t), "%s", trial.name.c_str());
+    ImGui::PopTextWrapPos();
+}
+
 void MarkerPanel::draw_trials(PanelContext& context, bool narrow) {
     const commands::WorkbenchState& state = context.state;
     if (ImGui::Button(narrow ? platform::icon::list : "Trials\xe2\x80\xa6")) ImGui::OpenPopup("trials");
@@ -189,29 +200,7 @@ void MarkerPanel::draw_trials(PanelContext& context, bool narrow) {
     tooltip(context.theme, "Draws this marker in other trials, too, in time since each trial's start");
     if (!begin_popup_above(context.theme, "trials", 320.0f)) return;
     for (std::size_t t = 0; t < state.scene->trials.size(); ++t) {
-        const commands::SceneTrial& trial = state.scene->trials[t];
-        const int index = static_cast<int>(t);
-        // The list contains the shown trial, too, so that its position among the others is clear.
-        bool drawn = index == state.trial || overlaid_.count(index) > 0;
-        // The shown trial is always drawn.
-        ImGui::BeginDisabled(index == state.trial);
-        ImGui::PushID(index);
-        if (ImGui::Checkbox("##drawn", &drawn)) {
-            if (drawn)
-                overlaid_.insert(index);
-            else
-                overlaid_.erase(index);
-        }
-        ImGui::PopID();
-        context.items.mark("markers/trial/" + trial.name);
-        ImGui::EndDisabled();
-        ImGui::SameLine();
-        ImGui::PushTextWrapPos(0.0f);
-        if (index == state.trial)
-            ImGui::TextColored(context.theme.muted, "%s (shown)", trial.name.c_str());
-        else
-            ImGui::TextColored(overlay_color(context.theme, t), "%s", trial.name.c_str());
-        ImGui::PopTextWrapPos();
+        draw_trial_row(context, t);
     }
     if (narrow && !commands::overlaid_markers(state, overlaid_).empty()) {
         ImGui::Separator();
@@ -280,80 +269,6 @@ void MarkerPanel::draw_export(PanelContext& context, const std::string& name) {
     context.items.mark("markers/png");
     tooltip(context.theme, "The plots as shown, pixel by pixel");
     ImGui::EndPopup();
-}
-
-/// The plot of one coordinate and, if there is a run and enough height, its residual below with the same time axis.
-/// Measured samples are dots, simulations lines.
-void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& size) {
-    const commands::WorkbenchState& state = context.state;
-    const platform::Theme& theme = context.theme;
-    const auto a = static_cast<std::size_t>(axis);
-    const auto m = static_cast<std::size_t>(state.marker);
-    const commands::SceneTrial& trial = *state.scene_trial();
-    const commands::SimulatedTrial* simulated = state.simulated_trial();
-    const std::string axis_name = axis_names[a];
-    // A run of another version of the experiment may lack the marker or have other samples.
-    const bool compare = simulated && m < simulated->markers.size() &&
-                         simulated->markers[m].cols() == trial.time_s.size();
-
-    plot::Plot plot;
-    plot.id = "plot/" + axis_name;
-    plot.panel.y = {.label = axis_name, .unit = "mm"};
-    plot.cursor = state.time_s;
-    plot.panel.vertical = {{0.0, ""}};
-    // With other trials, one legend above all plots replaces the legend of each.
-    const std::vector<commands::OverlaidMarker> others = commands::overlaid_markers(state, overlaid_);
-    plot.legend = others.empty();
-    plot.selectable = true;
-    // The residual plot is filled along with the main one.
-    plot::Plot strip;
-    for (const commands::OverlaidMarker& other : others) {  // first, so that the shown trial is drawn over them
-        TrialCurves curves = overlaid_curves(other, m, axis, theme);
-        // The residual has no legend of its own; hiding the simulated curve hides its residual, too.
-        if (hidden_.count(curves.simulated.name) > 0)
-            std::fill(curves.residual.y.begin(), curves.residual.y.end(), std::numeric_limits<double>::quiet_NaN());
-        plot.panel.series.push_back(std::move(curves.measured));
-        if (other.simulated_m) plot.panel.series.push_back(std::move(curves.simulated));
-        strip.panel.series.push_back(
-            std::move(curves.residual));  // also without values, so that both plots get the same time range
-    }
-    const Eigen::VectorXd measured = 1e3 * trial.measured[m].row(axis).transpose();
-    plot.panel.series.push_back(plot::plot_series("measured", trial.time_s, measured, theme.measured, true));
-    if (compare) {
-        const Eigen::VectorXd predicted = 1e3 * simulated->markers[m].row(axis).transpose();
-        plot.panel.series.push_back(plot::plot_series("simulated", trial.time_s, predicted, theme.simulated));
-        strip.panel.series.push_back(
-            plot::plot_series("simulated \xe2\x88\x92 measured", trial.time_s, predicted - measured, theme.failure));
-    }
-    for (const commands::ComparedMarker& other : commands::compared_markers(state))
-        plot.panel.series.push_back(plot::plot_series(other.name, trial.time_s,
-                                                      1e3 * other.position_m->row(axis).transpose(),
-                                                      theme.muscle(static_cast<int>(other.record))));
-    // In a low strip the motion keeps all the room.
-    const bool residual = compare && size.y > 110.0f * theme.scale;
-    plot.x_labels = !residual;
-    // At least high enough for its axis labels.
-    const float residual_height = residual ? std::max(76.0f * theme.scale, 0.42f * size.y) : 0.0f;
-    const plot::PlotResult main = plot::draw_plot(plot, {size.x, size.y - residual_height}, theme, context.items, time_,
-                                                  main_[a], hidden_);
-    seen_.push_back(plot::seen_chart(plot, main.area, hidden_));
-    // A click in any plot moves the shown time of the whole window.
-    if (main.cursor) context.emit(commands::SetTime{*main.cursor});
-    if (!residual) return;
-    // Both plots share the time axis, so they are drawn without a gap.
-    ImGui::SetCursorPosY(ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y);
-    strip.id = "residual/" + axis_name;
-    strip.panel.y = {.label = size.x > 240.0f * theme.scale ? "simulated \xe2\x88\x92 measured" : "difference",
-                     .unit = "mm",
-                     .include_zero = true};
-    strip.cursor = state.time_s;
-    strip.panel.vertical = {{0.0, ""}};
-    strip.selectable = true;
-    plot::HiddenSeries none;
-    const plot::PlotResult below = plot::draw_plot(strip, {size.x, residual_height}, theme, context.items, time_,
-                                                   residual_[a], none);
-    seen_.push_back(plot::seen_chart(strip, below.area, none));
-    if (below.cursor) context.emit(commands::SetTime{*below.cursor});
 }
 
 }  // namespace myo::ui::panels

@@ -24,6 +24,8 @@ public:
 private:
     // Parts of the panel: controls first, then one plot per coordinate.
     void draw_choice(PanelContext& context);
+    /// A trial in that popup, with the box that draws it.
+    void draw_trial_row(PanelContext& context, std::size_t t);
     /// Popup that selects the other trials. `narrow`: buttons show icons.
     void draw_trials(PanelContext& context, bool narrow);
     /// One legend for all plots, used while other trials are drawn.
@@ -32,6 +34,13 @@ private:
     void draw_error(PanelContext& context);
     /// Popup with the ways to save what is seen. `name` is the proposed file name.
     void draw_export(PanelContext& context, const std::string& name);
+    /// Colour of another trial, chosen far in hue from measured, simulated and residual in both themes.
+    static const ImVec4& overlay_color(const platform::Theme& theme, std::size_t trial);
+    void show_all();
+    /// Resets the zoom where another curve is shown.
+    void follow(const commands::WorkbenchState& state);
+    /// Plot of the residual below that of the motion. `strip` has the curves; `size` in pixels.
+    void draw_residual(PanelContext& context, int axis, plot::Plot strip, const ImVec2& size);
     /// Plot of one coordinate with its residual below. `size` in pixels.
     void draw_component(PanelContext& context, int axis, const ImVec2& size);
 

@@ -56,6 +56,18 @@ void draw_import_button(PanelContext& context) {
         "Makes a trial from a motion-capture file: C3D, TRC, Qualisys TSV, CSV, or a table of x, y, z of each marker");
 }
 
+/// Saves the table of errors as CSV.
+void draw_save_button(PanelContext& context, const std::string& trial,
+                      const std::vector<commands::MarkerError>& errors) {
+    if (ImGui::Button("Save the table\xe2\x80\xa6"))
+        context.window.file = table_dialog("Save the markers' errors", trial + "_errors",
+                                           commands::marker_errors_csv(errors));
+    context.items.mark("measure/csv");
+    tooltip(context.theme,
+            "Saves rms, largest distance, rms, max and bias per axis [m] and the share of samples seen, of every "
+            "marker of this trial, as CSV");
+}
+
 }  // namespace
 
 /// Errors of the trials, then errors of the markers of the shown trial: in all, or one quantity per axis.
@@ -86,13 +98,7 @@ void MeasurePanel::draw(PanelContext& context) {
                                                                               state.simulated_trial());
     draw_table(context, errors);
     ImGui::Spacing();
-    if (ImGui::Button("Save the table\xe2\x80\xa6"))
-        context.window.file = table_dialog("Save the markers' errors", trial->name + "_errors",
-                                           commands::marker_errors_csv(errors));
-    context.items.mark("measure/csv");
-    tooltip(theme,
-            "Saves rms, largest distance, rms, max and bias per axis [m] and the share of samples seen, of every "
-            "marker of this trial, as CSV");
+    draw_save_button(context, trial->name, errors);
 }
 
 void MeasurePanel::draw_tabs(PanelContext& context) {
@@ -113,8 +119,7 @@ void MeasurePanel::draw_tabs(PanelContext& context) {
     }
 }
 
-void MeasurePanel::draw_table(PanelContext& context, const std::vector<commands::MarkerError>& errors) {
-    const platform::Theme& theme = context.theme;
+std::vector<Heading> MeasurePanel::headings() const {
     // The three tables per axis share their columns; only the tooltip differs.
     const std::string what = shown_ == Shown::bias      ? "Mean of simulated minus measured [mm]"
                              : shown_ == Shown::largest ? "Largest magnitude of simulated minus measured [mm]"
@@ -126,38 +131,44 @@ void MeasurePanel::draw_table(PanelContext& context, const std::vector<commands:
                                      {"seen [%]", "Share of the samples in which the marker was measured", true}};
     const std::vector<Heading> axes{
         {"Marker", ""}, {"x [mm]", what, true}, {"y [mm]", what, true}, {"z [mm]", what, true}};
-    const std::vector<Heading>& headings = shown_ == Shown::whole ? whole : axes;
-    if (!ImGui::BeginTable("markers", static_cast<int>(headings.size()), ImGuiTableFlags_RowBg)) return;
-    ImGui::TableSetupColumn("marker", ImGuiTableColumnFlags_WidthStretch);
-    for (std::size_t k = 1; k < headings.size(); ++k) number_column(theme, headings[k]);
-    heading_row(theme, headings);
+    return shown_ == Shown::whole ? whole : axes;
+}
+
+void MeasurePanel::draw_error_row(PanelContext& context, const commands::MarkerError& error, std::size_t m) {
+    const platform::Theme& theme = context.theme;
     // A length in millimetres, or a dash.
     const auto length = [&](double metres) {
         number_cell(theme, std::isfinite(metres) ? plot::value_label(1e3 * metres, 2) : "\xe2\x80\x93");
     };
-    for (std::size_t m = 0; m < errors.size(); ++m) {
-        const commands::MarkerError& error = errors[m];
-        ImGui::TableNextRow();
-        ImGui::TableNextColumn();
-        ImGui::PushID(static_cast<int>(m));
-        if (ImGui::Selectable(elided(error.name, ImGui::GetContentRegionAvail().x).c_str(),
-                              static_cast<int>(m) == context.state.marker, ImGuiSelectableFlags_SpanAllColumns))
-            context.emit(commands::ChooseMarker{static_cast<int>(m)});
-        context.items.mark("measure/marker/" + error.name);
-        tooltip(theme, error.name);
-        ImGui::PopID();
-        if (shown_ == Shown::whole) {
-            length(error.rms_m);
-            length(error.largest_m);
-            // below 80 % the error rests on few samples
-            number_cell(theme, plot::value_label(100.0 * error.seen, 3), error.seen < 0.8 ? &theme.warning : nullptr);
-        } else {
-            for (const double value : shown_ == Shown::bias      ? error.bias_m
-                                      : shown_ == Shown::largest ? error.largest_axis_m
-                                                                 : error.rms_axis_m)
-                length(value);
-        }
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushID(static_cast<int>(m));
+    if (ImGui::Selectable(elided(error.name, ImGui::GetContentRegionAvail().x).c_str(),
+                          static_cast<int>(m) == context.state.marker, ImGuiSelectableFlags_SpanAllColumns))
+        context.emit(commands::ChooseMarker{static_cast<int>(m)});
+    context.items.mark("measure/marker/" + error.name);
+    tooltip(theme, error.name);
+    ImGui::PopID();
+    if (shown_ == Shown::whole) {
+        length(error.rms_m);
+        length(error.largest_m);
+        // below 80 % the error rests on few samples
+        number_cell(theme, plot::value_label(100.0 * error.seen, 3), error.seen < 0.8 ? &theme.warning : nullptr);
+    } else {
+        for (const double value : shown_ == Shown::bias      ? error.bias_m
+                                  : shown_ == Shown::largest ? error.largest_axis_m
+                                                             : error.rms_axis_m)
+            length(value);
     }
+}
+
+void MeasurePanel::draw_table(PanelContext& context, const std::vector<commands::MarkerError>& errors) {
+    const std::vector<Heading> headings = this->headings();
+    if (!ImGui::BeginTable("markers", static_cast<int>(headings.size()), ImGuiTableFlags_RowBg)) return;
+    ImGui::TableSetupColumn("marker", ImGuiTableColumnFlags_WidthStretch);
+    for (std::size_t k = 1; k < headings.size(); ++k) number_column(context.theme, headings[k]);
+    heading_row(context.theme, headings);
+    for (std::size_t m = 0; m < errors.size(); ++m) draw_error_row(context, errors[m], m);
     ImGui::EndTable();
 }
 

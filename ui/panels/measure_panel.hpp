@@ -4,6 +4,7 @@
 
 #include "commands/marker_errors.hpp"
 #include "panels/panel.hpp"
+#include "panels/tables.hpp"
 
 namespace myo::ui::panels {
 
@@ -25,6 +26,10 @@ private:
     void draw_tabs(PanelContext& context);
     /// One row per marker; a click shows the marker in the plots.
     void draw_table(PanelContext& context, const std::vector<commands::MarkerError>& errors);
+    /// The first table has one number per error, the others one per axis.
+    std::vector<Heading> headings() const;
+    /// Errors of marker m.
+    void draw_error_row(PanelContext& context, const commands::MarkerError& error, std::size_t m);
     enum class Shown { whole, rms, largest, bias };  // table of the markers: in all, or one quantity per axis
     Shown shown_ = Shown::whole;
 };

@@ -110,48 +110,32 @@ void draw_message(PanelContext& context, float right) {
     ImGui::SameLine();
 }
 
-}  // namespace
-
-/// Menus and buttons on the left, checks, scale and theme on the right, the newest message in the room between them.
-void draw_menu_bar(PanelContext& context, viewport::ViewportState& viewport) {
-    const commands::WorkbenchState& state = context.state;
-    const platform::Theme& theme = context.theme;
-    ImGui::SetCursorPosY(0.5f * (ImGui::GetWindowHeight() - ImGui::GetFrameHeight()));
-    ImGui::AlignTextToFramePadding();
-    ImGui::PushFont(theme.strong);
-    ImGui::TextColored(theme.accent, "Myoloop");
-    ImGui::PopFont();
-    ImGui::SameLine(0.0f, 12.0f * theme.scale);
-    draw_menus(context, viewport);
-    ImGui::SameLine(0.0f, 12.0f * theme.scale);
-    // The checks and the message take the room between the buttons on the left and on the right.
-    const auto button = [&](const char* sign, const char* item, const char* tip, bool enabled,
-                            const commands::Command& asked) {
-        ImGui::BeginDisabled(!enabled);
-        if (ImGui::Button(sign)) context.emit(asked);
-        context.items.mark(item);
-        ImGui::EndDisabled();
-        tooltip(theme, tip);
-        ImGui::SameLine();
-    };
-    button(platform::icon::save, "bar/save",
-           state.unsaved() ? "Save the project (Ctrl+S); unsaved changes" : "Save the project (Ctrl+S)",
-           state.scene != nullptr, commands::Save{});
-    button(platform::icon::undo, "bar/undo", "Undo the last change (Ctrl+Z)", state.can_undo, commands::Undo{});
-    button(platform::icon::redo, "bar/redo", "Redo (Ctrl+Y)", state.can_redo, commands::Redo{});
-
-    const bool dark = state.preferences.theme == platform::ThemeName::dark;
-    const float theme_width = 72.0f * theme.scale, scale_width = 84.0f * theme.scale,
-                spacing = ImGui::GetStyle().ItemSpacing.x;
-    const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - theme_width - scale_width -
-                        spacing;
-    const float left = ImGui::GetCursorPosX();
-    const float message_right = checks_mark(context, left, right - 16.0f * theme.scale);
+/// Button with a sign only.
+void sign_button(PanelContext& context, const char* sign, const char* item, const char* tip, bool enabled,
+                 const commands::Command& asked) {
+    ImGui::BeginDisabled(!enabled);
+    if (ImGui::Button(sign)) context.emit(asked);
+    context.items.mark(item);
+    ImGui::EndDisabled();
+    tooltip(context.theme, tip);
     ImGui::SameLine();
-    ImGui::SetCursorPosX(left);
-    draw_message(context, message_right);
-    ImGui::SetCursorPosX(right);
-    ImGui::SetNextItemWidth(scale_width);
+}
+
+/// Save, undo and redo.
+void draw_sign_buttons(PanelContext& context) {
+    const commands::WorkbenchState& state = context.state;
+    sign_button(context, platform::icon::save, "bar/save",
+                state.unsaved() ? "Save the project (Ctrl+S); unsaved changes" : "Save the project (Ctrl+S)",
+                state.scene != nullptr, commands::Save{});
+    sign_button(context, platform::icon::undo, "bar/undo", "Undo the last change (Ctrl+Z)", state.can_undo,
+                commands::Undo{});
+    sign_button(context, platform::icon::redo, "bar/redo", "Redo (Ctrl+Y)", state.can_redo, commands::Redo{});
+}
+
+/// Size of text and controls.
+void draw_scale_list(PanelContext& context, float width) {
+    const commands::WorkbenchState& state = context.state;
+    ImGui::SetNextItemWidth(width);
     if (ImGui::BeginCombo("##scale", (std::to_string(std::lround(100.0f * state.scale())) + " %").c_str())) {
         // The values cover the range of the preferences.
         for (const int percent : {75, 100, 125, 150, 200, 250}) {
@@ -163,12 +147,46 @@ void draw_menu_bar(PanelContext& context, viewport::ViewportState& viewport) {
         ImGui::EndCombo();
     }
     context.items.mark("bar/scale");
-    tooltip(theme, "Size of text and controls");
-    ImGui::SameLine();
-    if (ImGui::Button(dark ? "Light" : "Dark", {theme_width, 0.0f}))
+    tooltip(context.theme, "Size of text and controls");
+}
+
+void draw_theme_button(PanelContext& context, float width) {
+    const commands::WorkbenchState& state = context.state;
+    const bool dark = state.preferences.theme == platform::ThemeName::dark;
+    if (ImGui::Button(dark ? "Light" : "Dark", {width, 0.0f}))
         context.emit(commands::SetTheme{dark ? platform::ThemeName::light : platform::ThemeName::dark, state.scale()});
     context.items.mark("bar/theme");
-    tooltip(theme, "Light or dark colours");
+    tooltip(context.theme, "Light or dark colours");
+}
+
+}  // namespace
+
+/// Menus and buttons on the left, checks, scale and theme on the right, the newest message in the room between them.
+void draw_menu_bar(PanelContext& context, viewport::ViewportState& viewport) {
+    const platform::Theme& theme = context.theme;
+    ImGui::SetCursorPosY(0.5f * (ImGui::GetWindowHeight() - ImGui::GetFrameHeight()));
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushFont(theme.strong);
+    ImGui::TextColored(theme.accent, "Myoloop");
+    ImGui::PopFont();
+    ImGui::SameLine(0.0f, 12.0f * theme.scale);
+    draw_menus(context, viewport);
+    ImGui::SameLine(0.0f, 12.0f * theme.scale);
+    draw_sign_buttons(context);
+    // The checks and the message take the room between the buttons on the left and on the right.
+    const float theme_width = 72.0f * theme.scale, scale_width = 84.0f * theme.scale,
+                spacing = ImGui::GetStyle().ItemSpacing.x;
+    const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - theme_width - scale_width -
+                        spacing;
+    const float left = ImGui::GetCursorPosX();
+    const float message_right = checks_mark(context, left, right - 16.0f * theme.scale);
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(left);
+    draw_message(context, message_right);
+    ImGui::SetCursorPosX(right);
+    draw_scale_list(context, scale_width);
+    ImGui::SameLine();
+    draw_theme_button(context, theme_width);
 }
 
 }  // namespace myo::ui::panels

@@ -33,17 +33,8 @@ void MeshPanel::draw(PanelContext& context) {
     draw_report(context);
 }
 
-/// Edge length as a number and as a logarithmic slider: its range spans a factor of 40.
-void MeshPanel::draw_mesh_settings(PanelContext& context) {
+void MeshPanel::draw_resolution(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
-    const platform::Theme& theme = context.theme;
-    std::string element = to_string(state.settings.element);
-    if (choice_row(context, "Elements", "body/element", "Shape of the finite elements.", element_choices(), element)) {
-        commands::Settings settings = state.settings;
-        settings.element = mesh::find_cell_type(element).value_or(settings.element);
-        context.emit(commands::ChangeSettings{settings, "element", false});
-    }
-    // The range follows the body: 3 to 120 elements along its longest side.
     const double longest = std::max(commands::body_size(state).maxCoeff(), 1e-3);
     const commands::Limits range{longest / 120.0, longest / 3.0};
     const NumberField field{
@@ -65,7 +56,12 @@ void MeshPanel::draw_mesh_settings(PanelContext& context) {
         settings.resolution_m = 1e-3 * shown;
         context.emit(commands::ChangeSettings{settings, "resolution", goes_on});
     }
-    // Counted if the mesh exists, otherwise estimated.
+}
+
+/// Numbers of elements and unknowns, counted if the mesh exists, otherwise estimated.
+void MeshPanel::draw_mesh_size(PanelContext& context) {
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
     const bool built = state.mesh_is_current();
     const double elements = built ? static_cast<double>(state.body->mesh.cell_count()) : state.prediction.elements;
     const double dofs = built ? state.body->dofs : state.prediction.dofs;
@@ -75,6 +71,20 @@ void MeshPanel::draw_mesh_settings(PanelContext& context) {
     tooltip(theme,
             "Degrees of freedom: three displacements for each node. Orange above 300,000, where a step takes seconds.");
     draw_step_cost(context, dofs);
+}
+
+/// Edge length as a number and as a logarithmic slider: its range spans a factor of 40.
+void MeshPanel::draw_mesh_settings(PanelContext& context) {
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
+    std::string element = to_string(state.settings.element);
+    if (choice_row(context, "Elements", "body/element", "Shape of the finite elements.", element_choices(), element)) {
+        commands::Settings settings = state.settings;
+        settings.element = mesh::find_cell_type(element).value_or(settings.element);
+        context.emit(commands::ChangeSettings{settings, "element", false});
+    }
+    draw_resolution(context);
+    draw_mesh_size(context);
     // The button disappears when the mesh is up to date.
     if (!state.mesh_is_current()) {
         if (primary_button(theme, "Build this mesh", {-1.0f, 0.0f})) context.emit(commands::BuildMesh{});

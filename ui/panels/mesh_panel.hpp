@@ -20,6 +20,9 @@ public:
 private:
     /// Controls for element type and edge length, and the button that builds the mesh.
     void draw_mesh_settings(PanelContext& context);
+    void draw_mesh_size(PanelContext& context);
+    /// Edge length of the elements: 3 to 120 elements along the longest side of the body.
+    void draw_resolution(PanelContext& context);
     /// Measured or predicted time per step of a mesh with `dofs` degrees of freedom. Draws nothing if the size is
     /// unknown.
     void draw_step_cost(PanelContext& context, double dofs);

@@ -36,6 +36,21 @@ Eigen::Matrix3d frame_of(const viewport::DrawnSurface& surface, const Eigen::Mat
     return frame;
 }
 
+/// Closed line in the colour of what the brush does.
+void draw_outline(const PanelContext& context, const std::vector<ImVec2>& pixels) {
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec4 color = erases(state.brush) && state.brush.tool != commands::BrushTool::fill
+                             ? theme.failure
+                             : theme.muscle(state.chosen_muscle()->color);
+    // Dark below light, so that the ring is visible on any background.
+    list.AddPolyline(pixels.data(), static_cast<int>(pixels.size()), IM_COL32(0, 0, 0, 160), ImDrawFlags_Closed,
+                     3.5f * theme.scale);
+    list.AddPolyline(pixels.data(), static_cast<int>(pixels.size()), platform::packed(color), ImDrawFlags_Closed,
+                     1.8f * theme.scale);
+}
+
 }  // namespace
 
 std::optional<viewport::SurfaceHit> PaintTool::hit_at(const commands::WorkbenchState& state,
@@ -142,14 +157,7 @@ void PaintTool::draw_ring(const PanelContext& context, const viewport::DrawnScen
             pixels.push_back({view.pixels.lowest.x + static_cast<float>(seen->x()),
                               view.pixels.lowest.y + static_cast<float>(seen->y())});
         }
-        const platform::Theme& theme = context.theme;
-        ImDrawList& list = *ImGui::GetWindowDrawList();
-        const ImVec4 color = erases(state.brush) && state.brush.tool != commands::BrushTool::fill
-                                 ? theme.failure
-                                 : theme.muscle(state.chosen_muscle()->color);
-        // Dark below light, so that the ring is visible on any background.
-        list.AddPolyline(pixels.data(), points, IM_COL32(0, 0, 0, 160), ImDrawFlags_Closed, 3.5f * theme.scale);
-        list.AddPolyline(pixels.data(), points, platform::packed(color), ImDrawFlags_Closed, 1.8f * theme.scale);
+        draw_outline(context, pixels);
     };
     if (state.brush.tool == commands::BrushTool::fill) return ring(0.25 * state.ground->places.edge_m);
     ring(state.brush.radius_m);

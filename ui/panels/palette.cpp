@@ -35,33 +35,16 @@ void Palette::open() {
     chosen_ = 0;
 }
 
-/// The list is filtered in each frame; arrow keys move the highlight, Enter or a click executes the entry.
-void Palette::draw(PanelContext& context, viewport::ViewportState& viewport,
-                   const std::vector<std::unique_ptr<Panel>>& panels) {
-    const platform::Theme& theme = context.theme;
-    const float s = theme.scale;
-    if (wanted_) ImGui::OpenPopup("palette");
-    wanted_ = false;
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({0.5f * display.x, 72.0f * s}, ImGuiCond_Always, {0.5f, 0.0f});
-    // In a popup: a click elsewhere closes the palette.
-    ImGui::SetNextWindowSize({std::min(560.0f * s, display.x - 40.0f), std::min(420.0f * s, display.y - 120.0f * s)});
-    if (!ImGui::BeginPopup("palette")) return;
-    if (focus_) ImGui::SetKeyboardFocusHere();
-    focus_ = false;
-    ImGui::SetNextItemWidth(-1.0f);
-    if (ImGui::InputTextWithHint("##command", "Find a command, file, trial, panel or quantity", &text_)) chosen_ = 0;
-    context.items.mark("palette/text");
-    // Commands first, then files, trials, panels and fields.
-    const std::vector<Action> offered = offered_actions(context.state, context.backend, panels);
-    std::vector<const Action*> found = matching_actions(text_, all_actions());
-    for (const Action* action : matching_actions(text_, offered)) found.push_back(action);
+void Palette::move_highlight(std::size_t entries) {
     // The text field keeps the keyboard, so the arrow keys are read here.
     if (ImGui::IsKeyPressed(ImGuiKey_DownArrow)) ++chosen_;
     if (ImGui::IsKeyPressed(ImGuiKey_UpArrow)) --chosen_;
     // Typing shortens the list, so the highlight may lie beyond its end.
-    chosen_ = std::clamp(chosen_, 0, std::max(0, static_cast<int>(found.size()) - 1));
-    // The action to execute, set by a click or Enter.
+    chosen_ = std::clamp(chosen_, 0, std::max(0, static_cast<int>(entries) - 1));
+}
+
+const Action* Palette::draw_found(PanelContext& context, const std::vector<const Action*>& found) {
+    const platform::Theme& theme = context.theme;
     const Action* wanted = nullptr;
     ImGui::BeginChild("found");
     if (found.empty()) muted_text(theme, "No match.");
@@ -85,6 +68,31 @@ void Palette::draw(PanelContext& context, viewport::ViewportState& viewport,
             wanted = &action;
     }
     ImGui::EndChild();
+    return wanted;
+}
+
+/// The list is filtered in each frame; arrow keys move the highlight, Enter or a click executes the entry.
+void Palette::draw(PanelContext& context, viewport::ViewportState& viewport,
+                   const std::vector<std::unique_ptr<Panel>>& panels) {
+    const float s = context.theme.scale;
+    if (wanted_) ImGui::OpenPopup("palette");
+    wanted_ = false;
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0.5f * display.x, 72.0f * s}, ImGuiCond_Always, {0.5f, 0.0f});
+    // In a popup: a click elsewhere closes the palette.
+    ImGui::SetNextWindowSize({std::min(560.0f * s, display.x - 40.0f), std::min(420.0f * s, display.y - 120.0f * s)});
+    if (!ImGui::BeginPopup("palette")) return;
+    if (focus_) ImGui::SetKeyboardFocusHere();
+    focus_ = false;
+    ImGui::SetNextItemWidth(-1.0f);
+    if (ImGui::InputTextWithHint("##command", "Find a command, file, trial, panel or quantity", &text_)) chosen_ = 0;
+    context.items.mark("palette/text");
+    // Commands first, then files, trials, panels and fields.
+    const std::vector<Action> offered = offered_actions(context.state, context.backend, panels);
+    std::vector<const Action*> found = matching_actions(text_, all_actions());
+    for (const Action* action : matching_actions(text_, offered)) found.push_back(action);
+    move_highlight(found.size());
+    const Action* const wanted = draw_found(context, found);
     // After the loop, as an action may change what the loop reads.
     if (wanted) wanted->perform(context, viewport);
     if (wanted || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) ImGui::CloseCurrentPopup();

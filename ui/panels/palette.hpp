@@ -19,6 +19,11 @@ public:
               const std::vector<std::unique_ptr<Panel>>& panels);
 
 private:
+    /// By the arrow keys.
+    void move_highlight(std::size_t entries);
+    /// List of the matching actions. Returns the one that was chosen by a click or Enter; null: none.
+    const Action* draw_found(PanelContext& context, const std::vector<const Action*>& found);
+
     bool wanted_ = false;  // open the popup in the next frame
     bool focus_ = false;   // the text field gets the keyboard in the next frame
     std::string text_;     // text of the search field

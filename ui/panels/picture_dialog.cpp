@@ -28,6 +28,19 @@ void PictureDialog::open(const commands::WorkbenchState& state, const viewport::
     if (size_ == "view") request_.width = view.width, request_.height = view.height;
 }
 
+void PictureDialog::draw_sides(PanelContext& context) {
+    // The fields always show the size; only "Other" allows to edit it.
+    ImGui::BeginDisabled(size_ != "other");
+    for (const auto& [label, item, side] : {std::tuple{"Width", "picture/width", &request_.width},
+                                            std::tuple{"Height", "picture/height", &request_.height}}) {
+        row_label(context.theme, label);
+        ImGui::InputInt((std::string("##") + item).c_str(), side, 0, 0);
+        context.items.mark(item);
+        *side = std::clamp(*side, min_side, max_side);
+    }
+    ImGui::EndDisabled();
+}
+
 /// The fixed sizes are common for slides and videos. Other sizes are typed.
 void PictureDialog::draw_size(PanelContext& context) {
     const std::vector<commands::Choice> sizes{{"view", "Like the view", ""},
@@ -43,16 +56,7 @@ void PictureDialog::draw_size(PanelContext& context) {
             // The ids of the fixed sizes contain them.
             std::sscanf(size_.c_str(), "%dx%d", &request_.width, &request_.height);
     }
-    // The fields always show the size; only "Other" allows to edit it.
-    ImGui::BeginDisabled(size_ != "other");
-    for (const auto& [label, item, side] : {std::tuple{"Width", "picture/width", &request_.width},
-                                            std::tuple{"Height", "picture/height", &request_.height}}) {
-        row_label(context.theme, label);
-        ImGui::InputInt((std::string("##") + item).c_str(), side, 0, 0);
-        context.items.mark(item);
-        *side = std::clamp(*side, min_side, max_side);
-    }
-    ImGui::EndDisabled();
+    draw_sides(context);
     row_label(context.theme, "Annotations");
     ImGui::Checkbox("Legend, scale and names", &request_.overlay);
     context.items.mark("picture/overlay");
@@ -108,10 +112,7 @@ void PictureDialog::draw_motion(PanelContext& context) {
              count > max_pictures ? &context.theme.failure : nullptr);
 }
 
-/// Closes itself before the file browser opens, as only one modal dialog can be in front.
-void PictureDialog::draw(PanelContext& context) {
-    if (!open_ || !context.state.scene) return;
-    if (!begin_dialog(context.theme, "Save the 3D view", 420.0f)) return;
+void PictureDialog::draw_kinds(PanelContext& context) {
     struct Tab {
         Kind kind;
         const char* label;
@@ -129,6 +130,22 @@ void PictureDialog::draw(PanelContext& context) {
         context.items.mark(t.item);
         if (t.kind == Kind::film && !films) tooltip(context.theme, "Films need the program ffmpeg: apt install ffmpeg");
     }
+}
+
+void PictureDialog::ask_for_file(PanelContext& context) const {
+    PictureRequest asked = request_;
+    // H.264 requires even sides.
+    if (kind_ == Kind::film) asked.width -= asked.width % 2, asked.height -= asked.height % 2;
+    context.window.file = picture_dialog(asked, kind_ == Kind::picture  ? "picture.png"
+                                                : kind_ == Kind::frames ? "frames"
+                                                                        : "motion.mp4");
+}
+
+/// Closes itself before the file browser opens, as only one modal dialog can be in front.
+void PictureDialog::draw(PanelContext& context) {
+    if (!open_ || !context.state.scene) return;
+    if (!begin_dialog(context.theme, "Save the 3D view", 420.0f)) return;
+    draw_kinds(context);
     ImGui::Spacing();
     draw_size(context);
     if (kind_ == Kind::picture)
@@ -141,12 +158,7 @@ void PictureDialog::draw(PanelContext& context) {
     // The row of the number of images explains why.
     ImGui::BeginDisabled(picture_count(request_) > max_pictures);
     if (primary_button(context.theme, "Save as\xe2\x80\xa6", {width, 0.0f})) {
-        PictureRequest asked = request_;
-        // H.264 requires even sides.
-        if (kind_ == Kind::film) asked.width -= asked.width % 2, asked.height -= asked.height % 2;
-        context.window.file = picture_dialog(asked, kind_ == Kind::picture  ? "picture.png"
-                                                    : kind_ == Kind::frames ? "frames"
-                                                                            : "motion.mp4");
+        ask_for_file(context);
         open_ = false;
         ImGui::CloseCurrentPopup();
     }

@@ -21,6 +21,12 @@ private:
 
     /// Rows for the size of the image [pixels] and the annotations.
     void draw_size(PanelContext& context);
+    /// Fields of width and height.
+    void draw_sides(PanelContext& context);
+    /// Tabs of what is written: a picture, pictures of the motion, or a film.
+    void draw_kinds(PanelContext& context);
+    /// Requests the dialog for the file or folder.
+    void ask_for_file(PanelContext& context) const;
     /// Row for the time of a single image.
     void draw_time(PanelContext& context);
     /// Rows for the motion: range of times, rate and speed.

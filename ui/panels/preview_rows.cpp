@@ -4,6 +4,22 @@
 
 namespace myo::ui::panels {
 
+namespace {
+
+void draw_preview_state(PanelContext& context) {
+    const commands::WorkbenchState& state = context.state;
+    const commands::LivePreview& preview = state.preview;
+    // A run may fail to start, or end early with frames up to the failure.
+    const bool failed = !preview.problem.empty() || (preview.run && !preview.run->problem.empty());
+    if (failed)
+        notice(context.theme, commands::LogLevel::warning, commands::preview_text(state));
+    else
+        muted_text(context.theme, commands::preview_text(state));
+    context.items.mark("preview/state");
+}
+
+}  // namespace
+
 void draw_preview_rows(PanelContext& context, OpenEdit& edit) {
     const commands::WorkbenchState& state = context.state;
     if (!state.scene) return;
@@ -29,14 +45,7 @@ void draw_preview_rows(PanelContext& context, OpenEdit& edit) {
     double length = commands::preview_length_s(state);
     bool goes_on = false;
     if (number_row(context, field, edit, length, goes_on)) context.emit(commands::ChangePreview{true, length});
-    const commands::LivePreview& preview = state.preview;
-    // A run may fail to start, or end early with frames up to the failure.
-    const bool failed = !preview.problem.empty() || (preview.run && !preview.run->problem.empty());
-    if (failed)
-        notice(context.theme, commands::LogLevel::warning, commands::preview_text(state));
-    else
-        muted_text(context.theme, commands::preview_text(state));
-    context.items.mark("preview/state");
+    draw_preview_state(context);
 }
 
 }  // namespace myo::ui::panels

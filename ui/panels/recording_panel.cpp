@@ -26,17 +26,76 @@ std::vector<std::pair<double, double>> seen_spans(const Eigen::VectorXd& time_s,
     return spans;
 }
 
+/// A coordinate of the selected label's track [mm].
+plot::Plot component_plot(const PanelContext& context, int axis, const Eigen::Matrix3Xd& track, float width) {
+    const commands::RecordingImport& import = *context.state.import;
+    const measurement::Recording& recording = *import.file.recording;
+    const auto label = static_cast<std::size_t>(import.label);
+    plot::Plot plot;
+    plot.id = std::string("recording/") + "xyz"[axis];
+    plot.panel.y = {.label = std::string(1, "xyz"[axis]) + " of " + elided(recording.labels[label], 0.4f * width),
+                    .unit = "mm"};
+    plot.cursor = import.choices.start_s;
+    plot.panel.series.push_back(
+        plot::plot_series("recorded", recording.time_s, track.row(axis).transpose(), context.theme.measured, true));
+    return plot;
+}
+
+/// Track of the selected label [mm] in the body's frame, as placed by the import choices.
+Eigen::Matrix3Xd placed_track_mm(const commands::RecordingImport& import) {
+    const Eigen::Matrix3Xd& track = import.file.recording->tracks[static_cast<std::size_t>(import.label)];
+    return 1e3 * ((import.view.rotation * track).colwise() + import.view.translation_m);
+}
+
+/// Dragging the cursor line changes the start of the trial.
+void change_start(PanelContext& context, double time_s) {
+    const commands::RecordingImport& import = *context.state.import;
+    const measurement::Recording& recording = *import.file.recording;
+    commands::ImportChoices choices = import.choices;
+    choices.start_s = std::clamp(time_s, recording.time_s[0], recording.time_s[recording.time_s.size() - 1]);
+    context.emit(commands::ChangeImport{choices});
+}
+
+/// Name of a label at the left of its row.
+void draw_label(const platform::Theme& theme, const std::string& label, const ImVec2& corner, const ImVec2& size,
+                bool chosen) {
+    const float letters = theme.small->FontSize;
+    ImGui::GetWindowDrawList()->AddText(theme.small, letters, {corner.x, corner.y + 0.5f * (size.y - letters)},
+                                        platform::packed(chosen ? theme.text : theme.muted),
+                                        elided(label, size.x - 8.0f * theme.scale).c_str());
+}
+
+/// The whole row in the failure colour, covered by bars where the label was seen: gaps stand out.
+void draw_seen(const platform::Theme& theme, const ImVec2& corner, const ImVec2& size,
+               const std::vector<std::array<float, 2>>& seen, bool chosen) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const auto bar = [&](float from, float to, ImU32 color) {
+        list.AddRectFilled({from, corner.y + 0.15f * size.y}, {to, corner.y + 0.85f * size.y}, color);
+    };
+    bar(corner.x, corner.x + size.x, platform::packed(theme.failure, 0.35f));
+    for (const auto& [from, to] : seen) bar(from, to, platform::packed(chosen ? theme.accent : theme.measured));
+}
+
+/// Invisible button over the row of label i. Moves the cursor below it.
+void seen_row_item(PanelContext& context, std::size_t i, const ImVec2& corner, const ImVec2& size) {
+    const commands::RecordingImport& import = *context.state.import;
+    ImGui::PushID(static_cast<int>(i));
+    if (ImGui::InvisibleButton("row", size)) context.emit(commands::ChooseLabel{static_cast<int>(i), import.placing});
+    ImGui::SetCursorScreenPos({corner.x, corner.y + size.y});
+    const std::string& label = import.file.recording->labels[i];
+    context.items.mark("recording/seen/" + label);
+    tooltip(context.theme, label + ": seen in " +
+                               std::to_string(static_cast<int>(std::lround(100.0 * import.file.seen[i]))) +
+                               " % of the samples");
+    ImGui::PopID();
+}
+
 }  // namespace
 
 std::string RecordingPanel::title() const { return std::string(platform::icon::camera) + "  Recording"; }
 
-/// Three plots in the upper part, the gaps of all labels below. A click on a row of the gaps selects its label.
-void RecordingPanel::draw(PanelContext& context) {
-    if (!context.state.import) return muted_text(context.theme, "A recording that is being imported is shown here.");
-    const commands::RecordingImport& import = *context.state.import;
+void RecordingPanel::follow(const commands::RecordingImport& import) {
     const measurement::Recording& recording = *import.file.recording;
-    const platform::Theme& theme = context.theme;
-    // Another file, or the same one read with another unit.
     if (recording_ != import.file.recording) {
         recording_ = import.file.recording;
         seen_.clear();
@@ -44,10 +103,15 @@ void RecordingPanel::draw(PanelContext& context) {
         time_.range.reset();
         plots_ = {};
     }
-    const auto label = static_cast<std::size_t>(import.label);
-    // Shown in the body's frame, as placed by the import choices.
-    const Eigen::Matrix3Xd track = 1e3 * ((import.view.rotation * recording.tracks[label]).colwise() +
-                                          import.view.translation_m);
+}
+
+/// Three plots in the upper part, the gaps of all labels below. A click on a row of the gaps selects its label.
+void RecordingPanel::draw(PanelContext& context) {
+    if (!context.state.import) return muted_text(context.theme, "A recording that is being imported is shown here.");
+    const commands::RecordingImport& import = *context.state.import;
+    const platform::Theme& theme = context.theme;
+    follow(import);
+    const Eigen::Matrix3Xd track = placed_track_mm(import);
     const ImVec2 space = ImGui::GetContentRegionAvail();
     // In a low strip the curves keep most of the room.
     const float heading = theme.small->FontSize + 8.0f * theme.scale, rows = static_cast<float>(seen_.size());
@@ -56,22 +120,12 @@ void RecordingPanel::draw(PanelContext& context) {
     plot::PlotArea area;
     for (int axis = 0; axis < 3; ++axis) {
         if (axis > 0) ImGui::SameLine(0.0f, 0.0f);
-        plot::Plot plot;
-        plot.id = std::string("recording/") + "xyz"[axis];
-        plot.panel.y = {.label = std::string(1, "xyz"[axis]) + " of " + elided(recording.labels[label], 0.4f * third),
-                        .unit = "mm"};
-        plot.cursor = import.choices.start_s;
-        plot.panel.series.push_back(
-            plot::plot_series("recorded", recording.time_s, track.row(axis).transpose(), theme.measured, true));
+        const plot::Plot plot = component_plot(context, axis, track, third);
         const plot::PlotResult drawn = plot::draw_plot(plot, {third, space.y - gaps - ImGui::GetStyle().ItemSpacing.y},
                                                        theme, context.items, time_,
                                                        plots_[static_cast<std::size_t>(axis)], hidden_);
         if (axis == 0) area = drawn.area;
-        if (!drawn.cursor) continue;
-        commands::ImportChoices choices = import.choices;
-        // Dragging the cursor line changes the start of the trial.
-        choices.start_s = std::clamp(*drawn.cursor, recording.time_s[0], recording.time_s[recording.time_s.size() - 1]);
-        context.emit(commands::ChangeImport{choices});
+        if (drawn.cursor) change_start(context, *drawn.cursor);
     }
     // A child window clips rows for which there is no room.
     ImGui::BeginChild("gaps", {space.x, gaps}, false,
@@ -97,35 +151,20 @@ void RecordingPanel::draw_gaps(PanelContext& context, const plot::PlotArea& area
     ImGui::SetCursorScreenPos({corner.x, y});
     const float begin = y;
     for (std::size_t i = 0; i < seen_.size(); ++i, y += height) {
-        ImGui::PushID(static_cast<int>(i));
-        if (ImGui::InvisibleButton("row", {names + width, height}))
-            context.emit(commands::ChooseLabel{static_cast<int>(i), import.placing});
-        ImGui::SetCursorScreenPos({corner.x, y + height});
-        const std::string& label = import.file.recording->labels[i];
-        context.items.mark("recording/seen/" + label);
-        tooltip(theme, label + ": seen in " +
-                           std::to_string(static_cast<int>(std::lround(100.0 * import.file.seen[i]))) +
-                           " % of the samples");
-        ImGui::PopID();
+        seen_row_item(context, i, {corner.x, y}, {names + width, height});
         const bool chosen = static_cast<int>(i) == import.label;
         // If rows are lower than letters, only the selected one has its name.
-        if (height >= 0.95f * theme.small->FontSize || chosen) {
-            const std::string name = elided(label, names - 8.0f * theme.scale);
-            list.AddText(theme.small, theme.small->FontSize, {corner.x, y + 0.5f * (height - theme.small->FontSize)},
-                         platform::packed(chosen ? theme.text : theme.muted), name.c_str());
-        }
-        // The whole row in the failure colour, covered by bars where the label was seen: gaps stand out.
-        list.AddRectFilled({corner.x + names, y + 0.15f * height}, {corner.x + names + width, y + 0.85f * height},
-                           platform::packed(theme.failure, 0.35f));
+        if (height >= 0.95f * theme.small->FontSize || chosen)
+            draw_label(theme, import.file.recording->labels[i], {corner.x, y}, {names, height}, chosen);
+        std::vector<std::array<float, 2>> seen;
         for (const auto& [from, to] : seen_[i])
-            if (to > first && from < first + span)
-                list.AddRectFilled({pixel(from), y + 0.15f * height}, {pixel(to), y + 0.85f * height},
-                                   platform::packed(chosen ? theme.accent : theme.measured));
+            if (to > first && from < first + span) seen.push_back({pixel(from), pixel(to)});
+        draw_seen(theme, {corner.x + names, y}, {width, height}, seen, chosen);
     }
     // The start of the trial crosses all rows.
-    if (import.choices.start_s >= first && import.choices.start_s <= first + span)
-        list.AddLine({pixel(import.choices.start_s), begin}, {pixel(import.choices.start_s), y},
-                     platform::packed(theme.text), std::max(1.0f, theme.scale));
+    if (const double start_s = import.choices.start_s; start_s >= first && start_s <= first + span)
+        list.AddLine({pixel(start_s), begin}, {pixel(start_s), y}, platform::packed(theme.text),
+                     std::max(1.0f, theme.scale));
 }
 
 }  // namespace myo::ui::panels

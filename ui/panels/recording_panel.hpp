@@ -23,6 +23,8 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    /// Another file, or the same one read with another unit, starts with all its data in view.
+    void follow(const commands::RecordingImport& import);
     /// @param area  of the first plot, for the time axis
     /// @param height  of a row [pixels]
     void draw_gaps(PanelContext& context, const plot::PlotArea& area, float height);

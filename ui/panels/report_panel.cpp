@@ -22,35 +22,10 @@ std::string proposed_folder(const commands::WorkbenchState& state) {
     return (home / (name + " report")).string();
 }
 
-}  // namespace
-
-/// Lists what will be written and what each part requires, so that a missing page is no surprise.
-void ReportPanel::draw(PanelContext& context) {
+/// The files of the report, with the checks of what they contain.
+void draw_file_list(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
-    if (!state.scene || !state.run)
-        return muted_text(theme,
-                          "Run, calibrate or diagnose first; then a report with tables and a picture can be written.");
-    // An edited folder is kept until another scene is opened.
-    if (scene_ != state.scene) folder_ = proposed_folder(state);
-    scene_ = state.scene;
-    muted_text(theme, "Folder");
-    const float button = ImGui::GetFrameHeight() + 8.0f * theme.scale;
-    ImGui::SetNextItemWidth(-(button + ImGui::GetStyle().ItemSpacing.x));
-    ImGui::InputText("##folder", &folder_);
-    context.items.mark("report/folder");
-    ImGui::SameLine();
-    if (ImGui::Button(platform::icon::folder, {button, 0.0f})) {
-        FileDialog dialog;
-        dialog.title = "Folder for the report";
-        dialog.button = "Choose";
-        dialog.folders = true;
-        dialog.start = std::filesystem::path(folder_).parent_path();
-        dialog.chosen = [this](PanelContext&, const std::filesystem::path& path) { folder_ = path.string(); };
-        context.window.file = std::move(dialog);
-    }
-    context.items.mark("report/browse");
-    ImGui::Spacing();
     muted_text(theme, "Files to be written");
     const auto row = [&](bool there, const std::string& file, const std::string& what,
                          // Each row names a file that will be written, with the checks of what it contains.
@@ -69,6 +44,43 @@ void ReportPanel::draw(PanelContext& context) {
     row(state.diagnosis && state.diagnosis->page, "diagnosis.html",
         state.diagnosis ? "the last diagnosis" : "comes with a diagnosis",
         state.diagnosis ? state.diagnosis->checks : commands::CheckRows{});
+}
+
+}  // namespace
+
+void ReportPanel::draw_folder(PanelContext& context) {
+    const platform::Theme& theme = context.theme;
+    muted_text(theme, "Folder");
+    const float button = ImGui::GetFrameHeight() + 8.0f * theme.scale;
+    ImGui::SetNextItemWidth(-(button + ImGui::GetStyle().ItemSpacing.x));
+    ImGui::InputText("##folder", &folder_);
+    context.items.mark("report/folder");
+    ImGui::SameLine();
+    if (ImGui::Button(platform::icon::folder, {button, 0.0f})) {
+        FileDialog dialog;
+        dialog.title = "Folder for the report";
+        dialog.button = "Choose";
+        dialog.folders = true;
+        dialog.start = std::filesystem::path(folder_).parent_path();
+        dialog.chosen = [this](PanelContext&, const std::filesystem::path& path) { folder_ = path.string(); };
+        context.window.file = std::move(dialog);
+    }
+    context.items.mark("report/browse");
+}
+
+/// Lists what will be written and what each part requires, so that a missing page is no surprise.
+void ReportPanel::draw(PanelContext& context) {
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
+    if (!state.scene || !state.run)
+        return muted_text(theme,
+                          "Run, calibrate or diagnose first; then a report with tables and a picture can be written.");
+    // An edited folder is kept until another scene is opened.
+    if (scene_ != state.scene) folder_ = proposed_folder(state);
+    scene_ = state.scene;
+    draw_folder(context);
+    ImGui::Spacing();
+    draw_file_list(context);
     ImGui::Spacing();
     ImGui::BeginDisabled(folder_.empty());
     if (primary_button(theme, "Write the report", {-1.0f, 0.0f})) {

@@ -19,6 +19,9 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    /// Field of the folder, and the button that chooses one.
+    void draw_folder(PanelContext& context);
+
     std::string folder_;                            // as edited; empty: nothing can be written
     std::shared_ptr<const commands::Scene> scene_;  // scene for which the folder was proposed
 };

@@ -36,26 +36,10 @@ void RunPanel::draw(PanelContext& context) {
 
 namespace {
 
-/// Name, progress and time of the running job, with buttons to pause and cancel it.
-void draw_progress(PanelContext& context) {
-    const commands::WorkbenchState& state = context.state;
-    const platform::Theme& theme = context.theme;
+/// Pause and Cancel of the running job.
+void draw_job_buttons(PanelContext& context) {
+    const commands::JobView& job = *context.state.job;
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
-    const commands::JobView& job = *state.job;
-    std::string name = job.name;
-    if (!state.queue.empty()) name += ", " + std::to_string(state.queue.size()) + " waiting";
-    ImGui::TextUnformatted(name.c_str());
-    ImGui::SameLine();
-    right_aligned(time_text(job));
-    ImGui::ProgressBar(static_cast<float>(job.fraction()), {-1.0f, 0.0f}, bar_text(job).c_str());
-    context.items.mark("run/progress");
-    // Count and message of the job in one line, separated by a dot if both exist.
-    const std::string counted = counted_text(job);
-    const std::string between = counted.empty() || job.progress.message.empty() ? "" : " \xc2\xb7 ";
-    const std::string text = counted + between + job.progress.message;
-    muted_text(theme, text.empty() ? " "
-                                   : elided_lines(text, ImGui::GetContentRegionAvail().x,
-                                                  1));  // the buttons below must not move
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - spacing);
     ImGui::BeginDisabled(job.cancelling);
     if (ImGui::Button((std::string(job.paused ? platform::icon::play : platform::icon::pause) +
@@ -71,6 +55,41 @@ void draw_progress(PanelContext& context) {
     ImGui::EndDisabled();
 }
 
+/// Name, progress and time of the running job, with buttons to pause and cancel it.
+void draw_progress(PanelContext& context) {
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
+    const commands::JobView& job = *state.job;
+    std::string name = job.name;
+    if (!state.queue.empty()) name += ", " + std::to_string(state.queue.size()) + " waiting";
+    ImGui::TextUnformatted(name.c_str());
+    ImGui::SameLine();
+    right_aligned(time_text(job));
+    ImGui::ProgressBar(static_cast<float>(job.fraction()), {-1.0f, 0.0f}, bar_text(job).c_str());
+    context.items.mark("run/progress");
+    // Count and message of the job in one line, separated by a dot if both exist.
+    const std::string counted = counted_text(job);
+    const std::string between = counted.empty() || job.progress.message.empty() ? "" : " \xc2\xb7 ";
+    const std::string text = counted + between + job.progress.message;
+    muted_text(theme, text.empty() ? " "
+                                   : elided_lines(text, ImGui::GetContentRegionAvail().x,
+                                                  1));  // the buttons below must not move
+    draw_job_buttons(context);
+}
+
+/// Shown before the run is started: the motion would grow without end.
+void draw_instability(PanelContext& context) {
+    const commands::WorkbenchState& state = context.state;
+    const std::string scheme = state.integrator()->label, first = state.integrators.front().label;
+    notice(context.theme, commands::LogLevel::warning,
+           "\xce\x9b = " + plot::value_label(state.settings.velocity_force_1_s, 3) +
+               " 1/s is above \xce\x9b_crit = " + plot::value_label(*state.critical_velocity_force_1_s, 3) +
+               " 1/s of " + scheme + " at " + plot::value_label(state.damping_frequency_Hz, 3) +
+               " Hz and h = " + plot::value_label(1e3 * state.settings.time_step_s, 3) +
+               " ms: the motion will grow without bound. Try a smaller \xce\x9b, or none with " + first + ".");
+    context.items.mark("run/unstable");
+}
+
 }  // namespace
 
 /// From top to bottom: progress of the running job, a warning if the motion would be unstable, and the buttons. Run and
@@ -80,17 +99,7 @@ void draw_run_controls(PanelContext& context) {
     const platform::Theme& theme = context.theme;
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
     if (state.job) draw_progress(context);
-    // Shown before the run is started: the motion would grow without end.
-    if (state.is_unstable()) {
-        const std::string scheme = state.integrator()->label, first = state.integrators.front().label;
-        notice(theme, commands::LogLevel::warning,
-               "\xce\x9b = " + plot::value_label(state.settings.velocity_force_1_s, 3) +
-                   " 1/s is above \xce\x9b_crit = " + plot::value_label(*state.critical_velocity_force_1_s, 3) +
-                   " 1/s of " + scheme + " at " + plot::value_label(state.damping_frequency_Hz, 3) +
-                   " Hz and h = " + plot::value_label(1e3 * state.settings.time_step_s, 3) +
-                   " ms: the motion will grow without bound. Try a smaller \xce\x9b, or none with " + first + ".");
-        context.items.mark("run/unstable");
-    }
+    if (state.is_unstable()) draw_instability(context);
     const bool can_calibrate = state.scene && !state.scene->calibrated.empty();
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - spacing);
     // The tooltips say that a request will wait.

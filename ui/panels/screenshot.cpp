@@ -54,6 +54,31 @@ Result<void> choose(commands::Workbench& workbench, const ScreenshotOptions& opt
     return {};
 }
 
+/// Opens the file of the options and waits for it.
+Result<void> open(commands::Workbench& workbench, const ScreenshotOptions& options, const Progress& progress) {
+    workbench.execute(commands::Open{options.open, options.metres_per_unit});
+    // The window would ask; without a display this is an error.
+    if (workbench.state().unit_question) {
+        return Error{"the file does not say in which unit its numbers are; give one (mm or m)", options.open.string()};
+    }
+    if (const auto opened = wait_for_jobs(workbench, progress); !opened) return opened.error();
+    return {};
+}
+
+/// Runs the jobs of the options, one after the other.
+Result<void> compute(commands::Workbench& workbench, const ScreenshotOptions& options, const Progress& progress) {
+    if (options.calibrate) workbench.execute(commands::Calibrate{});
+    // One job at most; a calibration contains a run.
+    else if (options.optimize)
+        workbench.execute(commands::Optimize{});
+    else if (options.run)
+        workbench.execute(commands::Run{});
+    if (const auto ran = wait_for_jobs(workbench, progress); !ran) return ran.error();
+    if (options.diagnose) workbench.execute(commands::Diagnose{});
+    if (const auto diagnosed = wait_for_jobs(workbench, progress); !diagnosed) return diagnosed.error();
+    return {};
+}
+
 }  // namespace
 
 Result<void> wait_for_jobs(commands::Workbench& workbench, const Progress& progress) {
@@ -88,25 +113,11 @@ Result<platform::Image> draw_screenshot(std::shared_ptr<commands::Backend> backe
         if (!window->show_panel(panel))
             return Error{"there is no panel \"" + panel + "\"; there is " + join(window->panel_names()), ""};
     if (!options.open.empty()) {
-        workbench.execute(commands::Open{options.open, options.metres_per_unit});
-        // The window would ask; without a display this is an error.
-        if (workbench.state().unit_question) {
-            return Error{"the file does not say in which unit its numbers are; give one (mm or m)",
-                         options.open.string()};
-        }
-        if (const auto opened = wait_for_jobs(workbench, progress); !opened) return opened.error();
+        if (const auto opened = open(workbench, options, progress); !opened) return opened.error();
     }
     if (const auto chosen = choose(workbench, options); !chosen) return chosen.error();
     if (workbench.state().scene) {
-        if (options.calibrate) workbench.execute(commands::Calibrate{});
-        // One job at most; a calibration contains a run.
-        else if (options.optimize)
-            workbench.execute(commands::Optimize{});
-        else if (options.run)
-            workbench.execute(commands::Run{});
-        if (const auto ran = wait_for_jobs(workbench, progress); !ran) return ran.error();
-        if (options.diagnose) workbench.execute(commands::Diagnose{});
-        if (const auto diagnosed = wait_for_jobs(workbench, progress); !diagnosed) return diagnosed.error();
+        if (const auto computed = compute(workbench, options, progress); !computed) return computed.error();
     }
     // The import comes last, as the timeline then shows the recording.
     if (!options.import.empty()) {

@@ -12,6 +12,36 @@
 
 namespace myo::ui::panels {
 
+namespace {
+
+/// Plot of a quantity over the evaluations. The line shows the course, the dots the single evaluations.
+plot::Plot evaluations_plot(const char* id, const chart::Axis& axis, const Eigen::VectorXd& values,
+                            const ImVec4& color) {
+    const Eigen::VectorXd number = Eigen::VectorXd::LinSpaced(values.size(), 1.0, static_cast<double>(values.size()));
+    plot::Plot plot;
+    plot.id = id;
+    plot.x = {.label = "evaluation"};
+    plot.panel.y = axis;
+    plot.panel.series.push_back(plot::plot_series("value", number, values, color));
+    plot.panel.series.back().style = chart::SeriesStyle::line_and_dots;
+    return plot;
+}
+
+/// A quantity of every evaluation.
+template <class Quantity>
+Eigen::VectorXd over_evaluations(const commands::SearchView& search, const Quantity& quantity) {
+    Eigen::VectorXd values(static_cast<Eigen::Index>(search.log.size()));
+    for (Eigen::Index i = 0; i < values.size(); ++i) values(i) = quantity(search.log[static_cast<std::size_t>(i)]);
+    return values;
+}
+
+/// Loss and gradient fall by orders of magnitude, so their axes are logarithmic. A failed evaluation leaves a gap.
+chart::Axis logarithmic_axis(const char* label, const commands::SearchView& search) {
+    return {.label = label, .unit = search.loss_unit, .logarithmic = true};
+}
+
+}  // namespace
+
 std::string SearchPanel::title() const { return std::string(platform::icon::line_chart) + "  Search"; }
 
 /// Table of the searched values on the left.
@@ -45,6 +75,53 @@ void SearchPanel::draw_values(PanelContext& context, bool starts) {
     ImGui::EndTable();
 }
 
+void SearchPanel::draw_curve(PanelContext& context, const plot::Plot& plot, const std::string& tip, const ImVec2& size,
+                             plot::PlotState& plot_state) {
+    const plot::PlotResult drawn = plot::draw_plot(plot, size, context.theme, context.items, evaluations_, plot_state,
+                                                   hidden_);
+    // Above the drawing area only; inside it the crosshair shows the values.
+    if (ImGui::GetIO().MousePos.y < drawn.area.pixels.lowest.y) tooltip(context.theme, tip);
+    const ImVec2 corner = ImGui::GetItemRectMin();
+    context.items.add(plot.id + "/title", {corner, {ImGui::GetItemRectMax().x, drawn.area.pixels.lowest.y}});
+}
+
+void SearchPanel::draw_curves(PanelContext& context, int curves) {
+    const platform::Theme& theme = context.theme;
+    const commands::SearchView& search = *context.state.search;
+    const float gap = 4.0f * theme.scale;
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const ImVec2 size{std::floor((room.x - gap * static_cast<float>(curves - 1)) / static_cast<float>(curves)), room.y};
+    // Only a calibration has a loss without unit.
+    const bool calibrates = search.loss_unit.empty();
+    const std::string what =
+        calibrates
+            ? "the loss |r|² / 2, r = (simulated − measured) / noise"
+            : "the loss [mm²], the markers' mean square distance plus a small penalty on the rate of the signals";
+    const auto rms = over_evaluations(search, [](const auto& point) { return 1e3 * point.rms_m; });
+    draw_curve(
+        context, evaluations_plot("search/rms", {.label = "rms error", .unit = "mm"}, rms, theme.simulated),
+        "Root mean square distance of simulated and measured coordinates [mm], over the evaluations of the search",
+        size, error_);
+    if (curves < 2) return;
+    ImGui::SameLine(0.0f, gap);
+    const auto loss = over_evaluations(search, [](const auto& point) { return point.loss; });
+    draw_curve(context, evaluations_plot("search/loss", logarithmic_axis("loss", search), loss, theme.accent),
+               "Quantity that the search minimises: " + what + ".", size, loss_);
+    if (curves < 3) return;
+    ImGui::SameLine(0.0f, gap);
+    draw_gradient(context, what, size);
+}
+
+void SearchPanel::draw_gradient(PanelContext& context, const std::string& what, const ImVec2& size) {
+    const commands::SearchView& search = *context.state.search;
+    const auto norm = over_evaluations(search, [](const auto& point) { return point.gradient_norm; });
+    const char* const which = search.loss_unit.empty() ? ", each parameter in its scale"
+                                                       : ", without the part that the bounds block";
+    draw_curve(context,
+               evaluations_plot("search/gradient", logarithmic_axis("|gradient|", search), norm, context.theme.force),
+               "Length of the gradient of " + what + which + ". It is 0 at the optimum.", size, gradient_);
+}
+
 /// Table of the values on the left, up to three curves on the right: error, loss and gradient, as many as there is room
 /// for.
 void SearchPanel::draw(PanelContext& context) {
@@ -56,7 +133,6 @@ void SearchPanel::draw(PanelContext& context) {
                               : "Calibrate and Optimise show their error and values over the evaluations here.");
         return;
     }
-    const commands::SearchView& search = *state.search;
     const ImVec2 space = ImGui::GetContentRegionAvail();
     // In a narrow strip the start values and the later curves are left out.
     const float s = theme.scale;
@@ -71,56 +147,7 @@ void SearchPanel::draw(PanelContext& context) {
     ImGui::EndChild();
     ImGui::SameLine();
     ImGui::BeginChild("curves", {0.0f, 0.0f}, false, ImGuiWindowFlags_NoScrollbar);
-    // Loss and gradient fall by orders of magnitude, so their axes are logarithmic. A failed evaluation leaves a gap.
-    const auto count = static_cast<Eigen::Index>(search.log.size());
-    const Eigen::VectorXd number = Eigen::VectorXd::LinSpaced(count, 1.0, static_cast<double>(count));
-    Eigen::VectorXd rms(count), loss(count), gradient(count);
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const commands::SearchPoint& point = search.log[static_cast<std::size_t>(i)];
-        rms(i) = 1e3 * point.rms_m;
-        loss(i) = point.loss;
-        gradient(i) = point.gradient_norm;
-    }
-    const ImVec2 room = ImGui::GetContentRegionAvail();
-    const ImVec2 size{std::floor((room.x - 4.0f * s * static_cast<float>(curves - 1)) / static_cast<float>(curves)),
-                      room.y};
-    // Line and dots: the line shows the course, the dots the single evaluations.
-    const auto curve = [&](const char* id, const chart::Axis& axis, const std::string& tip,
-                           const Eigen::VectorXd& values, const ImVec4& color, plot::PlotState& plot_state) {
-        plot::Plot plot;
-        plot.id = id;
-        plot.x = {.label = "evaluation"};
-        plot.panel.y = axis;
-        plot.panel.series.push_back(plot::plot_series("value", number, values, color));
-        plot.panel.series.back().style = chart::SeriesStyle::line_and_dots;
-        const plot::PlotResult drawn = plot::draw_plot(plot, size, theme, context.items, evaluations_, plot_state,
-                                                       hidden_);
-        // Above the drawing area only; inside it the crosshair shows the values.
-        if (ImGui::GetIO().MousePos.y < drawn.area.pixels.lowest.y) tooltip(theme, tip);
-        const ImVec2 corner = ImGui::GetItemRectMin();
-        context.items.add(std::string(id) + "/title",
-                          {corner, {ImGui::GetItemRectMax().x, drawn.area.pixels.lowest.y}});
-    };
-    // Only a calibration has a loss without unit.
-    const bool calibrates = search.loss_unit.empty();
-    const std::string what =
-        calibrates
-            ? "the loss |r|² / 2, r = (simulated − measured) / noise"
-            : "the loss [mm²], the markers' mean square distance plus a small penalty on the rate of the signals";
-    curve("search/rms", {.label = "rms error", .unit = "mm"},
-          "Root mean square distance of simulated and measured coordinates [mm], over the evaluations of the search",
-          rms, theme.simulated, error_);
-    if (curves > 1)
-        ImGui::SameLine(0.0f, 4.0f * s),
-            curve("search/loss", {.label = "loss", .unit = search.loss_unit, .logarithmic = true},
-                  "Quantity that the search minimises: " + what + ".", loss, theme.accent, loss_);
-    if (curves > 2)
-        ImGui::SameLine(0.0f, 4.0f * s),
-            curve("search/gradient", {.label = "|gradient|", .unit = search.loss_unit, .logarithmic = true},
-                  "Length of the gradient of " + what +
-                      (calibrates ? ", each parameter in its scale" : ", without the part that the bounds block") +
-                      ". It is 0 at the optimum.",
-                  gradient, theme.force, gradient_);
+    draw_curves(context, curves);
     ImGui::EndChild();
 }
 

@@ -18,6 +18,14 @@ public:
 
 private:
     void draw_values(PanelContext& context, bool starts);  // starts: with a column of start values
+    /// Error, loss and gradient over the evaluations: the first `curves` of them, side by side.
+    void draw_curves(PanelContext& context, int curves);
+    /// @param what  words for the loss, with its formula
+    void draw_gradient(PanelContext& context, const std::string& what, const ImVec2& size);
+    /// @param tip  tooltip of the title
+    /// @param size  [pixels]
+    void draw_curve(PanelContext& context, const plot::Plot& plot, const std::string& tip, const ImVec2& size,
+                    plot::PlotState& plot_state);
 
     plot::LinkedAxis evaluations_;             // x axis of the three plots
     plot::PlotState error_, loss_, gradient_;  // one per plot

@@ -16,23 +16,6 @@ namespace {
 constexpr float reach = 9.0f;
 constexpr chart::Range min_range{0.9, 1.1};  // always visible, so that a constant signal is not magnified
 
-// In the order of commands::SignalShape.
-const std::vector<commands::Choice>& shape_choices() {
-    static const std::vector<commands::Choice> choices{
-        {"constant", "Constant", "The same value at all times."},
-        {"step", "Step", "Passive, then the level, within a millisecond."},
-        {"ramp", "Ramp", "Passive, then linearly to the level, which is held."},
-        {"sine", "Sine", "Oscillates between passive and the level."}};
-    return choices;
-}
-
-/// Emits a new signal of the selected muscle. Empty: the signals recorded by the trials.
-void give_signal(PanelContext& context, std::optional<fibre::Signal> signal, const std::string& what, bool goes_on) {
-    commands::Settings settings = context.state.settings;
-    settings.muscles[static_cast<std::size_t>(context.state.muscle)].signal = std::move(signal);
-    context.emit(commands::ChangeSettings{std::move(settings), what, goes_on});
-}
-
 /// A signal over a time range. Beyond its knots it is constant, so points are added at the ends of the range.
 chart::Series series_of(const std::string& name, const fibre::Signal& signal, const chart::Range& span,
                         const ImVec4& color) {
@@ -84,6 +67,84 @@ FileDialog export_dialog(const commands::WorkbenchState& state) {
     return dialog;
 }
 
+void draw_muscle_list(PanelContext& context) {
+    const commands::WorkbenchState& state = context.state;
+    const commands::Muscle& muscle = *state.chosen_muscle();
+    const float s = context.theme.scale;
+    ImGui::SetNextItemWidth(std::min(200.0f * s, 0.26f * ImGui::GetContentRegionAvail().x));
+    const bool open = ImGui::BeginCombo("##muscle", muscle.name.c_str());
+    context.items.mark("signals/muscle");
+    if (open) {
+        for (int m = 0; m < static_cast<int>(state.settings.muscles.size()); ++m) {
+            const std::string& name = state.settings.muscles[static_cast<std::size_t>(m)].name;
+            if (ImGui::Selectable(name.c_str(), m == state.muscle)) context.emit(commands::ChooseMuscle{m});
+            context.items.mark("signals/muscle/" + name);
+        }
+        ImGui::EndCombo();
+    }
+}
+
+/// Signals of all muscles over the time of the trial and of the signal, at least a tenth of a second.
+plot::Plot signals_plot(const PanelContext& context, const commands::Muscle& muscle, const fibre::Signal& signal) {
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
+    const std::array<double, 2> trial = commands::time_span(state);
+    const chart::Range span{std::min(trial[0], signal.times_s.front()),
+                            std::max({trial[1], signal.times_s.back(), signal.times_s.front() + 0.1})};
+    plot::Plot plot;
+    plot.id = "plot/signal";
+    plot.panel.y = {.label = "target stretch a", .include = {min_range.lowest, min_range.highest}};
+    plot.cursor = state.time_s;
+    plot.legend = state.settings.muscles.size() > 1;
+    plot.editable = muscle.follows.empty();
+    // Signals of the other muscles, for comparison.
+    for (const commands::Muscle& other : state.settings.muscles) {
+        if (other.name == muscle.name) continue;
+        // Faint, so that the edited curve stands out.
+        ImVec4 faint = theme.muscle(other.color);
+        faint.w = 0.45f;
+        plot.panel.series.push_back(series_of(other.name, commands::signal_of(state, other), span, faint));
+    }
+    plot.panel.series.push_back(series_of(muscle.name, signal, span, theme.muscle(muscle.color)));
+    return plot;
+}
+
+/// The knot nearest to the mouse, within reach.
+std::optional<std::size_t> knot_at(const plot::PlotArea& area, const fibre::Signal& signal, const ImVec2& mouse,
+                                   float within) {
+    std::optional<std::size_t> near;
+    for (std::size_t k = 0; k < signal.times_s.size(); ++k) {
+        const ImVec2 p = pixel_of(area, signal.times_s[k], signal.values[k]);
+        const float distance = std::hypot(p.x - mouse.x, p.y - mouse.y);
+        if (distance < within) within = distance, near = k;
+    }
+    return near;
+}
+
+/// Time [s] and value a at the mouse. Values are limited to 0.05 … 5, as in the generator.
+std::array<double, 2> knot_place(const plot::PlotArea& area, const ImVec2& mouse) {
+    return {area.x.value(static_cast<double>(mouse.x)),
+            std::clamp(area.y.value(static_cast<double>(mouse.y)), 0.05, 5.0)};
+}
+
+/// @param grabbed  the dragged knot, which is larger
+void draw_knots(PanelContext& context, const plot::PlotArea& area, const fibre::Signal& signal,
+                std::optional<std::size_t> grabbed) {
+    const platform::Theme& theme = context.theme;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    // Slightly larger than the drawing area, so that knots at its edge are complete.
+    ImGui::PushClipRect({area.pixels.lowest.x - 6.0f, area.pixels.lowest.y - 6.0f},
+                        {area.pixels.highest.x + 6.0f, area.pixels.highest.y + 6.0f}, true);
+    for (std::size_t k = 0; k < signal.times_s.size(); ++k) {
+        const ImVec2 p = pixel_of(area, signal.times_s[k], signal.values[k]);
+        const float radius = (grabbed && *grabbed == k ? 6.0f : 4.5f) * theme.scale;
+        list.AddCircleFilled(p, radius, platform::packed(theme.background), 20);
+        list.AddCircle(p, radius, platform::packed(theme.text), 20, 1.6f * theme.scale);
+        context.items.add("signals/knot/" + std::to_string(k), {{p.x - 4.0f, p.y - 4.0f}, {p.x + 4.0f, p.y + 4.0f}});
+    }
+    ImGui::PopClipRect();
+}
+
 }  // namespace
 
 std::string SignalPanel::title() const { return std::string(platform::icon::bolt) + "  Signals"; }
@@ -105,23 +166,32 @@ void SignalPanel::draw(PanelContext& context) {
     draw_curve(context);
 }
 
+void SignalPanel::give_signal(PanelContext& context, std::optional<fibre::Signal> signal, const std::string& what,
+                              bool goes_on) {
+    commands::Settings settings = context.state.settings;
+    settings.muscles[static_cast<std::size_t>(context.state.muscle)].signal = std::move(signal);
+    context.emit(commands::ChangeSettings{std::move(settings), what, goes_on});
+}
+
+/// Restores the recorded signal, or states that it is the recorded one.
+void SignalPanel::draw_recorded(PanelContext& context) {
+    if (context.state.chosen_muscle()->signal) {
+        if (ImGui::Button("As recorded")) give_signal(context, std::nullopt, "signal as recorded", false);
+        context.items.mark("signals/recorded");
+        tooltip(context.theme, "Restore each trial's recorded signal");
+    } else {
+        ImGui::AlignTextToFramePadding();
+        const std::string words = "as the trial recorded it; an edit replaces it in all trials";
+        ImGui::TextColored(context.theme.muted, "%s", elided(words, ImGui::GetContentRegionAvail().x).c_str());
+        tooltip(context.theme, words);
+    }
+}
+
 /// A muscle that follows another one shows the relation instead of controls. A declared muscle can return to its
 /// recorded signals.
 void SignalPanel::draw_head(PanelContext& context) {
-    const commands::WorkbenchState& state = context.state;
-    const commands::Muscle& muscle = *state.chosen_muscle();
-    const float s = context.theme.scale;
-    ImGui::SetNextItemWidth(std::min(200.0f * s, 0.26f * ImGui::GetContentRegionAvail().x));
-    const bool open = ImGui::BeginCombo("##muscle", muscle.name.c_str());
-    context.items.mark("signals/muscle");
-    if (open) {
-        for (int m = 0; m < static_cast<int>(state.settings.muscles.size()); ++m) {
-            const std::string& name = state.settings.muscles[static_cast<std::size_t>(m)].name;
-            if (ImGui::Selectable(name.c_str(), m == state.muscle)) context.emit(commands::ChooseMuscle{m});
-            context.items.mark("signals/muscle/" + name);
-        }
-        ImGui::EndCombo();
-    }
+    const commands::Muscle& muscle = *context.state.chosen_muscle();
+    draw_muscle_list(context);
     ImGui::SameLine();
     // A muscle that follows another one has no signal to edit.
     if (!muscle.follows.empty()) {
@@ -135,7 +205,7 @@ void SignalPanel::draw_head(PanelContext& context) {
     draw_file(context);
     ImGui::SameLine();
     // The line also has room for the button of the recorded signal.
-    const bool narrow = ImGui::GetWindowWidth() < 560.0f * s;
+    const bool narrow = ImGui::GetWindowWidth() < 560.0f * context.theme.scale;
     if (ImGui::Button(narrow ? platform::icon::expand : "Zoom to data")) {
         time_.range.reset();
         plot_ = {};
@@ -147,94 +217,7 @@ void SignalPanel::draw_head(PanelContext& context) {
             "knots moves the view, one with the right button zooms to a box.");
     if (muscle.declared.empty()) return;
     ImGui::SameLine();
-    if (muscle.signal) {
-        if (ImGui::Button("As recorded")) give_signal(context, std::nullopt, "signal as recorded", false);
-        context.items.mark("signals/recorded");
-        tooltip(context.theme, "Restore each trial's recorded signal");
-    } else {
-        ImGui::AlignTextToFramePadding();
-        const std::string words = "as the trial recorded it; an edit replaces it in all trials";
-        ImGui::TextColored(context.theme.muted, "%s", elided(words, ImGui::GetContentRegionAvail().x).c_str());
-        tooltip(context.theme, words);
-    }
-}
-
-/// The popup keeps its recipe, so that several muscles can get the same signal.
-void SignalPanel::draw_generator(PanelContext& context) {
-    const commands::Muscle& muscle = *context.state.chosen_muscle();
-    if (ImGui::Button("Generate")) ImGui::OpenPopup("generate");
-    context.items.mark("signals/generate");
-    tooltip(context.theme, "A constant, a step, a ramp or a sine");
-    if (!begin_popup_above(context.theme, "generate", 320.0f)) return;
-    // The level of a new recipe fits the action of the muscle: below 1 for one that contracts.
-    if (recipe_muscle_ != muscle.name || (recipe_.level > 1.0) != muscle.extends) {
-        recipe_muscle_ = muscle.name;
-        recipe_.level = muscle.extends ? 1.2 : 0.8;
-    }
-    std::string shape = shape_choices()[static_cast<std::size_t>(recipe_.shape)].id;
-    if (choice_row(context, "Shape", "signals/shape", "Shape of the signal.", shape_choices(), shape))
-        for (std::size_t i = 0; i < shape_choices().size(); ++i)
-            if (shape_choices()[i].id == shape) recipe_.shape = static_cast<commands::SignalShape>(i);
-    bool ignored = false;
-    const auto number = [&](const NumberField& field, double& value) {
-        number_row(context, field, edit_, value, ignored);
-    };
-    number({"Level a",
-            "signals/level",
-            "",
-            "Target stretch a, dimensionless: target length of the fibres over their length at rest, in the "
-            "energy per rest volume w/2 (|F m| − a)². 1 is passive.",
-            1.0,
-            {0.05, 5.0},
-            0.005},
-           recipe_.level);
-    if (recipe_.shape != commands::SignalShape::constant)
-        number({"Start",
-                "signals/start",
-                "s",
-                "Time t₀ [s] up to which the muscle is passive, a = 1.",
-                1.0,
-                {-1e3, 1e3},
-                0.01},
-               recipe_.start_s);
-    if (recipe_.shape == commands::SignalShape::ramp)
-        number({"Rise",
-                "signals/rise",
-                "s",
-                "Time [s] from passive to the level: a = 1 + (level − 1) (t − t₀) / rise.",
-                1.0,
-                {1e-3, 1e3},
-                0.01},
-               recipe_.rise_s);
-    if (recipe_.shape == commands::SignalShape::sine) {
-        number({"Frequency",
-                "signals/frequency",
-                "Hz",
-                "Oscillations per second f [Hz]: a = 1 + (level − 1) (1 − cos 2π f (t − t₀)) / 2.",
-                1.0,
-                {0.01, 100.0},
-                0.01},
-               recipe_.frequency_Hz);
-        number(
-            {"End", "signals/end", "s", "Time [s] at which it stops; a is held from there on.", 1.0, {-1e3, 1e3}, 0.01},
-            recipe_.end_s);
-    }
-    // A sine with many thousand knots could not be edited.
-    const bool fits = recipe_.shape != commands::SignalShape::sine ||
-                      (recipe_.end_s > recipe_.start_s &&
-                       (recipe_.end_s - recipe_.start_s) * recipe_.frequency_Hz <= 200.0);
-    // The button is disabled, too; the notice says why.
-    if (!fits)
-        notice(context.theme, commands::LogLevel::warning, "The end must lie after the start, by at most 200 periods.");
-    ImGui::BeginDisabled(!fits);
-    if (primary_button(context.theme, "Apply", {-1.0f, 0.0f})) {
-        give_signal(context, commands::make_signal(recipe_), "generated signal", false);
-        plot_ = {};
-        ImGui::CloseCurrentPopup();
-    }
-    context.items.mark("signals/use");
-    ImGui::EndDisabled();
-    ImGui::EndPopup();
+    draw_recorded(context);
 }
 
 /// The file format is a table time_s,<muscle>, linear between rows and constant outside.
@@ -265,27 +248,9 @@ void SignalPanel::draw_curve(PanelContext& context) {
     const platform::Theme& theme = context.theme;
     const commands::Muscle& muscle = *state.chosen_muscle();
     const fibre::Signal signal = commands::signal_of(state, muscle);
-    // The range covers trial and signal, at least a tenth of a second.
-    const std::array<double, 2> trial = commands::time_span(state);
-    const chart::Range span{std::min(trial[0], signal.times_s.front()),
-                            std::max({trial[1], signal.times_s.back(), signal.times_s.front() + 0.1})};
-    plot::Plot plot;
-    plot.id = "plot/signal";
-    plot.panel.y = {.label = "target stretch a", .include = {min_range.lowest, min_range.highest}};
-    plot.cursor = state.time_s;
-    plot.legend = state.settings.muscles.size() > 1;
-    plot.editable = muscle.follows.empty();
+    plot::Plot plot = signals_plot(context, muscle, signal);
     // While a knot is dragged, the plot must not pan.
     plot.held = grabbed_.has_value();
-    // Signals of the other muscles, for comparison.
-    for (const commands::Muscle& other : state.settings.muscles) {
-        if (other.name == muscle.name) continue;
-        // Faint, so that the edited curve stands out.
-        ImVec4 faint = theme.muscle(other.color);
-        faint.w = 0.45f;
-        plot.panel.series.push_back(series_of(other.name, commands::signal_of(state, other), span, faint));
-    }
-    plot.panel.series.push_back(series_of(muscle.name, signal, span, theme.muscle(muscle.color)));
     const plot::PlotResult drawn = plot::draw_plot(plot, ImGui::GetContentRegionAvail(), theme, context.items, time_,
                                                    plot_, hidden_);
     if (!plot.editable) {
@@ -299,28 +264,11 @@ void SignalPanel::draw_curve(PanelContext& context) {
 void SignalPanel::edit_knots(PanelContext& context, const fibre::Signal& signal, const plot::PlotResult& drawn) {
     const plot::PlotArea& area = drawn.area;
     if (area.pixels.width() < 20.0f || area.pixels.height() < 10.0f) return;
-    const platform::Theme& theme = context.theme;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
-    // The knot nearest to the mouse, within reach.
-    std::optional<std::size_t> near;
-    float nearest = reach * theme.scale;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    // Slightly larger than the drawing area, so that knots at its edge are complete.
-    ImGui::PushClipRect({area.pixels.lowest.x - 6.0f, area.pixels.lowest.y - 6.0f},
-                        {area.pixels.highest.x + 6.0f, area.pixels.highest.y + 6.0f}, true);
-    for (std::size_t k = 0; k < signal.times_s.size(); ++k) {
-        const ImVec2 p = pixel_of(area, signal.times_s[k], signal.values[k]);
-        const float distance = std::hypot(p.x - mouse.x, p.y - mouse.y);
-        if (drawn.hovered && distance < nearest) nearest = distance, near = k;
-        // The dragged knot is larger.
-        const bool held = grabbed_ && *grabbed_ == k;
-        list.AddCircleFilled(p, (held ? 6.0f : 4.5f) * theme.scale, platform::packed(theme.background), 20);
-        list.AddCircle(p, (held ? 6.0f : 4.5f) * theme.scale, platform::packed(theme.text), 20, 1.6f * theme.scale);
-        context.items.add("signals/knot/" + std::to_string(k), {{p.x - 4.0f, p.y - 4.0f}, {p.x + 4.0f, p.y + 4.0f}});
-    }
-    ImGui::PopClipRect();
-    const double time = area.x.value(static_cast<double>(mouse.x));
-    const double value = area.y.value(static_cast<double>(mouse.y));
+    draw_knots(context, area, signal, grabbed_);
+    const std::optional<std::size_t> near = drawn.hovered ? knot_at(area, signal, mouse, reach * context.theme.scale)
+                                                          : std::nullopt;
+    const auto [time, value] = knot_place(area, mouse);
     // Released, or the plot lost the mouse.
     if (!drawn.active) grabbed_.reset();
     if (drawn.hovered && near && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
@@ -330,13 +278,10 @@ void SignalPanel::edit_knots(PanelContext& context, const fibre::Signal& signal,
     const ImVec2 by = ImGui::GetIO().MouseDelta;
     // While a knot is dragged, all changes form one undo entry; moved_ marks the first of them.
     if (grabbed_ && *grabbed_ < signal.times_s.size() && (by.x != 0.0f || by.y != 0.0f)) {
-        give_signal(context, commands::with_knot_moved(signal, *grabbed_, time, std::clamp(value, 0.05, 5.0)),
-                    "knot of a signal", moved_);
+        give_signal(context, commands::with_knot_moved(signal, *grabbed_, time, value), "knot of a signal", moved_);
         moved_ = true;
     } else if (drawn.hovered && !near && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-        // Values are limited to 0.05 … 5, as in the generator.
-        give_signal(context, commands::with_knot_added(signal, time, std::clamp(value, 0.05, 5.0)), "knot of a signal",
-                    false);
+        give_signal(context, commands::with_knot_added(signal, time, value), "knot of a signal", false);
     } else if (drawn.hovered && near && ImGui::IsMouseReleased(ImGuiMouseButton_Right) &&
                ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Right] < 16.0f) {
         // A click; a drag with the right button is a zoom to a box.

@@ -25,6 +25,14 @@ private:
     void draw_head(PanelContext& context);
     /// Popup that generates a signal from a recipe.
     void draw_generator(PanelContext& context);
+    /// Emits a new signal of the selected muscle. Empty: the signals recorded by the trials.
+    static void give_signal(PanelContext& context, std::optional<fibre::Signal> signal, const std::string& what,
+                            bool goes_on);
+    void draw_recorded(PanelContext& context);
+    /// Numbers of the recipe, those of its shape only.
+    void draw_recipe(PanelContext& context);
+    /// Numbers that only a sine has.
+    void draw_sine(PanelContext& context);
     /// Popup that reads or writes a CSV file.
     void draw_file(PanelContext& context);
     /// The plot with the signals of all muscles.

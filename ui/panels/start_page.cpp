@@ -63,6 +63,35 @@ void draw_examples(PanelContext& context, float room) {
     }
 }
 
+void draw_recent_files(PanelContext& context, float width) {
+    const commands::WorkbenchState& state = context.state;
+    const platform::Theme& theme = context.theme;
+    const float s = theme.scale;
+    if (!state.preferences.recent.empty()) heading(theme, "Recent");
+    for (std::size_t i = 0; i < state.preferences.recent.size(); ++i) {
+        const std::filesystem::path& path = state.preferences.recent[i];
+        ImGui::PushID(static_cast<int>(i));
+        // Projects and experiments have different icons.
+        ImGui::TextColored(theme.muted, "%s", commands::is_project(path) ? platform::icon::save : platform::icon::cube);
+        ImGui::SameLine(28.0f * s);
+        if (ImGui::Selectable(path.filename().string().c_str(), false, 0, {0.32f * width, 0.0f}))
+            context.emit(commands::Open{path, std::nullopt});
+        context.items.mark("start/recent/" + std::to_string(i));
+        ImGui::SameLine();
+        ImGui::TextColored(theme.muted, "%s",
+                           elided(path.parent_path().string(), ImGui::GetContentRegionAvail().x).c_str());
+        ImGui::PopID();
+    }
+}
+
+/// Name of the program and what it is for.
+void draw_title(const platform::Theme& theme) {
+    ImGui::GetWindowDrawList()->AddText(theme.large, theme.large->FontSize, ImGui::GetCursorScreenPos(),
+                                        platform::packed(theme.text), "Myoloop");
+    ImGui::Dummy({0.0f, 1.2f * theme.large->FontSize});
+    muted_text(theme, "Design, run and measure soft robots, and diagnose missing effects of the model.");
+}
+
 }  // namespace
 
 int card_columns(int cards, int most) {
@@ -84,11 +113,7 @@ void draw_start_page(PanelContext& context) {
     ImGui::SetCursorPos(
         {0.5f * (ImGui::GetWindowWidth() - width), std::max(16.0f * s, 0.08f * ImGui::GetWindowHeight())});
     ImGui::BeginChild("start page", {width, 0.0f}, false, ImGuiWindowFlags_NoBackground);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddText(theme.large, theme.large->FontSize, ImGui::GetCursorScreenPos(), platform::packed(theme.text),
-                 "Myoloop");
-    ImGui::Dummy({0.0f, 1.2f * theme.large->FontSize});
-    muted_text(theme, "Design, run and measure soft robots, and diagnose missing effects of the model.");
+    draw_title(theme);
     // Opening takes a while; the page stays until the scene is there.
     if (state.busy()) {
         ImGui::Dummy({0.0f, 12.0f * s});
@@ -105,21 +130,7 @@ void draw_start_page(PanelContext& context) {
              "this window.",
              {room, 80.0f * s}))
         context.window.file = open_dialog({});
-    if (!state.preferences.recent.empty()) heading(theme, "Recent");
-    for (std::size_t i = 0; i < state.preferences.recent.size(); ++i) {
-        const std::filesystem::path& path = state.preferences.recent[i];
-        ImGui::PushID(static_cast<int>(i));
-        // Projects and experiments have different icons.
-        ImGui::TextColored(theme.muted, "%s", commands::is_project(path) ? platform::icon::save : platform::icon::cube);
-        ImGui::SameLine(28.0f * s);
-        if (ImGui::Selectable(path.filename().string().c_str(), false, 0, {0.32f * width, 0.0f}))
-            context.emit(commands::Open{path, std::nullopt});
-        context.items.mark("start/recent/" + std::to_string(i));
-        ImGui::SameLine();
-        ImGui::TextColored(theme.muted, "%s",
-                           elided(path.parent_path().string(), ImGui::GetContentRegionAvail().x).c_str());
-        ImGui::PopID();
-    }
+    draw_recent_files(context, width);
     ImGui::EndChild();
 }
 

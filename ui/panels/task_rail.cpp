@@ -38,6 +38,13 @@ void draw_state(ImDrawList& list, const ImVec2& center, const platform::Theme& t
     if (state == commands::TaskState::done) sign(check_icon(status.checks), check_color(theme, status.checks));
 }
 
+/// Background of the selected task, or of the one under the mouse.
+void draw_background(ImDrawList& list, const platform::Theme& theme, const ImVec2& at, const ImVec2& end, bool chosen) {
+    list.AddRectFilled(at, end, platform::packed(chosen ? theme.raised : theme.hovered, chosen ? 1.0f : 0.5f));
+    // A bar at the left edge marks the selected task, in addition to its background.
+    if (chosen) list.AddRectFilled(at, {at.x + 3.0f * theme.scale, end.y}, platform::packed(theme.accent));
+}
+
 }  // namespace
 
 /// Each task is a full-width button with icon, title and state. The tooltip says what to do next.
@@ -54,11 +61,7 @@ void draw_task_rail(PanelContext& context, commands::Task chosen, bool narrow) {
         context.items.mark(std::string("task/") + commands::task_id(task));
         const bool hovered = ImGui::IsItemHovered();
         const ImVec2 end{at.x + width, at.y + height};
-        if (task == chosen || hovered)
-            list.AddRectFilled(
-                at, end, platform::packed(task == chosen ? theme.raised : theme.hovered, task == chosen ? 1.0f : 0.5f));
-        // A bar at the left edge marks the selected task, in addition to its background.
-        if (task == chosen) list.AddRectFilled(at, {at.x + 3.0f * s, end.y}, platform::packed(theme.accent));
+        if (task == chosen || hovered) draw_background(list, theme, at, end, task == chosen);
         const float line = theme.regular->FontSize, top = at.y + 0.5f * (height - line);
         const ImVec4& color = task == chosen ? theme.text : theme.muted;
         list.AddText(theme.regular, line, {at.x + 13.0f * s, top}, platform::packed(color), icon_of(task));

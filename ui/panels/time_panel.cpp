@@ -64,6 +64,56 @@ float grip_x(const commands::Limits& range, double value) {
     return left + static_cast<float>(part) * (right - left);
 }
 
+/// Row of a value that follows from the settings and cannot be edited.
+void derived_row(PanelContext& context, const char* label, const char* item, const std::string& words,
+                 const char* tip) {
+    row_label(context.theme, label, tip);
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(words.c_str());
+    context.items.mark(item);
+}
+
+void draw_frequency_error(PanelContext& context, const commands::StepQuality& quality) {
+    const platform::Theme& theme = context.theme;
+    row_label(theme, "Frequency error",
+              "Share by which the step slows this vibration. The error of a modulus fitted to it is twice as large: "
+              "see \"Is the time step short enough?\" in Checks.");
+    ImGui::AlignTextToFramePadding();
+    // The state uses the same limits as the check of the time step.
+    const std::string share = plot::value_label(100.0 * quality.frequency_error, 2) + " %";
+    check_text(theme, quality.state, share + ": " + commands::check_word(quality.state));
+    context.items.mark("model/frequency_error");
+}
+
+/// A bar along the foot of the last item, the slider: green up to the critical value and orange beyond it.
+void draw_stable_range(PanelContext& context, const commands::Limits& range, double critical) {
+    const platform::Theme& theme = context.theme;
+    const float from = grip_x(range, range.lowest), limit = grip_x(range, critical), to = grip_x(range, range.highest);
+    const float top = ImGui::GetItemRectMin().y, bottom = ImGui::GetItemRectMax().y,
+                strip = bottom - std::round(4.0f * theme.scale);
+    ImDrawList& drawing = *ImGui::GetWindowDrawList();
+    if (ImGui::IsItemVisible()) {
+        drawing.AddRectFilled({from, strip}, {limit, bottom}, platform::packed(theme.success));
+        context.items.add("model/velocity_force/stable", {{from, top}, {limit, bottom}});
+        if (limit < to) {
+            drawing.AddRectFilled({limit, strip}, {to, bottom}, platform::packed(theme.warning));
+            drawing.AddLine({limit, top}, {limit, bottom}, platform::packed(theme.text), std::max(1.0f, theme.scale));
+            context.items.add("model/velocity_force/unstable", {{limit, top}, {to, bottom}});
+        }
+    }
+}
+
+void explain_measured_damping(PanelContext& context, const plot::PlotResult& drawn) {
+    context.items.add("model/measured_damping", drawn.area.pixels);
+    // Not while the line is dragged.
+    if (drawn.hovered && !drawn.active)
+        tooltip(context.theme,
+                "Measured: damping ratio of the free vibration of " +
+                    plot::value_label(context.state.scene->frequency_Hz, 3) +
+                    " Hz, y = exp(−ζ ω t) cos(ω_d t) fitted to the largest trace.\n"
+                    "Where the curves meet, the scheme alone damps as the body does. Drag the line to set h.");
+}
+
 }  // namespace
 
 /// Time scheme and step, what the step means for the measured vibration, the damping that the scheme adds, and the
@@ -122,41 +172,28 @@ void TimePanel::draw_step_choice(PanelContext& context) {
 /// frequency error.
 void TimePanel::draw_step_state(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
-    const platform::Theme& theme = context.theme;
     const commands::Choice* const scheme = state.integrator();
     const commands::SceneTrial* const trial = state.scene_trial();
     if (!scheme || !scheme->step_quality || !trial) return;
-    // Rows of values that follow from the settings and cannot be edited.
-    const auto row = [&](const char* label, const char* item, const std::string& words, const char* tip) {
-        row_label(theme, label, tip);
-        ImGui::AlignTextToFramePadding();
-        ImGui::TextUnformatted(words.c_str());
-        context.items.mark(item);
-    };
     const double h = state.settings.time_step_s, interval = commands::sample_interval_s(*trial);
     if (interval > 0.0)
-        row("Recorded every", "model/interval",
-            plot::value_label(1e3 * interval, 3) + " ms: " + plot::plain_label(interval / h, 3) + " steps",
-            "Interval between the samples of the shown trial, and how many steps it takes.");
+        derived_row(context, "Recorded every", "model/interval",
+                    plot::value_label(1e3 * interval, 3) + " ms: " + plot::plain_label(interval / h, 3) + " steps",
+                    "Interval between the samples of the shown trial, and how many steps it takes.");
     // The vibration of the shown trial's run, if there is one; otherwise the measured one.
     const commands::SimulatedTrial* const run = state.trial_of(state.run.get());
     const double frequency_Hz = run && run->vibration_Hz > 0.0 ? run->vibration_Hz : state.scene->frequency_Hz;
     // Without a vibration there is no period to resolve.
     const bool swings = frequency_Hz > 0.0;
     const std::string period = plot::value_label(1.0 / (frequency_Hz * h), 2) + " steps";
-    row("Vibration", "model/vibration", swings ? plot::value_label(frequency_Hz, 3) + " Hz: " + period : "none",
+    derived_row(
+        context, "Vibration", "model/vibration",
+        swings ? plot::value_label(frequency_Hz, 3) + " Hz: " + period : "none",
         "The vibration that moves the markers most, and the number of steps in its period: from the run of the shown "
         "trial or, before a run, from the recordings.");
     if (!swings) return;
     const commands::StepQuality quality = scheme->step_quality(2.0 * std::numbers::pi * frequency_Hz, state.settings);
-    row_label(theme, "Frequency error",
-              "Share by which the step slows this vibration. The error of a modulus fitted to it is twice as large: "
-              "see \"Is the time step short enough?\" in Checks.");
-    ImGui::AlignTextToFramePadding();
-    // The state uses the same limits as the check of the time step.
-    const std::string share = plot::value_label(100.0 * quality.frequency_error, 2) + " %";
-    check_text(theme, quality.state, share + ": " + commands::check_word(quality.state));
-    context.items.mark("model/frequency_error");
+    draw_frequency_error(context, quality);
 }
 
 /// Drawn over the slider that was submitted last, so it has to be called right after it.
@@ -165,20 +202,7 @@ void TimePanel::draw_stability(PanelContext& context, commands::Limits range) {
     const platform::Theme& theme = context.theme;
     // May be infinite: then the whole slider is green.
     const double critical = *state.critical_velocity_force_1_s;
-    const float from = grip_x(range, range.lowest), limit = grip_x(range, critical), to = grip_x(range, range.highest);
-    const float top = ImGui::GetItemRectMin().y, bottom = ImGui::GetItemRectMax().y,
-                strip = bottom - std::round(4.0f * theme.scale);
-    ImDrawList& drawing = *ImGui::GetWindowDrawList();
-    // A bar below the slider, green up to the critical value and orange beyond it.
-    if (ImGui::IsItemVisible()) {
-        drawing.AddRectFilled({from, strip}, {limit, bottom}, platform::packed(theme.success));
-        context.items.add("model/velocity_force/stable", {{from, top}, {limit, bottom}});
-        if (limit < to) {
-            drawing.AddRectFilled({limit, strip}, {to, bottom}, platform::packed(theme.warning));
-            drawing.AddLine({limit, top}, {limit, bottom}, platform::packed(theme.text), std::max(1.0f, theme.scale));
-            context.items.add("model/velocity_force/unstable", {{limit, top}, {to, bottom}});
-        }
-    }
+    draw_stable_range(context, range, critical);
     tooltip(theme, "Green: a vibration of " + plot::value_label(state.damping_frequency_Hz, 3) +
                        " Hz decays. Orange: it grows without bound. The line is \xce\x9b_crit, where a step's largest "
                        "eigenvalue has size 1.\n\nFor implicit Euler \xce\x9b_crit = h \xcf\x89\xc2\xb2 + 2 \xce\xb6 "
@@ -220,6 +244,37 @@ void TimePanel::draw_numerical_damping(PanelContext& context) {
     draw_damping_curve(context, *scheme);
 }
 
+void TimePanel::update_damping_curve(const CurveKey& key, commands::Settings settings, const commands::Choice& scheme) {
+    curve_key_ = key;
+    // Up to 20 ms, or to the limit of the step if the present one is longer.
+    step_ms_ = Eigen::VectorXd::LinSpaced(41, 0.0, 1e3 * key.longest_s);
+    step_ms_(0) = 1e3 * commands::time_step_limits.lowest;
+    ratio_.resize(step_ms_.size());
+    for (Eigen::Index i = 0; i < ratio_.size(); ++i) {
+        settings.time_step_s = 1e-3 * step_ms_(i);
+        ratio_(i) = scheme.numerical_damping_ratio(2.0 * std::numbers::pi * key.frequency_Hz, settings);
+    }
+    axis_ = {};
+    plot_ = {};
+}
+
+plot::Plot TimePanel::damping_plot(const PanelContext& context, double measured) const {
+    const platform::Theme& theme = context.theme;
+    plot::Plot plot;
+    plot.id = "damping";
+    plot.x = {.label = "h", .unit = "ms"};
+    // The range begins at zero and does not magnify a scheme without damping.
+    plot.panel.y = {.label = "\xce\xb6 over h", .include = {0.0, 0.01}};
+    plot.legend = true;
+    plot.panel.series.push_back(plot::plot_series("scheme", step_ms_, ratio_, theme.simulated));
+    if (std::isfinite(measured))
+        plot.panel.series.push_back(plot::plot_series("measured " + plot::value_label(measured, 2), step_ms_,
+                                                      Eigen::VectorXd::Constant(step_ms_.size(), measured),
+                                                      theme.measured));
+    plot.cursor = 1e3 * context.state.settings.time_step_s;
+    return plot;
+}
+
 /// Where the curve of the scheme meets the measured damping, the scheme alone damps as much as the body.
 void TimePanel::draw_damping_curve(PanelContext& context, const commands::Choice& scheme) {
     const commands::WorkbenchState& state = context.state;
@@ -229,48 +284,14 @@ void TimePanel::draw_damping_curve(PanelContext& context, const commands::Choice
     const CurveKey key{
         scheme.id, state.settings.spectral_radius, state.damping_frequency_Hz,
         state.settings.time_step_s <= usual_longest_s ? usual_longest_s : commands::time_step_limits.highest};
-    if (!(key == curve_key_)) {
-        curve_key_ = key;
-        // Up to 20 ms, or to the limit of the step if the present one is longer.
-        step_ms_ = Eigen::VectorXd::LinSpaced(41, 0.0, 1e3 * key.longest_s);
-        step_ms_(0) = 1e3 * commands::time_step_limits.lowest;
-        ratio_.resize(step_ms_.size());
-        commands::Settings settings = state.settings;
-        for (Eigen::Index i = 0; i < ratio_.size(); ++i) {
-            settings.time_step_s = 1e-3 * step_ms_(i);
-            ratio_(i) = scheme.numerical_damping_ratio(2.0 * std::numbers::pi * key.frequency_Hz, settings);
-        }
-        axis_ = {};
-        plot_ = {};
-    }
-    plot::Plot plot;
-    plot.id = "damping";
-    plot.x = {.label = "h", .unit = "ms"};
-    // The range begins at zero and does not magnify a scheme without damping.
-    plot.panel.y = {.label = "\xce\xb6 over h", .include = {0.0, 0.01}};
-    plot.legend = true;
-    plot.panel.series.push_back(plot::plot_series("scheme", step_ms_, ratio_, theme.simulated));
-    // Damping of the measured vibration at its own frequency.
+    if (!(key == curve_key_)) update_damping_curve(key, state.settings, scheme);
     const double measured = state.scene ? state.scene->damping_ratio : std::numeric_limits<double>::quiet_NaN();
-    if (std::isfinite(measured))
-        plot.panel.series.push_back(plot::plot_series("measured " + plot::value_label(measured, 2), step_ms_,
-                                                      Eigen::VectorXd::Constant(step_ms_.size(), measured),
-                                                      theme.measured));
-    plot.cursor = 1e3 * state.settings.time_step_s;
+    const plot::Plot plot = damping_plot(context, measured);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const ImVec2 size{ImGui::GetContentRegionAvail().x, 150.0f * theme.scale};
     const plot::PlotResult drawn = plot::draw_plot(plot, size, theme, context.items, axis_, plot_, hidden_);
     context.items.add("model/damping_curve", {corner, {corner.x + size.x, corner.y + size.y}});
-    if (std::isfinite(measured)) {
-        context.items.add("model/measured_damping", drawn.area.pixels);
-        // Not while the line is dragged.
-        if (drawn.hovered && !drawn.active)
-            tooltip(theme,
-                    "Measured: damping ratio of the free vibration of " +
-                        plot::value_label(state.scene->frequency_Hz, 3) +
-                        " Hz, y = exp(−ζ ω t) cos(ω_d t) fitted to the largest trace.\n"
-                        "Where the curves meet, the scheme alone damps as the body does. Drag the line to set h.");
-    }
+    if (std::isfinite(measured)) explain_measured_damping(context, drawn);
     // Dragging the line sets the time step, rounded to hundredths of a millisecond.
     const bool goes_on = curve_edit_.goes_on("curve", drawn.cursor.has_value());
     if (!drawn.cursor) return;

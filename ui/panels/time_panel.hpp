@@ -31,6 +31,11 @@ private:
     /// Numerical damping over the time step, with the measured damping for comparison.
     void draw_damping_curve(PanelContext& context, const commands::Choice& scheme);
 
+    struct CurveKey;
+    void update_damping_curve(const CurveKey& key, commands::Settings settings, const commands::Choice& scheme);
+    /// @param measured  damping ratio of the measured vibration at its own frequency; NaN: none
+    plot::Plot damping_plot(const PanelContext& context, double measured) const;
+
     // Drags in progress: number fields, sliders, the line in the curve, and the preview length.
     OpenEdit edit_;
     OpenEdit slide_;

@@ -37,6 +37,30 @@ void draw_trial_choice(PanelContext& context) {
     ImGui::EndCombo();
 }
 
+/// Line where the motion starts, if the recording begins before it.
+void draw_motion_start(const platform::Theme& theme, float x0, float middle) {
+    const float s = theme.scale;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddLine({x0, middle - 9.0f * s}, {x0, middle + 9.0f * s}, platform::packed(theme.measured), 2.0f * s);
+    if (ImGui::IsItemHovered() && std::abs(ImGui::GetIO().MousePos.x - x0) < 5.0f * s)
+        ImGui::SetTooltip("Start of motion, t = 0");
+}
+
+/// A thin bar below the track marks the part that the preview covers.
+void draw_preview_range(PanelContext& context, const ImVec2& from, const ImVec2& to) {
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(from, to, platform::packed(context.theme.simulated));
+    context.items.add("timeline/preview", {from, to});
+    if (ImGui::IsItemHovered() && ImGui::GetIO().MousePos.x >= from.x && ImGui::GetIO().MousePos.x <= to.x)
+        ImGui::SetTooltip("%s", commands::preview_text(context.state).c_str());
+}
+
+/// Dragging stops playing, as both would set the time. `scale`: of the track.
+void drag_time(PanelContext& context, const chart::Scale& scale) {
+    context.emit(commands::Play{false});
+    context.emit(commands::SetTime{scale.value(static_cast<double>(ImGui::GetIO().MousePos.x))});
+}
+
 /// The track with the play position, the start of motion, and the part covered by a preview. `width` in pixels.
 void draw_track(PanelContext& context, const std::array<double, 2>& span, float width) {
     const commands::WorkbenchState& state = context.state;
@@ -56,29 +80,42 @@ void draw_track(PanelContext& context, const std::array<double, 2>& span, float 
     list.AddRectFilled({left, middle - 2.0f * s}, {right, middle + 2.0f * s}, platform::packed(theme.raised), 2.0f * s);
     // A trial with one sample has nothing to move through.
     if (!(scale.range().span() > 0.0)) return;
-    // Dragging stops playing, as both would set the time.
-    if (ImGui::IsItemActive()) {
-        context.emit(commands::Play{false});
-        context.emit(commands::SetTime{scale.value(static_cast<double>(ImGui::GetIO().MousePos.x))});
-    }
+    if (ImGui::IsItemActive()) drag_time(context, scale);
     const float x = x_of(std::clamp(state.time_s, span[0], span[1]));
     list.AddRectFilled({left, middle - 2.0f * s}, {x, middle + 2.0f * s}, platform::packed(theme.accent), 2.0f * s);
-    // The start of motion is marked if the recording begins before it.
-    if (span[0] < 0.0 && span[1] > 0.0) {
-        const float x0 = x_of(0.0);
-        list.AddLine({x0, middle - 9.0f * s}, {x0, middle + 9.0f * s}, platform::packed(theme.measured), 2.0f * s);
-        if (ImGui::IsItemHovered() && std::abs(ImGui::GetIO().MousePos.x - x0) < 5.0f * s)
-            ImGui::SetTooltip("Start of motion, t = 0");
-    }
-    // A thin bar below the track marks the part that the preview covers.
-    if (state.previewing() && state.preview.end_s > 0.0) {
-        const ImVec2 from{x_of(0.0), middle + 5.0f * s}, to{x_of(state.preview.end_s), middle + 8.0f * s};
-        list.AddRectFilled(from, to, platform::packed(theme.simulated));
-        context.items.add("timeline/preview", {from, to});
-        if (ImGui::IsItemHovered() && ImGui::GetIO().MousePos.x >= from.x && ImGui::GetIO().MousePos.x <= to.x)
-            ImGui::SetTooltip("%s", commands::preview_text(state).c_str());
-    }
+    if (span[0] < 0.0 && span[1] > 0.0) draw_motion_start(theme, x_of(0.0), middle);
+    if (state.previewing() && state.preview.end_s > 0.0)
+        draw_preview_range(context, {x_of(0.0), middle + 5.0f * s}, {x_of(state.preview.end_s), middle + 8.0f * s});
     list.AddCircleFilled({x, middle}, 7.0f * s, platform::packed(theme.accent), 24);
+}
+
+void draw_play_buttons(PanelContext& context, double start_s) {
+    const commands::WorkbenchState& state = context.state;
+    const float s = context.theme.scale;
+    const ImVec2 square{ImGui::GetFrameHeight() + 8.0f * s, 0.0f};
+    if (ImGui::Button(platform::icon::to_start, square)) context.emit(commands::SetTime{start_s});
+    context.items.mark("timeline/start");
+    ImGui::SameLine();
+    if (ImGui::Button(state.playing ? platform::icon::pause : platform::icon::play, square))
+        context.emit(commands::Play{!state.playing});
+    context.items.mark("timeline/play");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Play or pause (space bar)");
+}
+
+/// Slow motion for vibrations, faster for long trials.
+void draw_speeds(PanelContext& context, float width) {
+    const commands::WorkbenchState& state = context.state;
+    static constexpr std::array<double, 5> speeds{0.1, 0.25, 0.5, 1.0, 2.0};
+    ImGui::SetNextItemWidth(width);
+    if (ImGui::BeginCombo("##speed", (plot::value_label(state.speed, 2) + "\xc3\x97").c_str())) {
+        for (const double speed : speeds) {
+            if (ImGui::Selectable((plot::value_label(speed, 2) + "\xc3\x97").c_str(), speed == state.speed))
+                context.emit(commands::SetSpeed{speed});
+        }
+        ImGui::EndCombo();
+    }
+    context.items.mark("timeline/speed");
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Playback speed relative to real time");
 }
 
 }  // namespace
@@ -92,18 +129,8 @@ void draw_timeline(PanelContext& context) {
     draw_trial_choice(context);
     ImGui::SameLine();
     ImGui::BeginDisabled(!movable);
-    const ImVec2 square{ImGui::GetFrameHeight() + 8.0f * s, 0.0f};
-    if (ImGui::Button(platform::icon::to_start, square)) context.emit(commands::SetTime{span[0]});
-    context.items.mark("timeline/start");
+    draw_play_buttons(context, span[0]);
     ImGui::SameLine();
-    if (ImGui::Button(state.playing ? platform::icon::pause : platform::icon::play, square))
-        context.emit(commands::Play{!state.playing});
-    context.items.mark("timeline/play");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Play or pause (space bar)");
-    ImGui::SameLine();
-
-    // Slow motion for vibrations, faster for long trials.
-    static constexpr std::array<double, 5> speeds{0.1, 0.25, 0.5, 1.0, 2.0};
     // The time has a fixed width, so that the track does not change while playing.
     const std::string time = fixed_decimals(state.time_s, 3) + " s";
     const float speed_width = 72.0f * s;
@@ -120,16 +147,7 @@ void draw_timeline(PanelContext& context) {
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, shift));
     ImGui::TextUnformatted(time.c_str());
     ImGui::SameLine();
-    ImGui::SetNextItemWidth(speed_width);
-    if (ImGui::BeginCombo("##speed", (plot::value_label(state.speed, 2) + "\xc3\x97").c_str())) {
-        for (const double speed : speeds) {
-            if (ImGui::Selectable((plot::value_label(speed, 2) + "\xc3\x97").c_str(), speed == state.speed))
-                context.emit(commands::SetSpeed{speed});
-        }
-        ImGui::EndCombo();
-    }
-    context.items.mark("timeline/speed");
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Playback speed relative to real time");
+    draw_speeds(context, speed_width);
     ImGui::EndDisabled();
 }
 

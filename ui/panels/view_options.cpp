@@ -71,6 +71,22 @@ std::string words_about(const commands::FieldKind& kind, const std::string& need
            (needed.empty() ? "" : "\n\n" + needed);
 }
 
+void draw_field_entries(PanelContext& context, const std::vector<commands::FieldKind>& kinds,
+                        commands::ViewOptions& view) {
+    if (ImGui::Selectable("None", view.field.empty())) view.field.clear();
+    context.items.mark("view/field/none");
+    for (const commands::FieldKind& kind : kinds) {
+        const std::string needed = commands::needed_for(kind, context.state);
+        // A field of a run can be selected before the run; one of a diagnosis only afterwards, as that takes
+        // minutes.
+        ImGui::BeginDisabled(commands::of_diagnosis(kind) && !needed.empty());
+        if (ImGui::Selectable(kind.label.c_str(), kind.id == view.field)) view.field = kind.id;
+        ImGui::EndDisabled();
+        context.items.mark("view/field/" + kind.id);
+        tooltip(context.theme, words_about(kind, needed));
+    }
+}
+
 // Closed, the list explains the selected field; open, each entry explains itself.
 void draw_field_choice(PanelContext& context, commands::ViewOptions& view) {
     const std::vector<commands::FieldKind> kinds = commands::field_kinds(context.backend);
@@ -80,18 +96,7 @@ void draw_field_choice(PanelContext& context, commands::ViewOptions& view) {
     const bool open = ImGui::BeginCombo("Colours", chosen != kinds.end() ? chosen->label.c_str() : "None");
     context.items.mark("view/field");
     if (open) {
-        if (ImGui::Selectable("None", view.field.empty())) view.field.clear();
-        context.items.mark("view/field/none");
-        for (const commands::FieldKind& kind : kinds) {
-            const std::string needed = commands::needed_for(kind, context.state);
-            // A field of a run can be selected before the run; one of a diagnosis only afterwards, as that takes
-            // minutes.
-            ImGui::BeginDisabled(commands::of_diagnosis(kind) && !needed.empty());
-            if (ImGui::Selectable(kind.label.c_str(), kind.id == view.field)) view.field = kind.id;
-            ImGui::EndDisabled();
-            context.items.mark("view/field/" + kind.id);
-            tooltip(context.theme, words_about(kind, needed));
-        }
+        draw_field_entries(context, kinds, view);
         ImGui::EndCombo();
     } else {
         tooltip(context.theme,
@@ -104,6 +109,45 @@ void draw_field_choice(PanelContext& context, commands::ViewOptions& view) {
     draw_field_range(context, *chosen, view);
 }
 
+/// Options that are a single switch; the others follow below the list.
+struct ViewSwitch {
+    const char* label;
+    const char* name;
+    bool commands::ViewOptions::*value;
+    const char* tip;
+};
+constexpr ViewSwitch view_switches[] = {
+    {"Measured markers", "view/measured", &commands::ViewOptions::measured,
+     "Balls at the measured positions of the markers at the shown time"},
+    {"Simulated markers", "view/simulated", &commands::ViewOptions::simulated,
+     "Rings at the simulated positions of the markers at the shown time, compared runs included"},
+    {"Trails", "view/trails", &commands::ViewOptions::trails,
+     "Paths of measured and simulated markers over the last half second"},
+    {"Error lines", "view/errors", &commands::ViewOptions::errors,
+     "From each measured marker to the simulated one: simulated \xe2\x88\x92 measured"},
+    {"Names", "view/labels", &commands::ViewOptions::labels,
+     "Next to the markers, where there is room; a click on a marker shows its name, too"},
+    {"Element edges", "view/edges", &commands::ViewOptions::edges, "Edges of the elements on the body's surface"},
+    {"Muscles and fibres", "view/fibres", &commands::ViewOptions::fibres,
+     "Elements in the colour of their muscle, and their fibre directions F d"},
+    {"Force of the effect", "view/effect_force", &commands::ViewOptions::effect_force,
+     "Arrows of the force that the selected row of the diagnosis puts on each part of the body; the body is "
+     "translucent then. Available after Diagnose."},
+    {"Clamp", "view/clamp", &commands::ViewOptions::clamp, "The box in which the body is held"},
+    {"Ground grid", "view/grid", &commands::ViewOptions::grid,
+     "A grid below the body, in squares of 1, 2 or 5 times a power of ten of a metre"}};
+
+/// At least 10 %: an invisible body could not be found again.
+void draw_opacity(PanelContext& context, commands::ViewOptions& view) {
+    float opacity = static_cast<float>(100.0 * view.opacity);
+    ImGui::SetNextItemWidth(140.0f * context.theme.scale);
+    if (ImGui::SliderFloat("Body", &opacity, 10.0f, 100.0f, "%.0f %%", ImGuiSliderFlags_AlwaysClamp)) {
+        view.opacity = 0.01 * static_cast<double>(opacity);
+    }
+    context.items.mark("view/opacity");
+    tooltip(context.theme, "Opacity of the body. Ctrl+click to type a value.");
+}
+
 }  // namespace
 
 void draw_view_options(PanelContext& context, const viewport::Camera& camera) {
@@ -114,48 +158,14 @@ void draw_view_options(PanelContext& context, const viewport::Camera& camera) {
     ImGui::SetNextWindowPos(below);
     if (!ImGui::BeginPopup("view options")) return;
     if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) ImGui::CloseCurrentPopup();
-    // Options that are a single switch; the others follow below the list.
-    struct Option {
-        const char* label;
-        const char* name;
-        bool commands::ViewOptions::*value;
-        const char* tip;
-    };
-    static constexpr Option options[] = {
-        {"Measured markers", "view/measured", &commands::ViewOptions::measured,
-         "Balls at the measured positions of the markers at the shown time"},
-        {"Simulated markers", "view/simulated", &commands::ViewOptions::simulated,
-         "Rings at the simulated positions of the markers at the shown time, compared runs included"},
-        {"Trails", "view/trails", &commands::ViewOptions::trails,
-         "Paths of measured and simulated markers over the last half second"},
-        {"Error lines", "view/errors", &commands::ViewOptions::errors,
-         "From each measured marker to the simulated one: simulated \xe2\x88\x92 measured"},
-        {"Names", "view/labels", &commands::ViewOptions::labels,
-         "Next to the markers, where there is room; a click on a marker shows its name, too"},
-        {"Element edges", "view/edges", &commands::ViewOptions::edges, "Edges of the elements on the body's surface"},
-        {"Muscles and fibres", "view/fibres", &commands::ViewOptions::fibres,
-         "Elements in the colour of their muscle, and their fibre directions F d"},
-        {"Force of the effect", "view/effect_force", &commands::ViewOptions::effect_force,
-         "Arrows of the force that the selected row of the diagnosis puts on each part of the body; the body is "
-         "translucent then. Available after Diagnose."},
-        {"Clamp", "view/clamp", &commands::ViewOptions::clamp, "The box in which the body is held"},
-        {"Ground grid", "view/grid", &commands::ViewOptions::grid,
-         "A grid below the body, in squares of 1, 2 or 5 times a power of ten of a metre"}};
     // All controls edit a copy; one command is emitted if anything changed.
     commands::ViewOptions view = context.state.view;
-    for (const Option& option : options) {
+    for (const ViewSwitch& option : view_switches) {
         ImGui::Checkbox(option.label, &(view.*option.value));
         context.items.mark(option.name);
         tooltip(context.theme, option.tip);
     }
-    // At least 10 %: an invisible body could not be found again.
-    float opacity = static_cast<float>(100.0 * view.opacity);
-    ImGui::SetNextItemWidth(140.0f * context.theme.scale);
-    if (ImGui::SliderFloat("Body", &opacity, 10.0f, 100.0f, "%.0f %%", ImGuiSliderFlags_AlwaysClamp)) {
-        view.opacity = 0.01 * static_cast<double>(opacity);
-    }
-    context.items.mark("view/opacity");
-    tooltip(context.theme, "Opacity of the body. Ctrl+click to type a value.");
+    draw_opacity(context, view);
     draw_field_choice(context, view);
     draw_clip_options(context, camera, view);
     if (!(view == context.state.view)) context.emit(commands::ChangeView{view});

@@ -227,4 +227,18 @@ std::string with_separators(double count) {
     return digits;
 }
 
+void marker_list(PanelContext& context, const std::string& name) {
+    const auto& markers = context.state.scene->markers;
+    const std::size_t current = std::min(static_cast<std::size_t>(context.state.marker), markers.size() - 1);
+    const bool open = ImGui::BeginCombo("##marker", markers[current].name.c_str());
+    context.items.mark(name);
+    if (!open) return;
+    for (std::size_t m = 0; m < markers.size(); ++m) {
+        if (ImGui::Selectable(markers[m].name.c_str(), m == current))
+            context.emit(commands::ChooseMarker{static_cast<int>(m)});
+        context.items.mark(name + "/" + markers[m].name);
+    }
+    ImGui::EndCombo();
+}
+
 }  // namespace myo::ui::panels

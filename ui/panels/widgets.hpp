@@ -94,6 +94,11 @@ bool slider_row(PanelContext& context, const std::string& name, commands::Limits
 bool choice_row(PanelContext& context, const std::string& label, const std::string& name, const std::string& tip,
                 const std::vector<commands::Choice>& choices, std::string& id);
 
+/// Draws a list of the scene's markers in an item whose width is set; another selection emits ChooseMarker.
+///
+/// @param name  item name for tests
+void marker_list(PanelContext& context, const std::string& name);
+
 /// Opens and begins a modal dialog in the middle of the window, `width` [pixels at scale 1] wide. Returns false if it
 /// is not drawn; otherwise the caller ends it with ImGui::EndPopup().
 bool begin_dialog(const platform::Theme& theme, const char* title, float width);

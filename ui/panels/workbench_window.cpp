@@ -35,11 +35,20 @@ void begin_part(const char* name, const platform::Rectangle& place, ImGuiWindowF
     ImGui::Begin(name, nullptr, fixed_window | flags);
 }
 
-/// The colours of the muscles, in which alone an edit of the list can change the picture.
-std::vector<int> muscle_looks(const std::vector<commands::Muscle>& muscles) {
-    std::vector<int> colors;
-    for (const commands::Muscle& muscle : muscles) colors.push_back(muscle.color);
-    return colors;
+/// Width of the tabs below the view with all their titles [pixels].
+float strip_width(const std::vector<std::unique_ptr<Panel>>& panels, const commands::WorkbenchState& state) {
+    float all = 0.0f;
+    for (const auto& panel : panels)
+        if (panel->place() == PanelPlace::strip && panel->offered(state))
+            all += ImGui::CalcTextSize(panel->title().c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x +
+                   ImGui::GetStyle().ItemSpacing.x;
+    return all;
+}
+
+void draw_front(PanelContext& context, Panel& panel) {
+    ImGui::BeginChild(panel.name().c_str());
+    panel.draw(context);
+    ImGui::EndChild();
 }
 
 }  // namespace
@@ -95,17 +104,7 @@ bool WorkbenchWindow::must_draw() const {
                             part_);
 }
 
-/// The column of tasks, and next to it the panels of the selected task.
-void WorkbenchWindow::draw_side(PanelContext& context) {
-    // The tasks fill their column without padding at the sides.
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 8.0f * context.theme.scale));
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0f, 2.0f * context.theme.scale));
-    begin_part("##steps", layout_.steps, ImGuiWindowFlags_NoScrollbar);
-    draw_task_rail(context, task_, layout_.narrow);
-    ImGui::End();
-    ImGui::PopStyleVar(2);
-    begin_part("##side", layout_.rail, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    // The foot's height is known from the last frame only.
+void WorkbenchWindow::draw_task_panels(PanelContext& context) {
     const ImVec2 padding = ImGui::GetStyle().WindowPadding;
     // The buttons that start and stop jobs stay visible at the foot; everything else scrolls above them.
     ImGui::BeginChild((std::string("##scrolling ") + commands::task_id(task_)).c_str(),
@@ -123,6 +122,20 @@ void WorkbenchWindow::draw_side(PanelContext& context) {
         ImGui::PopID();
     }
     ImGui::EndChild();
+}
+
+/// The column of tasks, and next to it the panels of the selected task.
+void WorkbenchWindow::draw_side(PanelContext& context) {
+    // The tasks fill their column without padding at the sides.
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 8.0f * context.theme.scale));
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0.0f, 2.0f * context.theme.scale));
+    begin_part("##steps", layout_.steps, ImGuiWindowFlags_NoScrollbar);
+    draw_task_rail(context, task_, layout_.narrow);
+    ImGui::End();
+    ImGui::PopStyleVar(2);
+    begin_part("##side", layout_.rail, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    // The foot's height is known from the last frame only.
+    draw_task_panels(context);
     const float foot_top = ImGui::GetCursorPosY();
     if (context.state.import && task_ == commands::Task::measure && !context.state.busy())
         draw_import_controls(context);
@@ -136,15 +149,9 @@ void WorkbenchWindow::draw_side(PanelContext& context) {
 /// One tab per panel; a panel that is not offered has none.
 void WorkbenchWindow::draw_strip(PanelContext& context) {
     begin_part("##strip", layout_.strip, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    const auto width_of = [](const std::string& label) {
-        return ImGui::CalcTextSize(label.c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x +
-               ImGui::GetStyle().ItemSpacing.x;
-    };
-    float all = 0.0f;
-    for (const auto& panel : panels_)
-        if (panel->place() == PanelPlace::strip && panel->offered(context.state)) all += width_of(panel->title());
     // Without room for all titles, only the tab in front shows its title.
-    const bool icons = all > ImGui::GetContentRegionAvail().x;  // all tabs but the one in front show icons only
+    const bool icons = strip_width(panels_, context.state) >
+                       ImGui::GetContentRegionAvail().x;  // all tabs but the one in front show icons only
     bool first = true;
     // Drawn after the tabs; null if its panel has just disappeared.
     Panel* front = nullptr;
@@ -164,11 +171,7 @@ void WorkbenchWindow::draw_strip(PanelContext& context) {
         context.items.mark("panel/" + panel->name());
         if (label != title) tooltip(context.theme, title);
     }
-    if (front != nullptr) {
-        ImGui::BeginChild(front->name().c_str());
-        front->draw(context);
-        ImGui::EndChild();
-    }
+    if (front != nullptr) draw_front(context, *front);
     ImGui::End();
 }
 
@@ -242,54 +245,6 @@ void WorkbenchWindow::react_to_keys(PanelContext& context) {
     if (ImGui::IsKeyPressed(ImGuiKey_RightArrow)) step(1.0);
 }
 
-/// Keeps scene_ up to date. The key contains everything that the scene depends on; comparing it is cheap, as large
-/// parts are compared by pointer.
-void WorkbenchWindow::update_scene() {
-    const commands::WorkbenchState& state = workbench_->state();
-    const SceneKey key{state.scene,
-                       state.body,
-                       state.shown_run(),
-                       state.diagnosis,
-                       state.import,
-                       state.candidate,
-                       state.trial,
-                       state.time_s,
-                       state.view,
-                       fields_.update(state, workbench_->backend()),
-                       state.paint,
-                       muscle_looks(state.settings.muscles),
-                       state.muscle,
-                       paint_.revision(),
-                       interface_.theme().name,
-                       commands::compared_records(state)};
-    // Creating the scene copies all positions, so it happens only if one of its inputs has changed.
-    if (key == scene_key_) return;
-    // A new scene starts with the standard direction of view.
-    if (key.scene != scene_key_.scene) {
-        viewport_.camera = viewport::turn_to(viewport_.camera, viewport::StandardView::oblique);
-        viewport_.untouched = true;
-    }
-    if (key.scene != scene_key_.scene || key.body != scene_key_.body || key.run != scene_key_.run ||
-        key.trial != scene_key_.trial) {
-        motion_ = commands::summarize_motion(state);
-        // Until the user moves the camera, the whole motion stays visible. Edits that are previewed are an exception:
-        // the camera must not move with every one.
-        if (viewport_.untouched && !(state.previewing() && scene_key_.run)) viewport_.zoom_to_data_requested = true;
-    }
-    // A new import shows its panels.
-    if (key.import && !scene_key_.import) {
-        show_task(commands::Task::measure);
-        show_panel("recording");
-    }
-    // After the summary, which contains the whole body.
-    cut_.apply(state, motion_);
-    const std::optional<commands::FieldKind> kind = commands::shown_field(state, workbench_->backend());
-    scene_ = commands::scene_at_time(state, interface_.theme(), motion_, paint_.live(), kind ? &*kind : nullptr,
-                                     key.field.get());
-    scene_key_ = key;
-    ++revision_;
-}
-
 /// Draws all parts in a fixed order; dialogs last, as they lie in front.
 void WorkbenchWindow::draw_parts(PanelContext& context) {
     constexpr ImGuiWindowFlags still = ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse;
@@ -337,58 +292,6 @@ void WorkbenchWindow::follow(WindowRequests& requests) {
     // The dialog that requested the image must have disappeared from the window; that takes two frames.
     if (requests.part) part_ = requests.part, part_waits_ = 2;
     if (requests.save_view) picture_dialog_.open(state, viewport_.size());
-}
-
-/// The order within a frame: results of jobs, input, scene, panels, requests, rendering, and finally the commands.
-Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) {
-    // After a pause without frames, playing must not jump.
-    seconds = std::clamp(seconds, 0.0, 0.25);
-    workbench_->advance(seconds);
-    const commands::WorkbenchState& state = workbench_->state();
-    interface_.set_theme(state.preferences.theme, state.scale());
-    interface_.begin_frame(width, height, static_cast<float>(seconds));
-    // Before the panels, so that they draw over the scene of this frame.
-    update_scene();
-    layout_ = make_layout(static_cast<float>(width), static_cast<float>(height), interface_.theme().scale,
-                          state.preferences.layout);
-
-    std::vector<commands::Command> commands;
-    WindowRequests requests;
-    PanelContext context{state, interface_.theme(), interface_.items(), commands, workbench_->backend(), requests};
-    if (scene_.field) context.field_range = std::array<double, 2>{scene_.field->lowest, scene_.field->highest};
-    draw_parts(context);
-    follow(requests);
-    interface_.end_frame();
-
-    // Parts that no window covers show the background of the theme.
-    const ImVec4 clear = interface_.theme().background;
-    platform::gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
-    platform::gl::Disable(GL_SCISSOR_TEST);
-    platform::gl::ClearColor(clear.x, clear.y, clear.z, 1.0f);
-    platform::gl::Clear(GL_COLOR_BUFFER_BIT);
-    // Without multisampling while something moves: at rest the next frame is rendered again with it.
-    const bool moving = viewport_.moving || viewport_.tool_held || state.playing;
-    if (state.scene && viewport_.size().width > 1 && viewport_.size().height > 1) {
-        const auto drawn = renderer_.update(scene_, revision_, viewport::view_colors(interface_.theme()),
-                                            viewport_.camera, viewport_.size(), moving ? 0 : 4,
-                                            static_cast<double>(interface_.theme().scale));
-        if (!drawn) return drawn;
-        begin_pictures();
-        add_picture();
-        renderer_.blit_to_window(static_cast<int>(viewport_.pixels.lowest.x),
-                                 height - static_cast<int>(viewport_.pixels.highest.y));
-    }
-    interface_.draw();
-    if (part_ && --part_waits_ < 0) write_part(width, height);
-
-    // Commands are executed after the frame, so that all panels have seen the same state. Their effect shows in the
-    // next frame.
-    for (const commands::Command& command : commands) workbench_->execute(command);
-    pacer_.frame_drawn();
-    // Something has changed: the next frames show it.
-    if (!commands.empty() || !interface_.input().empty()) pacer_.event_arrived();
-    was_moving_ = moving;
-    return {};
 }
 
 }  // namespace myo::ui::panels

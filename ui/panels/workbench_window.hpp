@@ -84,6 +84,8 @@ public:
 private:
     // Parts of the window.
     void draw_side(PanelContext& context);
+    /// Panels of the shown task, which scroll above the foot.
+    void draw_task_panels(PanelContext& context);
     /// The tabs below the view, with the selected panel.
     void draw_strip(PanelContext& context);
     /// The view with its tools, or the start page.
@@ -98,6 +100,15 @@ private:
     void follow(WindowRequests& requests);
     /// Creates the drawn scene again if one of its inputs has changed.
     void update_scene();
+    struct SceneKey;
+    /// Inputs of the scene as they are now.
+    SceneKey scene_key();
+    /// Adapts camera and motion to a scene, body, run or trial that differs from the drawn one.
+    void follow_scene(const SceneKey& key);
+    /// Draws all parts of the window and executes their requests. Returns their commands.
+    std::vector<commands::Command> draw_panels();
+    /// Renders the scene into the window and writes the requested images of it.
+    Result<void> render_view(int height, bool moving);
     /// Starts writing the requested images of the present view.
     void begin_pictures();
     /// Writes the next image of a running job.

@@ -38,6 +38,34 @@ constexpr unsigned muscle_colors_dark[] = {0xe8663c, 0x56b4e9, 0x1fb58a, 0xcc79a
 constexpr unsigned muscle_colors_light[] = {0xd04a14, 0x2a8fca, 0x008f66, 0xb0578a,
                                             0xc98600, 0x1f5fc4, 0xb8a800, 0x6f9420};
 
+/// Each group of ImGui's colours takes one colour of the theme.
+void apply_colors(const Theme& t, ImGuiStyle& style) {
+    const auto faint = [](ImVec4 color, float alpha) {
+        color.w = alpha;
+        return color;
+    };
+    const auto use = [&](const ImVec4& color, std::initializer_list<ImGuiCol> places) {
+        for (const ImGuiCol place : places) style.Colors[place] = color;
+    };
+    use(t.text, {ImGuiCol_Text});
+    use(t.muted, {ImGuiCol_TextDisabled, ImGuiCol_ScrollbarGrabHovered, ImGuiCol_ScrollbarGrabActive});
+    use(t.panel, {ImGuiCol_WindowBg, ImGuiCol_TitleBg, ImGuiCol_TitleBgActive, ImGuiCol_TableHeaderBg});
+    use(faint(t.panel, 0.0f), {ImGuiCol_ChildBg, ImGuiCol_ScrollbarBg});
+    use(t.popup, {ImGuiCol_PopupBg});
+    use(t.hovered, {ImGuiCol_Border, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive, ImGuiCol_ButtonHovered,
+                    ImGuiCol_HeaderHovered, ImGuiCol_HeaderActive});
+    use(t.raised, {ImGuiCol_FrameBg, ImGuiCol_Button});
+    use(t.name == ThemeName::dark ? t.hovered : t.border, {ImGuiCol_ScrollbarGrab});
+    use(t.accent, {ImGuiCol_CheckMark, ImGuiCol_SliderGrabActive, ImGuiCol_SeparatorHovered, ImGuiCol_SeparatorActive,
+                   ImGuiCol_PlotHistogram, ImGuiCol_DragDropTarget, ImGuiCol_NavHighlight});
+    use(faint(t.accent, 0.6f), {ImGuiCol_SliderGrab});
+    use(t.border, {ImGuiCol_ButtonActive, ImGuiCol_Separator, ImGuiCol_TableBorderLight, ImGuiCol_TableBorderStrong});
+    use(faint(t.accent, 0.22f), {ImGuiCol_Header});
+    use(faint(t.accent, 0.35f), {ImGuiCol_TextSelectedBg});
+    use({0.0f, 0.0f, 0.0f, 0.5f}, {ImGuiCol_ModalWindowDimBg});
+    use(faint(t.raised, 0.5f), {ImGuiCol_TableRowBgAlt});
+}
+
 }  // namespace
 
 Theme make_theme(ThemeName name, float scale) {
@@ -74,31 +102,7 @@ void apply_theme(const Theme& t, ImGuiStyle& style) {
     style.ChildRounding = 0;
     style.ScaleAllSizes(t.scale);
 
-    // Each group of ImGui's colours below takes one colour of the theme.
-    const auto faint = [](ImVec4 color, float alpha) {
-        color.w = alpha;
-        return color;
-    };
-    const auto use = [&](const ImVec4& color, std::initializer_list<ImGuiCol> places) {
-        for (const ImGuiCol place : places) style.Colors[place] = color;
-    };
-    use(t.text, {ImGuiCol_Text});
-    use(t.muted, {ImGuiCol_TextDisabled, ImGuiCol_ScrollbarGrabHovered, ImGuiCol_ScrollbarGrabActive});
-    use(t.panel, {ImGuiCol_WindowBg, ImGuiCol_TitleBg, ImGuiCol_TitleBgActive, ImGuiCol_TableHeaderBg});
-    use(faint(t.panel, 0.0f), {ImGuiCol_ChildBg, ImGuiCol_ScrollbarBg});
-    use(t.popup, {ImGuiCol_PopupBg});
-    use(t.hovered, {ImGuiCol_Border, ImGuiCol_FrameBgHovered, ImGuiCol_FrameBgActive, ImGuiCol_ButtonHovered,
-                    ImGuiCol_HeaderHovered, ImGuiCol_HeaderActive});
-    use(t.raised, {ImGuiCol_FrameBg, ImGuiCol_Button});
-    use(t.name == ThemeName::dark ? t.hovered : t.border, {ImGuiCol_ScrollbarGrab});
-    use(t.accent, {ImGuiCol_CheckMark, ImGuiCol_SliderGrabActive, ImGuiCol_SeparatorHovered, ImGuiCol_SeparatorActive,
-                   ImGuiCol_PlotHistogram, ImGuiCol_DragDropTarget, ImGuiCol_NavHighlight});
-    use(faint(t.accent, 0.6f), {ImGuiCol_SliderGrab});
-    use(t.border, {ImGuiCol_ButtonActive, ImGuiCol_Separator, ImGuiCol_TableBorderLight, ImGuiCol_TableBorderStrong});
-    use(faint(t.accent, 0.22f), {ImGuiCol_Header});
-    use(faint(t.accent, 0.35f), {ImGuiCol_TextSelectedBg});
-    use({0.0f, 0.0f, 0.0f, 0.5f}, {ImGuiCol_ModalWindowDimBg});
-    use(faint(t.raised, 0.5f), {ImGuiCol_TableRowBgAlt});
+    apply_colors(t, style);
 }
 
 ImU32 packed(const ImVec4& color, float alpha) {

@@ -36,7 +36,41 @@ std::vector<float> marker_data(const std::vector<DrawnMarker>& markers, bool rin
     return data;
 }
 
+/// The rows of the texture: 256 colours of each map, the diverging one last.
+std::vector<unsigned char> color_map_pixels() {
+    std::vector<unsigned char> pixels;
+    const auto append_row = [&](Eigen::Vector3f (*color)(double)) {
+        for (int i = 0; i < 256; ++i) {
+            const Eigen::Vector3f c = color(i / 255.0);
+            for (int k = 0; k < 3; ++k) pixels.push_back(static_cast<unsigned char>(std::lround(255.0f * c[k])));
+            pixels.push_back(255);
+        }
+    };
+    for (const ColorMap& map : color_maps()) append_row(map.color);
+    append_row(diverging_color_map);
+    return pixels;
+}
+
 }  // namespace
+
+void SceneRenderer::describe_vertices() const {
+    const auto bind = [](const Program& p) {
+        platform::gl::BindVertexArray(p.vertex_array.name());
+        platform::gl::BindBuffer(GL_ARRAY_BUFFER, p.buffer.name());
+    };
+    bind(surface_);
+    platform::gl::attribute(0, 3, surface_floats, 0);
+    platform::gl::attribute(1, 1, surface_floats, 3);
+    platform::gl::attribute(2, 4, surface_floats, 4);
+    bind(line_);
+    platform::gl::attribute(0, 3, segment_floats, 0, 1);
+    platform::gl::attribute(1, 3, segment_floats, 3, 1);
+    platform::gl::attribute(2, 4, segment_floats, 6, 1);
+    bind(marker_);
+    platform::gl::attribute(0, 3, marker_floats, 0);
+    platform::gl::attribute(1, 4, marker_floats, 3);
+    platform::gl::BindVertexArray(0);
+}
 
 Result<SceneRenderer> SceneRenderer::make() {
     SceneRenderer renderer;
@@ -52,34 +86,9 @@ Result<SceneRenderer> SceneRenderer::make() {
         slot->vertex_array = platform::gl::make_vertex_array();
         slot->buffer = platform::gl::make_buffer();
     }
-    const auto bind = [](const Program& p) {
-        platform::gl::BindVertexArray(p.vertex_array.name());
-        platform::gl::BindBuffer(GL_ARRAY_BUFFER, p.buffer.name());
-    };
-    bind(renderer.surface_);
-    platform::gl::attribute(0, 3, surface_floats, 0);
-    platform::gl::attribute(1, 1, surface_floats, 3);
-    platform::gl::attribute(2, 4, surface_floats, 4);
-    bind(renderer.line_);
-    platform::gl::attribute(0, 3, segment_floats, 0, 1);
-    platform::gl::attribute(1, 3, segment_floats, 3, 1);
-    platform::gl::attribute(2, 4, segment_floats, 6, 1);
-    bind(renderer.marker_);
-    platform::gl::attribute(0, 3, marker_floats, 0);
-    platform::gl::attribute(1, 4, marker_floats, 3);
-    platform::gl::BindVertexArray(0);
-
+    renderer.describe_vertices();
     // All colour maps go into one texture, one row each, so that changing the map changes only a number.
-    std::vector<unsigned char> pixels;
-    const auto append_row = [&](Eigen::Vector3f (*color)(double)) {
-        for (int i = 0; i < 256; ++i) {
-            const Eigen::Vector3f c = color(i / 255.0);
-            for (int k = 0; k < 3; ++k) pixels.push_back(static_cast<unsigned char>(std::lround(255.0f * c[k])));
-            pixels.push_back(255);
-        }
-    };
-    for (const ColorMap& map : color_maps()) append_row(map.color);
-    append_row(diverging_color_map);
+    const std::vector<unsigned char> pixels = color_map_pixels();
     renderer.color_map_ = platform::gl::make_texture(256, color_rows(), pixels.data());
     return renderer;
 }
@@ -184,19 +193,7 @@ void SceneRenderer::draw_markers(const DrawnScene& scene, bool ring, double opac
     platform::gl::DrawArrays(GL_POINTS, 0, static_cast<GLsizei>(data.size() / marker_floats));
 }
 
-Result<void> SceneRenderer::update(const DrawnScene& scene, std::uint64_t revision, const ViewColors& colors,
-                                   const Camera& camera, const ViewSize& size, int samples, double scale) {
-    const Key key{revision, camera, size, samples, scale};
-    // Most frames change only the interface. They reuse the image and cost a copy.
-    if (drawn_ && *drawn_ == key) return {};
-    if (const auto sized = resize(size, samples); !sized) return sized;
-    if (!uploaded_ || *uploaded_ != revision) upload_scene(scene);
-    uploaded_ = revision;
-    size_ = size;
-    scale_ = static_cast<float>(scale);
-    view_ = view_matrix(camera).cast<float>();
-    projection_ = projection_matrix(camera, size).cast<float>();
-
+void SceneRenderer::begin_drawing(const ViewSize& size, int samples) const {
     const platform::gl::RenderTarget& target = samples > 0 ? target_ : picture_;
     platform::gl::BindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.name());
     platform::gl::Viewport(0, 0, size.width, size.height);
@@ -207,15 +204,9 @@ Result<void> SceneRenderer::update(const DrawnScene& scene, std::uint64_t revisi
     platform::gl::DepthMask(GL_TRUE);
     platform::gl::DepthFunc(GL_LEQUAL);
     platform::gl::Clear(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
-    draw_backdrop(colors);
-    if (scene.grid) {
-        // The grid writes no depth, so that it never hides what lies below it.
-        platform::gl::DepthMask(GL_FALSE);
-        draw_lines(grid_segments(scene.extent, colors.grid), 1.0, 1.0);
-        platform::gl::DepthMask(GL_TRUE);
-    }
-    draw_surface(scene, colors);
+}
 
+void SceneRenderer::draw_lines_and_markers(const DrawnScene& scene) const {
     // One draw call per line width.
     std::map<double, std::vector<float>> by_width;
     for (const DrawnLine& line : scene.lines) append_segments(by_width[line.width], line);
@@ -230,6 +221,9 @@ Result<void> SceneRenderer::update(const DrawnScene& scene, std::uint64_t revisi
         draw_markers(scene, false, opacity);
         draw_markers(scene, true, opacity);
     }
+}
+
+void SceneRenderer::end_drawing(int samples) const {
     platform::gl::DepthMask(GL_TRUE);
     platform::gl::DepthFunc(GL_LEQUAL);
     platform::gl::Disable(GL_DEPTH_TEST);
@@ -237,6 +231,33 @@ Result<void> SceneRenderer::update(const DrawnScene& scene, std::uint64_t revisi
     platform::gl::BindVertexArray(0);
     if (samples > 0) platform::gl::blit(target_, picture_.framebuffer.name(), 0, 0);
     platform::gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+Result<void> SceneRenderer::update(const DrawnScene& scene, std::uint64_t revision, const ViewColors& colors,
+                                   const Camera& camera, const ViewSize& size, int samples, double scale) {
+    const Key key{revision, camera, size, samples, scale};
+    // Most frames change only the interface. They reuse the image and cost a copy.
+    if (drawn_ && *drawn_ == key) return {};
+    if (const auto sized = resize(size, samples); !sized) return sized;
+    if (!uploaded_ || *uploaded_ != revision) upload_scene(scene);
+    uploaded_ = revision;
+    size_ = size;
+    scale_ = static_cast<float>(scale);
+    view_ = view_matrix(camera).cast<float>();
+    projection_ = projection_matrix(camera, size).cast<float>();
+
+    begin_drawing(size, samples);
+    draw_backdrop(colors);
+    if (scene.grid) {
+        // The grid writes no depth, so that it never hides what lies below it.
+        platform::gl::DepthMask(GL_FALSE);
+        draw_lines(grid_segments(scene.extent, colors.grid), 1.0, 1.0);
+        platform::gl::DepthMask(GL_TRUE);
+    }
+    draw_surface(scene, colors);
+
+    draw_lines_and_markers(scene);
+    end_drawing(samples);
     drawn_ = key;
     ++draw_count_;
     return {};

@@ -61,6 +61,12 @@ private:
     Result<void> resize(const ViewSize& size, int samples);
     /// Uploads positions, field values and tints of the surface. Only if the revision changed.
     void upload_scene(const DrawnScene& scene);
+    /// Target and state of OpenGL for an image.
+    void begin_drawing(const ViewSize& size, int samples) const;
+    void end_drawing(int samples) const;
+    void draw_lines_and_markers(const DrawnScene& scene) const;
+    /// Layouts of the vertex data in the buffers of the programs.
+    void describe_vertices() const;
     void draw_backdrop(const ViewColors& colors) const;
     void draw_lines(const std::vector<float>& segments, double width, double opacity) const;
     void draw_surface(const DrawnScene& scene, const ViewColors& colors) const;

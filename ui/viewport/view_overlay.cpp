@@ -102,6 +102,20 @@ void draw_arrow_scale(ImDrawList& list, const platform::Rectangle& view, const C
              platform::packed(theme.view_bottom, 0.6f), title.c_str());
 }
 
+/// Letter of an axis beyond its tip. An axis that points at the eye has no room for it.
+void draw_axis_letter(ImDrawList& list, const platform::Theme& theme, const ImVec2& tip, const ImVec2& direction,
+                      const ImVec4& color, const char* name) {
+    const float s = theme.scale, x = direction.x, y = direction.y;
+    const float length = std::hypot(x, y);
+    const float out = length > 0.2f ? 10.0f * s / length : 0.0f;
+    const ImVec2 center{tip.x + out * x, tip.y + out * y};
+    const ImVec2 extent = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, name);
+    if (length > 0.2f) {
+        outlined(list, theme, {center.x - 0.5f * extent.x, center.y - 0.5f * extent.y}, platform::packed(color),
+                 platform::packed(theme.view_bottom, 0.6f), name);
+    }
+}
+
 /// Axes of the world frame in the lower left corner.
 void draw_axes(ImDrawList& list, const platform::Rectangle& view, const Camera& camera, const platform::Theme& theme) {
     const float s = theme.scale;
@@ -123,15 +137,7 @@ void draw_axes(ImDrawList& list, const platform::Rectangle& view, const Camera& 
         const float y = static_cast<float>(-axis.direction.dot(axes.up));
         const ImVec2 tip{origin.x + 26.0f * s * x, origin.y + 26.0f * s * y};
         list.AddLine(origin, tip, platform::packed(axis.color), 2.0f * s);
-        const float length = std::hypot(x, y);
-        // An axis that points at the eye has no room for its letter at the tip.
-        const float out = length > 0.2f ? 10.0f * s / length : 0.0f;
-        const ImVec2 center{tip.x + out * x, tip.y + out * y};
-        const ImVec2 extent = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, axis.name);
-        if (length > 0.2f) {
-            outlined(list, theme, {center.x - 0.5f * extent.x, center.y - 0.5f * extent.y},
-                     platform::packed(axis.color), platform::packed(theme.view_bottom, 0.6f), axis.name);
-        }
+        draw_axis_letter(list, theme, tip, {x, y}, axis.color, axis.name);
     }
 }
 
@@ -161,6 +167,36 @@ void draw_marker_labels(ImDrawList& list, const platform::Rectangle& view, const
     }
 }
 
+/// Colours of the field from `corner` to the right edge, the highest value at the top.
+void draw_color_bar(ImDrawList& list, const DrawnField& field, const ImVec2& corner, float right, float height) {
+    const float left = corner.x, top = corner.y;
+    // Rectangles instead of a texture: 64 of them look continuous at this size.
+    constexpr int steps = 64;
+    for (int i = 0; i < steps; ++i) {
+        const double level = 1.0 - (i + 0.5) / steps;
+        const Eigen::Vector3f c = field.diverging
+                                      ? diverging_color_map(level)
+                                      : color_maps()[static_cast<std::size_t>(field.color_map)].color(level);
+        const float y0 = top + height * static_cast<float>(i) / steps;
+        const float y1 = top + height * static_cast<float>(i + 1) / steps;
+        list.AddRectFilled({left, y0}, {right, y1}, platform::packed({c[0], c[1], c[2], 1.0f}));
+    }
+}
+
+/// Values of the legend, left of the colours, which begin at `left`.
+void draw_legend_ticks(ImDrawList& list, const chart::PlannedAxis& plan, const platform::Theme& theme, float left,
+                       ImU32 halo) {
+    const float s = theme.scale;
+    for (std::size_t i = 0; i < plan.ticks.values.size(); ++i) {
+        const auto y = static_cast<float>(plan.scale(plan.ticks.values[i]));
+        const std::string& label = plan.ticks.labels[i];
+        const ImVec2 extent = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, label.c_str());
+        list.AddLine({left - 4.0f * s, y}, {left, y}, platform::packed(theme.muted), s);
+        outlined(list, theme, {left - 8.0f * s - extent.x, y - 0.5f * extent.y}, platform::packed(theme.text), halo,
+                 label.c_str());
+    }
+}
+
 /// Colour bar with ticks in the upper right corner. Left out if the view is too low for it.
 void draw_field_legend(ImDrawList& list, const platform::Rectangle& view, const DrawnField& field,
                        const platform::Theme& theme) {
@@ -180,26 +216,9 @@ void draw_field_legend(ImDrawList& list, const platform::Rectangle& view, const 
     outlined(list, theme, {right - title_width, top - theme.small->FontSize - 8.0f * s}, platform::packed(theme.text),
              halo, title.c_str());
     const float left = right - 14.0f * s;
-    // Rectangles instead of a texture: 64 of them look continuous at this size.
-    constexpr int steps = 64;
-    for (int i = 0; i < steps; ++i) {
-        const double level = 1.0 - (i + 0.5) / steps;
-        const Eigen::Vector3f c = field.diverging
-                                      ? diverging_color_map(level)
-                                      : color_maps()[static_cast<std::size_t>(field.color_map)].color(level);
-        const float y0 = top + height * static_cast<float>(i) / steps;
-        const float y1 = top + height * static_cast<float>(i + 1) / steps;
-        list.AddRectFilled({left, y0}, {right, y1}, platform::packed({c[0], c[1], c[2], 1.0f}));
-    }
+    draw_color_bar(list, field, {left, top}, right, height);
     list.AddRect({left, top}, {right, top + height}, platform::packed(theme.muted), 0.0f, 0, s);
-    for (std::size_t i = 0; i < plan.ticks.values.size(); ++i) {
-        const auto y = static_cast<float>(plan.scale(plan.ticks.values[i]));
-        const std::string& label = plan.ticks.labels[i];
-        const ImVec2 extent = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, label.c_str());
-        list.AddLine({left - 4.0f * s, y}, {left, y}, platform::packed(theme.muted), s);
-        outlined(list, theme, {left - 8.0f * s - extent.x, y - 0.5f * extent.y}, platform::packed(theme.text), halo,
-                 label.c_str());
-    }
+    draw_legend_ticks(list, plan, theme, left, halo);
 }
 
 }  // namespace

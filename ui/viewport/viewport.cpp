@@ -42,19 +42,21 @@ void react_to_mouse(ViewportState& state, bool hovered, bool active, const ToolT
     state.untouched = state.untouched && !state.moving;
 }
 
+/// Buttons of the standard directions of view.
+struct ViewButton {
+    const char* label;
+    const char* name;
+    StandardView view;
+    const char* tip;
+};
+constexpr std::array<ViewButton, 4> view_buttons{
+    {{"3D", "view/oblique", StandardView::oblique, "Oblique view (0)"},
+     {"X", "view/x", StandardView::from_x, "View along the x axis (1); again: from the other side"},
+     {"Y", "view/y", StandardView::from_y, "View along the y axis (2); again: from the other side"},
+     {"Z", "view/z", StandardView::from_z, "View along the z axis, from above (3); again: from below"}}};
+
 /// Buttons in the upper left corner of the view. They lie over the invisible button that receives the mouse.
 void draw_buttons(const platform::Theme& theme, platform::ItemRectangles& items, ViewportState& state) {
-    struct ViewButton {
-        const char* label;
-        const char* name;
-        StandardView view;
-        const char* tip;
-    };
-    static constexpr std::array<ViewButton, 4> buttons{
-        {{"3D", "view/oblique", StandardView::oblique, "Oblique view (0)"},
-         {"X", "view/x", StandardView::from_x, "View along the x axis (1); again: from the other side"},
-         {"Y", "view/y", StandardView::from_y, "View along the y axis (2); again: from the other side"},
-         {"Z", "view/z", StandardView::from_z, "View along the z axis, from above (3); again: from below"}}};
     const float s = theme.scale;
     ImGui::SetCursorScreenPos({state.pixels.lowest.x + 12.0f * s, state.pixels.lowest.y + 12.0f * s});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(4.0f * s, 4.0f * s));
@@ -67,7 +69,7 @@ void draw_buttons(const platform::Theme& theme, platform::ItemRectangles& items,
     }
     items.mark("view/fit");
     tip("Show the whole body (F)");
-    for (const ViewButton& button : buttons) {
+    for (const ViewButton& button : view_buttons) {
         ImGui::SameLine();
         if (ImGui::Button(button.label)) {
             state.camera = turn_to_or_round(state.camera, button.view);

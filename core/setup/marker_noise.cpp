@@ -1,0 +1,57 @@
+#include "setup/marker_noise.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.hpp"
+#include "measurement/noise.hpp"
+
+namespace myo::setup {
+namespace {
+
+/// Noise of the markers from their traces, all trials together. `rounded_m`: noise of the rounding of the traces, the
+/// least.
+void set_estimated_noise(const std::vector<measurement::Recording>& recordings, double rounded_m, Setup& setup) {
+    const auto count = static_cast<Eigen::Index>(setup.marker_names.size());
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(count), found = Eigen::VectorXd::Zero(count);
+    for (const measurement::Recording& recording : recordings)
+        for (Eigen::Index m = 0; m < count; ++m) {
+            const measurement::NoiseEstimate estimate = measurement::estimate_track_noise(
+                recording.tracks[static_cast<std::size_t>(m)]);
+            if (!estimate.found || !(estimate.sigma_m > 0.0)) continue;
+            sum(m) += estimate.sigma_m * estimate.sigma_m;
+            found(m) += 1.0;
+        }
+    // Without any estimate, 0.1 mm: typical of mocap cameras.
+    const double typical = found.sum() > 0.0 ? std::sqrt(sum.sum() / found.sum()) : 1e-4;
+    if (found.sum() == 0.0)
+        setup.warnings.push_back(
+            "markers.noise_m: not declared and not to be estimated from the traces; 0.1 mm is assumed");
+    setup.noise_m.resize(count);
+    // Half the typical noise as a floor: a single marker with a too small estimate would dominate the fit.
+    for (Eigen::Index m = 0; m < count; ++m)
+        setup.noise_m(m) = std::max(
+            {found(m) > 0.0 ? std::sqrt(sum(m) / found(m)) : typical, 0.5 * typical, rounded_m});
+}
+
+}  // namespace
+
+void set_noise(const std::vector<measurement::Recording>& recordings, Setup& setup) {
+    const auto count = static_cast<Eigen::Index>(setup.marker_names.size());
+    const auto coarsest = std::max_element(
+        setup.trials.begin(), setup.trials.end(),
+        [](const PreparedTrial& a, const PreparedTrial& b) { return a.rounding_m < b.rounding_m; });
+    const double rounded_m = measurement::rounding_deviation(coarsest->rounding_m);
+    if (const auto declared = setup.experiment.markers.noise_m) {
+        setup.noise_m = Eigen::VectorXd::Constant(count, std::max(*declared, rounded_m));
+        if (rounded_m > *declared)
+            setup.warnings.push_back("markers.noise_m: the numbers of trial " + coarsest->name + " are rounded to " +
+                                     format_number(1e3 * coarsest->rounding_m) + " mm, which is noise of " +
+                                     format_number(1e3 * rounded_m, 3) + " mm by itself; it is taken in place of the " +
+                                     format_number(1e3 * *declared, 3) + " mm declared");
+        return;
+    }
+    set_estimated_noise(recordings, rounded_m, setup);
+}
+
+}  // namespace myo::setup

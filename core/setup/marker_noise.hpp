@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "measurement/recording.hpp"
+#include "setup/setup.hpp"
+
+namespace myo::setup {
+
+/// Sets the noise of each marker [m]: declared, or estimated per trial and pooled (rms). Markers without an estimate
+/// get the mean of the others. Never below the deviation that rounding produces.
+///
+/// @param recordings  traces of the trials as measured; trials of `setup` with their rounding
+/// @param setup  gets the noise, and warnings about it
+void set_noise(const std::vector<measurement::Recording>& recordings, Setup& setup);
+
+}  // namespace myo::setup
