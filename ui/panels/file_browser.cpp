@@ -226,9 +226,9 @@ bool FileBrowser::begin(PanelContext& context) {
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0.5f * display.x, 0.5f * display.y}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSize({std::min(860.0f * s, display.x - 40.0f), std::min(560.0f * s, display.y - 40.0f)});
-    // If ImGui does not show the dialog any more, it counts as cancelled.
-    if (!ImGui::BeginPopupModal(title.c_str(), nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
+    if (ImGui::BeginPopupModal(title.c_str(), nullptr, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove))
         return true;
+    // If ImGui does not show the dialog any more, it counts as cancelled.
     const FileDialog dialog = *dialog_;
     dialog_.reset();
     if (dialog.given_up) dialog.given_up(context);
