@@ -15,12 +15,6 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Kind = ModelParameter::Kind;
 
-// `names` given by the caller takes precedence over the declaration.
-bool is_calibrated(const setup::Setup& setup, const std::string& name, const std::vector<std::string>& names) {
-    const std::vector<std::string>& list = names.empty() ? setup.experiment.material.calibrate : names;
-    return std::find(list.begin(), list.end(), name) != list.end();
-}
-
 }  // namespace
 
 // Damping comes from the prepared model, as it may be assumed instead of declared.
@@ -37,63 +31,6 @@ ParameterValues declared_values(const setup::Setup& setup) {
     }
     values.effects = setup.experiment.effects;
     return values;
-}
-
-std::vector<ModelParameter> free_parameters(const setup::Setup& setup, const std::vector<std::string>& names) {
-    std::vector<ModelParameter> list;
-    const ParameterValues start = declared_values(setup);
-    // Equal bounds declare an exact value: there is nothing to fit.
-    const auto add = [&](Kind kind, std::size_t trial, std::size_t index, const std::string& name, double lower,
-                         double upper, double scale, const std::string& unit) {
-        if (!(lower < upper)) return;
-        ModelParameter entry{kind, trial, index, {name, 0.0, lower, upper, scale}, unit, {}, -1};
-        entry.parameter.value = value_of(entry, start);
-        list.push_back(std::move(entry));
-    };
-    // The declared tolerance bounds the modulus. Without bounds a model that lacks an effect drifts: muscles that only
-    // act against the elasticity of the body determine the ratio of modulus and level, not each of them.
-    const double nominal = start.youngs_modulus_Pa, tolerance = setup.experiment.material.youngs_modulus_tolerance;
-    if (is_calibrated(setup, "youngs_modulus", names))
-        add(Kind::youngs_modulus, 0, 0, "youngs_modulus_Pa", (1.0 - tolerance) * nominal, (1.0 + tolerance) * nominal,
-            nominal, "Pa");
-    if (is_calibrated(setup, "damping", names)) {
-        add(Kind::damping, 0, 0, "damping_s", 0.0, 1.0, 1e-3, "s");
-        list.back().parameter.over_decades = true;
-    }
-    const std::vector<material::LawParameter> law = setup.trials.front().model.material->parameters();
-    for (std::size_t k = 0; k < law.size(); ++k)
-        if (is_calibrated(setup, law[k].name, names)) {
-            add(Kind::law, 0, k, law[k].name, law[k].lower, law[k].upper, law[k].scale, law[k].unit);
-            list.back().parameter.over_decades = law[k].over_decades;
-        }
-
-    const experiment::RegistrationDeclaration& registration = setup.experiment.registration;
-    if (!registration.known && registration.method == experiment::RegistrationMethod::limited) {
-        const double angle = registration.max_rotation_deg * 3.14159265358979323846 / 180.0;
-        const char* axes[] = {"x", "y", "z"};
-        for (std::size_t i = 0; i < 3; ++i)
-            add(Kind::translation, 0, i, std::string("registration_") + axes[i] + "_m", -registration.max_translation_m,
-                registration.max_translation_m, std::max(registration.max_translation_m, 1e-6), "m");
-        for (std::size_t i = 0; i < 3; ++i)
-            add(Kind::rotation, 0, i, std::string("registration_rotation_") + axes[i] + "_rad", -angle, angle,
-                std::max(angle, 1e-6), "rad");
-    }
-    for (std::size_t t = 0; t < setup.trials.size(); ++t) {
-        const setup::PreparedTrial& trial = setup.trials[t];
-        if (trial.role != experiment::TrialRole::fit) continue;
-        // A detected start is accurate to a few frames; the fit determines the remainder.
-        const double interval = setup::sampling_interval_s(trial);
-        if (trial.start_found)
-            add(Kind::start_shift, t, 0, "start_shift_s." + trial.name, -3.0 * interval, 3.0 * interval, interval, "s");
-        for (const std::size_t muscle : trial.free_levels)
-            add(Kind::level, t, muscle, "actuation_level." + trial.name + "." + setup.experiment.muscles[muscle].name,
-                0.05, 10.0, 0.1, "");
-    }
-    for (std::size_t e = 0; e < start.effects.size(); ++e)
-        if (start.effects[e].calibrate)
-            for (ModelParameter& parameter : effect_parameters(start.effects[e], e))
-                list.push_back(std::move(parameter));
-    return list;
 }
 
 std::vector<ModelParameter> effect_parameters(const effect::EffectDeclaration& effect, std::size_t index) {
@@ -216,6 +153,112 @@ bool acts_on_observation_only(const setup::Setup& setup, std::size_t index, cons
            effect::acts_on(setup::trial_context(setup, index), values.effects[p.index].parameters);
 }
 
+/// Tangents of the model for the parameters that move the body; they are simulated in one run.
+struct ModelTangents {
+    std::vector<sensitivity::ModelTangent> tangents;
+    std::vector<int> row_of;  // per parameter: index of its tangent, or -1
+};
+
+ModelTangents model_tangents(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
+                             const std::vector<ModelParameter>& parameters) {
+    ModelTangents result{{}, std::vector<int>(parameters.size(), -1)};
+    for (std::size_t p = 0; p < parameters.size(); ++p)
+        if (moves_the_body(setup, index, values, parameters[p]))
+            if (std::optional<sensitivity::ModelTangent> tangent = parameter_tangent(setup, index, values,
+                                                                                     parameters[p])) {
+                result.row_of[p] = static_cast<int>(result.tangents.size());
+                result.tangents.push_back(std::move(*tangent));
+            }
+    return result;
+}
+
+/// Markers of a run with their tangents, at the sample times and at t = 0.
+struct SensitiveMotion {
+    measurement::ObservationError error;
+    measurement::SensitiveTracks tracks, origin;
+};
+
+/// Tangent of the residuals along row `row` of the tangents of a run.
+std::vector<Matrix3Xd> moved_tangent(const setup::Setup& setup, const setup::PreparedTrial& trial,
+                                     const ParameterValues& values, const SensitiveMotion& motion, std::size_t row) {
+    const Eigen::Matrix3d R = measurement::small_rotation(values.rotation_rad);
+    std::vector<Matrix3Xd> d = measurement::observed_tangents(motion.error, motion.tracks.tangents[row],
+                                                              trial.measured.time_s);
+    for (std::size_t m = 0; m < d.size(); ++m) {
+        // The reference position at t = 0 depends on the parameter as well and is subtracted from each sample.
+        if (by_displacement(setup))
+            d[m].colwise() -= (1.0 + motion.error.scale_error) * Vector3d(motion.origin.tangents[row][m].col(0));
+        else
+            d[m] = R * d[m];
+    }
+    return d;
+}
+
+/// Adds the tangents of the residuals: from the run where the parameter moves the body, otherwise without it. A failed
+/// difference run makes the prediction unusable for a fit, but keeps its status and message.
+void add_tangents(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
+                  const std::vector<ModelParameter>& parameters, const std::vector<int>& row_of,
+                  const SensitiveMotion& motion, const Progress& progress, TrialPrediction& result) {
+    for (std::size_t p = 0; p < parameters.size(); ++p) {
+        if (row_of[p] >= 0) {
+            const auto row = static_cast<std::size_t>(row_of[p]);
+            result.tangents.push_back(moved_tangent(setup, setup.trials[index], values, motion, row));
+            continue;
+        }
+        ResidualTangent column = residual_tangent(setup, index, values, parameters[p], result, progress);
+        if (!column.ok()) {
+            result.status = column.status;
+            result.message = column.message;
+            return;
+        }
+        result.tangents.push_back(std::move(column.tangent));
+    }
+}
+
+/// Derivatives of the residuals with respect to the start of the motion.
+std::vector<Matrix3Xd> start_tangent(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
+                                     const dynamics::Trace& trace) {
+    const setup::PreparedTrial& trial = setup.trials[index];
+    const measurement::ObservationError error = affected_trial(setup, index, values).observation_error;
+    const measurement::MarkerTracks tracks = measurement::observe(
+        trace, setup.markers, motion_times(trial, error, values.start_shift_s[index]));
+    const Eigen::Matrix3d R = measurement::small_rotation(values.rotation_rad);
+    std::vector<Matrix3Xd> tangent = measurement::observed_tangents(error, tracks.velocities, trial.measured.time_s);
+    for (Matrix3Xd& marker : tangent) marker = by_displacement(setup) ? Matrix3Xd(-marker) : Matrix3Xd(-R * marker);
+    return tangent;
+}
+
+/// Differences of the residuals with respect to a parameter: central if both sides are inside the bounds, otherwise
+/// one-sided towards the inside. Runs start from the path of the prediction, so both sides converge to the same branch.
+///
+/// @param moves  the parameter moves the body; otherwise it changes the observation only
+/// @param result  gets the tangent, or the status of the run that failed
+void set_difference(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
+                    const ModelParameter& parameter, const TrialPrediction& there, bool moves, const Progress& progress,
+                    ResidualTangent& result) {
+    const double value = value_of(parameter, values);
+    const double part = !moves                           ? prediction_policy.part_of_sight
+                        : parameter.kind == Kind::effect ? prediction_policy.part_of_effect
+                                                         : prediction_policy.part_of_constant;
+    double step = difference_step(parameter, value, part);
+    if (value + step > parameter.parameter.upper) step = -step;  // towards the inside of the bounds
+    const auto shifted = [&](double at) {
+        ParameterValues changed = values;
+        set_value(parameter, at, changed);
+        return moves ? predict_trial(setup, index, changed, {}, progress, there.trace.path)
+                     : observe_trial(setup, index, changed, there.trace);
+    };
+    const TrialPrediction other = shifted(value + step);
+    result.status = other.status;
+    result.message = other.message;
+    if (!other.ok()) return;
+    const bool both_sides = value - step >= parameter.parameter.lower && value - step <= parameter.parameter.upper;
+    const TrialPrediction opposite = both_sides ? shifted(value - step) : TrialPrediction{};
+    for (std::size_t m = 0; m < result.tangent.size(); ++m)
+        result.tangent[m] = opposite.ok() ? Matrix3Xd((other.residual_m[m] - opposite.residual_m[m]) / (2.0 * step))
+                                          : Matrix3Xd((other.residual_m[m] - there.residual_m[m]) / step);
+}
+
 }  // namespace
 
 TrialPrediction observe_trial(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
@@ -235,6 +278,24 @@ TrialPrediction observe_trial(const setup::Setup& setup, std::size_t index, cons
             {}};
 }
 
+double rms(const std::vector<Matrix3Xd>& residual_m) {
+    double sum = 0.0;
+    long count = 0;
+    for (const Matrix3Xd& marker : residual_m)
+        for (const double r : marker.reshaped())
+            if (std::isfinite(r)) {
+                sum += r * r;
+                ++count;
+            }
+    return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : std::numeric_limits<double>::quiet_NaN();
+}
+
+double rms_between(const TrialPrediction& a, const TrialPrediction& b) {
+    std::vector<Matrix3Xd> all;
+    for (std::size_t m = 0; m < a.residual_m.size(); ++m) all.push_back(a.residual_m[m] - b.residual_m[m]);
+    return rms(all);
+}
+
 TrialPrediction predict_trial(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
                               const std::vector<ModelParameter>& parameters, const Progress& progress,
                               std::shared_ptr<const dynamics::StagePath> warm_start) {
@@ -242,63 +303,27 @@ TrialPrediction predict_trial(const setup::Setup& setup, std::size_t index, cons
     // All parameters that move the body are differentiated in one tangent run; the others follow from its result.
     effect::Affected affected = affected_trial(setup, index, values);
     affected.options.warm_start = std::move(warm_start);
-    std::vector<sensitivity::ModelTangent> model_tangents;
-    std::vector<int> row_of(parameters.size(), -1);  // index of the parameter's tangent in the run, or -1
-    for (std::size_t p = 0; p < parameters.size(); ++p)
-        if (moves_the_body(setup, index, values, parameters[p]))
-            if (std::optional<sensitivity::ModelTangent> tangent = parameter_tangent(setup, index, values,
-                                                                                     parameters[p])) {
-                row_of[p] = static_cast<int>(model_tangents.size());
-                model_tangents.push_back(std::move(*tangent));
-            }
-
+    const ModelTangents moving = model_tangents(setup, index, values, parameters);
     TrialPrediction result;
-    // One simulation with forward sensitivities for all parameters that move the body, at the nodes of the markers.
     sensitivity::SensitiveTrace run = sensitivity::simulate_with_tangents(
-        affected.model, affected.options, model_tangents, setup.markers.nodes, progress);
+        affected.model, affected.options, moving.tangents, setup.markers.nodes, progress);
     result.status = run.trace.status;
     result.message = run.trace.message;
     if (!run.trace.complete()) {
         result.trace = std::move(run.trace);
         return result;
     }
-
     // Sample times in the clock of the simulation, with clock errors and the fitted start shift.
     const Eigen::VectorXd times = motion_times(trial, affected.observation_error, values.start_shift_s[index]);
-    const measurement::SensitiveTracks tracks = measurement::observe(run, setup.markers, times);
-    const measurement::SensitiveTracks origin = measurement::observe(run, setup.markers, Eigen::VectorXd::Zero(1));
-    const Eigen::Matrix3d R = measurement::small_rotation(values.rotation_rad);
-    ObservedMotion observed = observed_motion(setup, index, values, affected.observation_error, tracks.tracks,
-                                              origin.tracks);
+    const SensitiveMotion motion{affected.observation_error, measurement::observe(run, setup.markers, times),
+                                 measurement::observe(run, setup.markers, Eigen::VectorXd::Zero(1))};
+    ObservedMotion observed = observed_motion(setup, index, values, motion.error, motion.tracks.tracks,
+                                              motion.origin.tracks);
     result.positions_m = std::move(observed.positions_m);
     result.start_m = std::move(observed.start_m);
     result.residual_m = std::move(observed.residual_m);
     result.trace = std::move(run.trace);
-    for (std::size_t p = 0; p < parameters.size(); ++p) {
-        std::vector<Matrix3Xd> d;
-        if (row_of[p] >= 0) {
-            const auto row = static_cast<std::size_t>(row_of[p]);
-            d = measurement::observed_tangents(affected.observation_error, tracks.tangents[row], trial.measured.time_s);
-            for (std::size_t m = 0; m < d.size(); ++m) {
-                // The reference position at t = 0 depends on the parameter as well and is subtracted from each sample.
-                if (by_displacement(setup))
-                    d[m].colwise() -= (1.0 + affected.observation_error.scale_error) *
-                                      Vector3d(origin.tangents[row][m].col(0));
-                else
-                    d[m] = R * d[m];
-            }
-        } else {
-            ResidualTangent column = residual_tangent(setup, index, values, parameters[p], result, progress);
-            // A failed difference run makes the prediction unusable for a fit, but keeps its status and message.
-            if (!column.ok()) {
-                result.status = column.status;
-                result.message = column.message;
-                return result;
-            }
-            d = std::move(column.tangent);
-        }
-        result.tangents.push_back(std::move(d));
-    }
+    add_tangents(setup, index, values, parameters, moving.row_of, motion, progress, result);
     return result;
 }
 
@@ -320,58 +345,12 @@ ResidualTangent residual_tangent(const setup::Setup& setup, std::size_t index, c
                                                                           there.positions_m[m].col(t))
                                                .col(static_cast<Eigen::Index>(parameter.index));
     } else if (parameter.kind == Kind::start_shift && parameter.trial == index) {
-        const measurement::ObservationError error = affected_trial(setup, index, values).observation_error;
-        const measurement::MarkerTracks tracks = measurement::observe(
-            there.trace, setup.markers, motion_times(trial, error, values.start_shift_s[index]));
-        const Eigen::Matrix3d R = measurement::small_rotation(values.rotation_rad);
-        result.tangent = measurement::observed_tangents(error, tracks.velocities, trial.measured.time_s);
-        for (Matrix3Xd& marker : result.tangent)
-            marker = by_displacement(setup) ? Matrix3Xd(-marker) : Matrix3Xd(-R * marker);
+        result.tangent = start_tangent(setup, index, values, there.trace);
     } else if (const bool moves = moves_the_body(setup, index, values, parameter);
                moves || acts_on_observation_only(setup, index, values, parameter)) {
-        // Central difference if both sides are inside the bounds, otherwise one-sided towards the inside. Runs start
-        // from the path of the prediction, so both sides converge to the same branch.
-        const double value = value_of(parameter, values);
-        const double part = !moves                           ? prediction_policy.part_of_sight
-                            : parameter.kind == Kind::effect ? prediction_policy.part_of_effect
-                                                             : prediction_policy.part_of_constant;
-        double step = difference_step(parameter, value, part);
-        if (value + step > parameter.parameter.upper) step = -step;  // towards the inside of the bounds
-        const auto shifted = [&](double at) {
-            ParameterValues changed = values;
-            set_value(parameter, at, changed);
-            return moves ? predict_trial(setup, index, changed, {}, progress, there.trace.path)
-                         : observe_trial(setup, index, changed, there.trace);
-        };
-        const TrialPrediction other = shifted(value + step);
-        result.status = other.status;
-        result.message = other.message;
-        if (!other.ok()) return result;
-        const bool both_sides = value - step >= parameter.parameter.lower && value - step <= parameter.parameter.upper;
-        const TrialPrediction opposite = both_sides ? shifted(value - step) : TrialPrediction{};
-        for (std::size_t m = 0; m < result.tangent.size(); ++m)
-            result.tangent[m] = opposite.ok() ? Matrix3Xd((other.residual_m[m] - opposite.residual_m[m]) / (2.0 * step))
-                                              : Matrix3Xd((other.residual_m[m] - there.residual_m[m]) / step);
+        set_difference(setup, index, values, parameter, there, moves, progress, result);
     }
     return result;
-}
-
-double rms(const std::vector<Matrix3Xd>& residual_m) {
-    double sum = 0.0;
-    long count = 0;
-    for (const Matrix3Xd& marker : residual_m)
-        for (const double r : marker.reshaped())
-            if (std::isfinite(r)) {
-                sum += r * r;
-                ++count;
-            }
-    return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : std::numeric_limits<double>::quiet_NaN();
-}
-
-double rms_between(const TrialPrediction& a, const TrialPrediction& b) {
-    std::vector<Matrix3Xd> all;
-    for (std::size_t m = 0; m < a.residual_m.size(); ++m) all.push_back(a.residual_m[m] - b.residual_m[m]);
-    return rms(all);
 }
 
 }  // namespace myo::prediction

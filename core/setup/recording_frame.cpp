@@ -91,6 +91,44 @@ Result<measurement::RigidMotion> register_rest_pose(const experiment::Experiment
     return fit->motion;
 }
 
+/// Positions of the markers before the start, to which displacements refer.
+Result<void> set_references(const experiment::Experiment& experiment, const std::string& key,
+                            const measurement::RestPose& pose, const measurement::RigidMotion& camera_to_mesh,
+                            PreparedTrial& trial) {
+    for (std::size_t m = 0; m < experiment.markers.on_body.size(); ++m) {
+        const Eigen::Vector3d mean = camera_to_mesh.apply(pose.positions_m.col(static_cast<Eigen::Index>(m)));
+        // Without a reference position the marker has no displacement.
+        if (!mean.allFinite())
+            return experiment::declaration_error(
+                experiment, key + ".trace",
+                "marker '" + experiment.markers.on_body[m].name + "' is not seen before the start");
+        trial.reference_m.push_back(mean);
+    }
+    return {};
+}
+
+/// End of the compared samples in trial time [s]: declared, or the last sample.
+double end_of(const experiment::TrialDeclaration& declaration, const measurement::Recording& placed, double start_s) {
+    return declaration.end_s ? *declaration.end_s - start_s : placed.time_s(placed.sample_count() - 1);
+}
+
+/// Takes the tracks of the markers on the body, with their gaps.
+Result<void> take_samples(const experiment::Experiment& experiment, const std::string& key,
+                          measurement::Recording placed, PreparedTrial& trial) {
+    // Fixed markers come last and serve registration only.
+    placed.labels.resize(experiment.markers.on_body.size());
+    placed.tracks.resize(experiment.markers.on_body.size());
+    // Samples before t = 0 are kept for display but are not compared.
+    while (trial.first_sample < placed.sample_count() && placed.time_s(trial.first_sample) < 0.0) ++trial.first_sample;
+    if (trial.first_sample >= placed.sample_count())
+        return experiment::declaration_error(experiment, key + ".end_s",
+                                             "no sample lies between the start and the end of the trial");
+    for (const measurement::MarkerGaps& gaps : measurement::gap_map(placed))
+        trial.occluded_fraction.push_back(gaps.occluded_fraction);
+    trial.measured = std::move(placed);
+    return {};
+}
+
 }  // namespace
 
 bool is_foreign_recording(const experiment::Experiment& experiment, const experiment::TrialDeclaration& declaration) {
@@ -104,7 +142,6 @@ Result<void> place_recording(const experiment::Experiment& experiment, const exp
     const std::string key = experiment::trial_key(experiment, declaration);
     if (const Result<void> started = find_start(experiment, declaration, recording, trial); !started)
         return started.error();
-
     const bool displacement = experiment.markers.compare == experiment::Comparison::displacement;
     const bool rest_registration = !experiment.registration.known &&
                                    experiment.registration.method == experiment::RegistrationMethod::rest_pose;
@@ -121,35 +158,14 @@ Result<void> place_recording(const experiment::Experiment& experiment, const exp
             camera_to_mesh = *motion;
         }
         if (displacement)
-            for (std::size_t m = 0; m < experiment.markers.on_body.size(); ++m) {
-                const Eigen::Vector3d mean = camera_to_mesh.apply(pose->positions_m.col(static_cast<Eigen::Index>(m)));
-                // Without a reference position the marker has no displacement.
-                if (!mean.allFinite())
-                    return experiment::declaration_error(
-                        experiment, key + ".trace",
-                        "marker '" + experiment.markers.on_body[m].name + "' is not seen before the start");
-                trial.reference_m.push_back(mean);
-            }
+            if (const Result<void> found = set_references(experiment, key, *pose, camera_to_mesh, trial); !found)
+                return found.error();
     }
-
     // Time first, then space; both maps are recorded in `trial` for the report.
     measurement::Recording placed = measurement::transform(measurement::shift_time(recording, -trial.start_s),
                                                            camera_to_mesh);
-    const double end = declaration.end_s ? *declaration.end_s - trial.start_s
-                                         : placed.time_s(placed.sample_count() - 1);
-    placed = measurement::slice_time(placed, placed.time_s(0), end);
-    // Fixed markers come last and serve registration only.
-    placed.labels.resize(experiment.markers.on_body.size());
-    placed.tracks.resize(experiment.markers.on_body.size());
-    // Samples before t = 0 are kept for display but are not compared.
-    while (trial.first_sample < placed.sample_count() && placed.time_s(trial.first_sample) < 0.0) ++trial.first_sample;
-    if (trial.first_sample >= placed.sample_count())
-        return experiment::declaration_error(experiment, key + ".end_s",
-                                             "no sample lies between the start and the end of the trial");
-    for (const measurement::MarkerGaps& gaps : measurement::gap_map(placed))
-        trial.occluded_fraction.push_back(gaps.occluded_fraction);
-    trial.measured = std::move(placed);
-    return {};
+    placed = measurement::slice_time(placed, placed.time_s(0), end_of(declaration, placed, trial.start_s));
+    return take_samples(experiment, key, std::move(placed), trial);
 }
 
 std::vector<std::string> doubtful_frames(const Setup& setup) {

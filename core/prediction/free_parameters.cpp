@@ -1,0 +1,98 @@
+#include <algorithm>
+
+#include "prediction/prediction.hpp"
+
+namespace myo::prediction {
+namespace {
+
+using Kind = ModelParameter::Kind;
+
+// `names` given by the caller takes precedence over the declaration.
+bool is_calibrated(const setup::Setup& setup, const std::string& name, const std::vector<std::string>& names) {
+    const std::vector<std::string>& list = names.empty() ? setup.experiment.material.calibrate : names;
+    return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+/// Unknowns of a fit, with the declared values as their start.
+struct ParameterList {
+    ParameterValues start;
+    std::vector<ModelParameter> parameters;
+
+    void add(Kind kind, std::size_t trial, std::size_t index, const std::string& name, double lower, double upper,
+             double scale, const std::string& unit) {
+        // Equal bounds declare an exact value: there is nothing to fit.
+        if (!(lower < upper)) return;
+        ModelParameter entry{kind, trial, index, {name, 0.0, lower, upper, scale}, unit, {}, -1};
+        entry.parameter.value = value_of(entry, start);
+        parameters.push_back(std::move(entry));
+    }
+};
+
+/// Modulus, damping and numbers of the material law.
+void add_material(const setup::Setup& setup, const std::vector<std::string>& names, ParameterList& list) {
+    // The declared tolerance bounds the modulus. Without bounds a model that lacks an effect drifts: muscles that only
+    // act against the elasticity of the body determine the ratio of modulus and level, not each of them.
+    const double nominal = list.start.youngs_modulus_Pa, tolerance = setup.experiment.material.youngs_modulus_tolerance;
+    if (is_calibrated(setup, "youngs_modulus", names))
+        list.add(Kind::youngs_modulus, 0, 0, "youngs_modulus_Pa", (1.0 - tolerance) * nominal,
+                 (1.0 + tolerance) * nominal, nominal, "Pa");
+    if (is_calibrated(setup, "damping", names)) {
+        list.add(Kind::damping, 0, 0, "damping_s", 0.0, 1.0, 1e-3, "s");
+        list.parameters.back().parameter.over_decades = true;
+    }
+    const std::vector<material::LawParameter> law = setup.trials.front().model.material->parameters();
+    for (std::size_t k = 0; k < law.size(); ++k)
+        if (is_calibrated(setup, law[k].name, names)) {
+            list.add(Kind::law, 0, k, law[k].name, law[k].lower, law[k].upper, law[k].scale, law[k].unit);
+            list.parameters.back().parameter.over_decades = law[k].over_decades;
+        }
+}
+
+/// Placement of the cameras, within its declared limits.
+void add_registration(const setup::Setup& setup, ParameterList& list) {
+    const experiment::RegistrationDeclaration& registration = setup.experiment.registration;
+    if (!registration.known && registration.method == experiment::RegistrationMethod::limited) {
+        const double angle = registration.max_rotation_deg * 3.14159265358979323846 / 180.0;
+        const char* axes[] = {"x", "y", "z"};
+        for (std::size_t i = 0; i < 3; ++i)
+            list.add(Kind::translation, 0, i, std::string("registration_") + axes[i] + "_m",
+                     -registration.max_translation_m, registration.max_translation_m,
+                     std::max(registration.max_translation_m, 1e-6), "m");
+        for (std::size_t i = 0; i < 3; ++i)
+            list.add(Kind::rotation, 0, i, std::string("registration_rotation_") + axes[i] + "_rad", -angle, angle,
+                     std::max(angle, 1e-6), "rad");
+    }
+}
+
+/// Start of the motion and levels of the muscles, of each trial.
+void add_trial_unknowns(const setup::Setup& setup, ParameterList& list) {
+    for (std::size_t t = 0; t < setup.trials.size(); ++t) {
+        const setup::PreparedTrial& trial = setup.trials[t];
+        if (trial.role != experiment::TrialRole::fit) continue;
+        // A detected start is accurate to a few frames; the fit determines the remainder.
+        const double interval = setup::sampling_interval_s(trial);
+        if (trial.start_found)
+            list.add(Kind::start_shift, t, 0, "start_shift_s." + trial.name, -3.0 * interval, 3.0 * interval, interval,
+                     "s");
+        for (const std::size_t muscle : trial.free_levels)
+            list.add(Kind::level, t, muscle,
+                     "actuation_level." + trial.name + "." + setup.experiment.muscles[muscle].name, 0.05, 10.0, 0.1,
+                     "");
+    }
+}
+
+}  // namespace
+
+std::vector<ModelParameter> free_parameters(const setup::Setup& setup, const std::vector<std::string>& names) {
+    ParameterList list{declared_values(setup), {}};
+    add_material(setup, names, list);
+    add_registration(setup, list);
+    add_trial_unknowns(setup, list);
+    for (std::size_t e = 0; e < list.start.effects.size(); ++e)
+        if (list.start.effects[e].calibrate)
+            for (ModelParameter& parameter : effect_parameters(list.start.effects[e], e))
+                list.parameters.push_back(std::move(parameter));
+    return list.parameters;
+}
+
+}  // namespace myo::prediction
