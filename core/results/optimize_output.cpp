@@ -151,6 +151,61 @@ bool put_level_in_front(report::Json& signal, const inverse::SoughtSignals& soug
     return true;
 }
 
+int evaluations_of(const std::vector<calibration::StartEnding>& starts) {
+    int evaluations = 0;
+    for (const calibration::StartEnding& start : starts) evaluations += start.evaluations;
+    return evaluations;
+}
+
+/// Settings, errors and values of the search.
+report::Json search_json(const setup::Setup& setup, const calibration::Optimization& optimization) {
+    const inverse::SoughtSignals& sought = optimization.problem.sought;
+    const inverse::ActuationFit& fit = optimization.fit;
+    const int evaluations = evaluations_of(optimization.starts);
+    return {{"schema", "optimize/1"},
+            {"trial", setup.trials.front().name},
+            {"frequency_Hz", sought.frequency_Hz},
+            {"interpolation", interpolation(sought.hold)},
+            {"smoothness_m_s", optimization.problem.smoothness_m_s},
+            {"rms_before_m", report::json_number(optimization.before.fit_rms_m)},
+            {"rms_after_m", report::json_number(optimization.after.fit_rms_m)},
+            {"rms_after_xyz_m", rms_of_axes(optimization.after.predictions.front())},
+            {"loss_before_m2", report::json_number(fit.first.loss_m2)},
+            {"loss_after_m2", report::json_number(fit.best.loss_m2)},
+            {"gradient_norm_m2", report::json_number(fit.gradient_norm_m2)},
+            {"evaluations", evaluations},
+            {"evaluations_in_all", evaluations + optimization.earlier_evaluations},
+            {"seconds", optimization.seconds},
+            {"converged", fit.converged()},
+            {"reached", optimization.miss.reached},
+            {"noise_levels", report::json_number(optimization.miss.noise_levels)},
+            {"stopped", optimization.stopped},
+            {"message", fit.message},
+            {"actuation", actuation_file(setup).string()},
+            {"knot_times_s", report::json_array(inverse::knot_times(sought))},
+            {"signals", signals_json(sought, fit.values, optimization.deviations)},
+            {"muscles", muscles_json(setup, sought)},
+            {"starts", starts_json(optimization.starts)},
+            {"history", history_json(fit.log)}};
+}
+
+/// What was sought and found besides the signals: placement, misses and deviations.
+void add_outcome(const calibration::Optimization& optimization, report::Json& json) {
+    const inverse::ActuationFit& fit = optimization.fit;
+    if (optimization.problem.placement_bounds) {
+        const inverse::MarkerPlacement& placement = fit.best.placement;
+        json["registration"] = {{"translation_m", report::json_array(Eigen::VectorXd(placement.translation_m))},
+                                {"rotation_rad", report::json_array(Eigen::VectorXd(placement.rotation_rad))},
+                                {"at_bound", inverse::at_bound(placement, *optimization.problem.placement_bounds)}};
+    }
+    if (!optimization.miss.reached) json["missed"] = miss_json(optimization.miss);
+    if (optimization.deviations.found)
+        json["std_noise_m"] = optimization.deviations.noise_m;
+    else
+        json["std"] = optimization.deviations.reason;
+    if (optimization.settings.starts > 1) json["seed"] = optimization.settings.seed;
+}
+
 }  // namespace
 
 Result<EarlierOptimization> read_optimization(const fs::path& folder, const setup::Setup& setup,
@@ -202,52 +257,13 @@ report::Json optimize_json(const setup::Setup& setup, const calibration::Optimiz
                            const RunFacts& facts) {
     // Stable keys: scripts read this file, and --resume does as well.
     assert(optimization.usable());
-    const inverse::SoughtSignals& sought = optimization.problem.sought;
-    const inverse::ActuationFit& fit = optimization.fit;
-    int evaluations = 0;
-    for (const calibration::StartEnding& start : optimization.starts) evaluations += start.evaluations;
-    report::Json json{{"schema", "optimize/1"},
-                      {"trial", setup.trials.front().name},
-                      {"frequency_Hz", sought.frequency_Hz},
-                      {"interpolation", interpolation(sought.hold)},
-                      {"smoothness_m_s", optimization.problem.smoothness_m_s},
-                      {"rms_before_m", report::json_number(optimization.before.fit_rms_m)},
-                      {"rms_after_m", report::json_number(optimization.after.fit_rms_m)},
-                      {"rms_after_xyz_m", rms_of_axes(optimization.after.predictions.front())},
-                      {"loss_before_m2", report::json_number(fit.first.loss_m2)},
-                      {"loss_after_m2", report::json_number(fit.best.loss_m2)},
-                      {"gradient_norm_m2", report::json_number(fit.gradient_norm_m2)},
-                      {"evaluations", evaluations},
-                      {"evaluations_in_all", evaluations + optimization.earlier_evaluations},
-                      {"seconds", optimization.seconds},
-                      {"converged", fit.converged()},
-                      {"reached", optimization.miss.reached},
-                      {"noise_levels", report::json_number(optimization.miss.noise_levels)},
-                      {"stopped", optimization.stopped},
-                      {"message", fit.message},
-                      {"actuation", actuation_file(setup).string()},
-                      {"knot_times_s", report::json_array(inverse::knot_times(sought))},
-                      {"signals", signals_json(sought, fit.values, optimization.deviations)},
-                      {"muscles", muscles_json(setup, sought)},
-                      {"starts", starts_json(optimization.starts)},
-                      {"history", history_json(fit.log)}};
-    if (optimization.problem.placement_bounds) {
-        const inverse::MarkerPlacement& placement = fit.best.placement;
-        json["registration"] = {{"translation_m", report::json_array(Eigen::VectorXd(placement.translation_m))},
-                                {"rotation_rad", report::json_array(Eigen::VectorXd(placement.rotation_rad))},
-                                {"at_bound", inverse::at_bound(placement, *optimization.problem.placement_bounds)}};
-    }
-    if (!optimization.miss.reached) json["missed"] = miss_json(optimization.miss);
-    if (optimization.deviations.found)
-        json["std_noise_m"] = optimization.deviations.noise_m;
-    else
-        json["std"] = optimization.deviations.reason;
-    if (optimization.settings.starts > 1) json["seed"] = optimization.settings.seed;
+    report::Json json = search_json(setup, optimization);
+    add_outcome(optimization, json);
     std::vector<std::string> warnings = setup.warnings;
     warnings.insert(warnings.end(), optimization.warnings.begin(), optimization.warnings.end());
     json["warnings"] = warnings;
     json.update(setup_size_json(setup));
-    json["steps"] = fit.best.steps;
+    json["steps"] = optimization.fit.best.steps;
     json["setup_s"] = facts.setup_s;
     json["peak_memory_bytes"] = facts.peak_memory_bytes;
     json["version"] = facts.version;

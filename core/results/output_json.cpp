@@ -172,6 +172,46 @@ report::Json correlation_json(const calibration::Calibration& calibration) {
     return {{"parameters", names}, {"matrix", report::json_columns(calibration.fit.correlation)}};
 }
 
+/// Values, errors and cost of the fit.
+report::Json fit_json(const setup::Setup& setup, const calibration::Calibration& calibration) {
+    report::Json json{{"schema", "calibrate/1"},
+                      {"parameters", parameters_json(calibration)},
+                      {"rms_before_m", report::json_number(calibration.before.fit_rms_m)},
+                      {"rms_after_m", report::json_number(calibration.after.fit_rms_m)},
+                      {"evaluations", calibration.evaluations()},
+                      {"evaluations_in_all", calibration.evaluations() + calibration.earlier_evaluations},
+                      {"seconds", calibration.seconds},
+                      {"numerical_error_s", calibration.numerical.seconds},
+                      {"converged", calibration.fit.converged()},
+                      {"stopped", calibration.stopped},
+                      {"message", calibration.fit.message}};
+    if (!prediction::trials_with_role(setup, experiment::TrialRole::validate).empty()) {
+        json["validation_rms_before_m"] = report::json_number(calibration.before.validation_rms_m);
+        json["validation_rms_after_m"] = report::json_number(calibration.after.validation_rms_m);
+    }
+    return json;
+}
+
+/// Errors of the trials with the declared and with the fitted values.
+report::Json fitted_trials_json(const setup::Setup& setup, const calibration::Calibration& calibration) {
+    report::Json trials = report::Json::array();
+    for (std::size_t t = 0; t < setup.trials.size(); ++t) {
+        report::Json trial = trial_facts(setup, t);
+        trial["start_fitted_s"] = setup.trials[t].start_s + calibration.after.values.start_shift_s[t];
+        add_levels(setup, t, calibration.after.values, trial);
+        const prediction::TrialScore* before = find_score(calibration.before, setup.trials[t].name);
+        const prediction::TrialScore* after = find_score(calibration.after, setup.trials[t].name);
+        trial["rms_before_m"] = rms_json(before);
+        trial["rms_after_m"] = rms_json(after);
+        trial["rms_m"] = rms_json(after);
+        trial["markers"] = after != nullptr ? markers_json(*after) : report::Json::object();
+        if (before == nullptr) trial["failure_before"] = calibration.before.predictions[t].message;
+        if (after == nullptr) trial["failure_after"] = calibration.after.predictions[t].message;
+        trials.push_back(std::move(trial));
+    }
+    return trials;
+}
+
 }  // namespace
 
 const char* ending_word(inverse::FitStatus status) {
@@ -233,21 +273,7 @@ report::Json calibrate_json(const setup::Setup& setup, const calibration::Calibr
                             const RunFacts& facts) {
     // Stable keys: scripts read this file, and --resume does as well.
     assert(calibration.usable());
-    report::Json json{{"schema", "calibrate/1"},
-                      {"parameters", parameters_json(calibration)},
-                      {"rms_before_m", report::json_number(calibration.before.fit_rms_m)},
-                      {"rms_after_m", report::json_number(calibration.after.fit_rms_m)},
-                      {"evaluations", calibration.evaluations()},
-                      {"evaluations_in_all", calibration.evaluations() + calibration.earlier_evaluations},
-                      {"seconds", calibration.seconds},
-                      {"numerical_error_s", calibration.numerical.seconds},
-                      {"converged", calibration.fit.converged()},
-                      {"stopped", calibration.stopped},
-                      {"message", calibration.fit.message}};
-    if (!prediction::trials_with_role(setup, experiment::TrialRole::validate).empty()) {
-        json["validation_rms_before_m"] = report::json_number(calibration.before.validation_rms_m);
-        json["validation_rms_after_m"] = report::json_number(calibration.after.validation_rms_m);
-    }
+    report::Json json = fit_json(setup, calibration);
     json["correlation"] = correlation_json(calibration);
     json["starts"] = starts_json(calibration);
     json["history"] = history_json(calibration);
@@ -263,22 +289,7 @@ report::Json calibrate_json(const setup::Setup& setup, const calibration::Calibr
     json["peak_memory_bytes"] = facts.peak_memory_bytes;
     add_facts(facts, json);
     if (calibration.settings.starts > 1) json["seed"] = calibration.settings.seed;
-    report::Json trials = report::Json::array();
-    for (std::size_t t = 0; t < setup.trials.size(); ++t) {
-        report::Json trial = trial_facts(setup, t);
-        trial["start_fitted_s"] = setup.trials[t].start_s + calibration.after.values.start_shift_s[t];
-        add_levels(setup, t, calibration.after.values, trial);
-        const prediction::TrialScore* before = find_score(calibration.before, setup.trials[t].name);
-        const prediction::TrialScore* after = find_score(calibration.after, setup.trials[t].name);
-        trial["rms_before_m"] = rms_json(before);
-        trial["rms_after_m"] = rms_json(after);
-        trial["rms_m"] = rms_json(after);
-        trial["markers"] = after != nullptr ? markers_json(*after) : report::Json::object();
-        if (before == nullptr) trial["failure_before"] = calibration.before.predictions[t].message;
-        if (after == nullptr) trial["failure_after"] = calibration.after.predictions[t].message;
-        trials.push_back(std::move(trial));
-    }
-    json["trials"] = std::move(trials);
+    json["trials"] = fitted_trials_json(setup, calibration);
     return json;
 }
 
