@@ -158,9 +158,7 @@ Diagnosis diagnose(const setup::Setup& setup, const DiagnoseSettings& settings, 
     FitStore store = settings.fits ? FitStore(*settings.fits, store_words(prepared)) : FitStore();
 
     DeclaredFit declared = fit_declared(prepared, settings, store, log);
-    if (store.holds_other_fits())
-        declared.notes.push_back("the fits kept in " + settings.fits->filename().string() +
-                                 " are of other data, settings or another version of the program; they are not used");
+    if (std::string note = store.unused_note(); !note.empty()) declared.notes.push_back(std::move(note));
     record.enter(declared);
     if (!declared.usable() || log.cancelled()) return record.finished();
     std::optional<CorrectedDeclaredFit> corrected = correct_declared_fit(

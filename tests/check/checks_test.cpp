@@ -307,7 +307,7 @@ TEST(Findings, AreToldWorstFirstAndOnce) {
     findings[1].level = findings[3].level = CheckLevel::doubtful;
     findings[2].level = CheckLevel::wrong;
     findings[2].way_out = "a way";
-    findings[3].told = true;
+    findings[3].warned = true;
     EXPECT_EQ(results::sentences_to_report(findings), (std::vector<std::string>{"much; a way", "some"}));
     EXPECT_EQ(results::findings_line(findings), "checks: 1 green, 2 amber (step), 1 red (start)");
     const report::Json json = results::findings_json(findings);

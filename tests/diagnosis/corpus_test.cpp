@@ -3,14 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "diagnosis/diagnosis_work.hpp"
+#include "diagnosis/diagnosis_context.hpp"
+#include "diagnosis/fit/fit_store.hpp"
+#include "diagnosis/fit/store_words.hpp"
 #include "experiment/read_experiment.hpp"
 #include "support/folder.hpp"
 
 namespace myo::diagnosis {
 namespace {
 
-using testing::ElementsAre;
 using testing::HasSubstr;
 
 /// Fits of other steps cannot be continued, which is said.
@@ -24,16 +25,14 @@ TEST(Corpus, FitsOfTheFormerProgramAreNotUsedWithANote) {
     coarse.mesh.resolution_m = 0.03;
     const Result<setup::Setup> setup = setup::prepare_setup(*experiment, coarse);
     ASSERT_TRUE(setup) << setup.error().text();
-    DiagnoseSettings settings;
-    settings.fits = folder.path() / "diagnose_fits.json";
-    const DiagnosisWork work(*setup, settings, {}, {});
-    EXPECT_THAT(work.result.notes, ElementsAre(HasSubstr("the fits kept in diagnose_fits.json")));
+    const std::string words = store_words(prepared_setup(*setup, {}));
+    EXPECT_THAT(FitStore(folder.path() / "diagnose_fits.json", words).unused_note(),
+                HasSubstr("the fits kept in diagnose_fits.json"));
     // A file that this program keeps is used.
-    settings.fits = folder.path() / "new.json";
-    ASSERT_TRUE(DiagnosisWork(*setup, settings, {}, {}).store->keep("a fit", Eigen::VectorXd::Ones(1)));
-    const DiagnosisWork again(*setup, settings, {}, {});
-    EXPECT_TRUE(again.result.notes.empty());
-    EXPECT_TRUE(again.store->find("a fit"));
+    ASSERT_TRUE(FitStore(folder.path() / "new.json", words).keep("a fit", Eigen::VectorXd::Ones(1)));
+    const FitStore again(folder.path() / "new.json", words);
+    EXPECT_EQ(again.unused_note(), "");
+    EXPECT_TRUE(again.find("a fit"));
 }
 
 }  // namespace

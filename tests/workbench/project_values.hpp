@@ -26,10 +26,10 @@ inline ValueLines project_values(const ui::commands::Project& project) {
     lines.add("time.spectral_radius", s.spectral_radius);
     lines.add("time.velocity_force_1_s", s.velocity_force_1_s);
     for (const ui::commands::AddedEffect& effect : s.effects) {
-        const std::string key = "effect." + effect.id;
+        const std::string key = "effect." + effect.declaration.id;
         lines.add(key + ".name", effect.name);
         lines.add(key + ".value", effect.value);
-        for (const auto& [name, value] : effect.parameters) lines.add(key + "." + name, value);
+        for (const auto& [name, value] : effect.declaration.parameters) lines.add(key + "." + name, value);
     }
     for (const ui::commands::Muscle& m : s.muscles) {
         const std::string key = "muscle." + m.name;

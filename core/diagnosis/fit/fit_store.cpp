@@ -27,6 +27,12 @@ FitStore::FitStore(std::filesystem::path file, std::string setup) : file_(std::m
     }
 }
 
+std::string FitStore::unused_note() const {
+    if (!holds_other_fits_) return {};
+    return "the fits kept in " + file_->filename().string() +
+           " are of other data, settings or another version of the program; they are not used";
+}
+
 std::optional<Eigen::VectorXd> FitStore::find(const std::string& fit) const {
     const std::lock_guard<std::mutex> lock(mutex_);
     const auto found = fits_.find(fit);

@@ -22,8 +22,8 @@ public:
     /// @param setup  description of everything that all fits depend on
     FitStore(std::filesystem::path file, std::string setup);
 
-    /// Whether the file holds fits of another setup, mesh or version, which are not used.
-    bool holds_other_fits() const { return holds_other_fits_; }
+    /// Note that the file holds fits of another setup, mesh or version, which are not used; empty: it does not.
+    std::string unused_note() const;
 
     /// Values of a stored fit; empty if there is none.
     std::optional<Eigen::VectorXd> find(const std::string& fit) const;
