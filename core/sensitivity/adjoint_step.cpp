@@ -117,12 +117,23 @@ void AdjointFollower::jump(dynamics::StageSolver& solver, const JumpRecord& at) 
     adjoint.resize(3, 0);
 }
 
+Matrix3Xd AdjointFollower::stage_adjoint(dynamics::StageSolver& solver, const dynamics::Stage& stage,
+                                         const Matrix3Xd& x, const Matrix3Xd& load, Guess& guess) const {
+    const model::BlockPattern& pattern = model_.body->pattern;
+    const solver::SymmetricSparse H = solver.hessian(stage, x);
+    const VectorXd b = model::gather(pattern, load);
+    const VectorXd p = solver.solve_linear(H, stage, x, b, guess.next(H, b));
+    if (!p.allFinite()) return {3, 0};
+    guess.add(p);
+    return model::scatter(pattern, p);
+}
+
 bool AdjointFollower::step(dynamics::StageSolver& solver, const StepRecord& record) {
     const model::Body& body = *model_.body;
-    const auto& [scheme, h, before, plain, by_lambda] = coefficients(record.scheme, record.h_s,
-                                                                     record.start.step_before_s);
+    const Known& known = coefficients(record.scheme, record.h_s, record.start.step_before_s);
+    const StepCoefficients &plain = known.plain, &by_lambda = known.by_velocity_force;
     const int stages = plain.stages();
-    const double middle_s = record.time_s + 0.5 * h;
+    const double middle_s = record.time_s + 0.5 * known.h;
     const model::MassMatrix& mass = solver.mass(middle_s);
     const auto rows_count = static_cast<std::size_t>(nodal_fields + stages);
     // Adjoints of the fields after the step and of the stage constants; momentum rows also multiplied by the mass.
@@ -165,19 +176,15 @@ bool AdjointFollower::step(dynamics::StageSolver& solver, const StepRecord& reco
     // Stages in reverse order. Implicit function theorem: the stage adjoint p solves H p = adjoint of the solution; p
     // is then the adjoint of the stage constant.
     for (int k = stages - 1; k >= 0; --k) {
-        const auto& [stage, solution] = record.solved[static_cast<std::size_t>(k)];
+        const dynamics::Stage& stage = record.solved[static_cast<std::size_t>(k)].stage;
+        const dynamics::StageSolution& solution = record.solved[static_cast<std::size_t>(k)].solution;
         const auto row = static_cast<std::size_t>(nodal_fields + k);
         Matrix3Xd load = column(nodal_fields + k);
         const VectorXd strain_load = strain_column(strain_fields + k);
         if (strain_load.size() > 0) add_to(load, 1.0, model::viscous_gradient(model_, solution.x, strain_load));
         if (load.size() == 0) load = Matrix3Xd::Zero(3, body.node_count());
-        Guess& guess = guesses_[static_cast<std::size_t>(k)];
-        const solver::SymmetricSparse H = solver.hessian(stage, solution.x);
-        const VectorXd b = model::gather(body.pattern, load);
-        const VectorXd p = solver.solve_linear(H, stage, solution.x, b, guess.next(H, b));
-        if (!p.allFinite()) return false;
-        guess.add(p);
-        rows[row] = model::scatter(body.pattern, p);
+        rows[row] = stage_adjoint(solver, stage, solution.x, load, guesses_[static_cast<std::size_t>(k)]);
+        if (rows[row].size() == 0) return false;
         mass_rows[row] = model::times_mass(rows[row], mass);
         if (model_.damping_s > 0.0)
             strain_rows[static_cast<std::size_t>(strain_fields + k)] = -model::strain_tangent(model_, solution.x,

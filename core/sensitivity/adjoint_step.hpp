@@ -72,6 +72,10 @@ private:
         StepCoefficients plain, by_velocity_force;
     };
     const Known& coefficients(const dynamics::TimeScheme& scheme, double h, double step_before);
+    /// Solves H p = load for the adjoint of a stage's constant at its solution x.
+    /// @return  p, 3 x n; without columns if the solve failed
+    Eigen::Matrix3Xd stage_adjoint(dynamics::StageSolver& solver, const dynamics::Stage& stage,
+                                   const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& load, Guess& guess) const;
 
     const model::Model& model_;
     bool with_strains_;  // whether strain adjoints are propagated

@@ -10,7 +10,6 @@ namespace myo::diagnosis::marker_scan_test {
 namespace {
 
 using Eigen::Index;
-using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 

@@ -62,7 +62,8 @@ prediction::TrialPrediction probed(const setup::Setup& setup, std::size_t trial,
                                    const prediction::TrialPrediction& unaffected, const Progress& progress) {
     const effect::EffectDeclaration& effect = values.effects.back();
     if (!effect::acts_on(site, effect.parameters)) return unaffected;
-    if (setup::changes_observation_only(effect)) return prediction::observe_trial(setup, trial, values, unaffected.trace);
+    if (setup::changes_observation_only(effect))
+        return prediction::observe_trial(setup, trial, values, unaffected.trace);
     return prediction::predict_trial(setup, trial, values, {}, progress.with_sink({}), unaffected.trace.path);
 }
 
