@@ -13,6 +13,8 @@ namespace {
 // Ticks at powers of ten whose exponent is a multiple of `every`, and at 2 and 5 times these if `between`.
 Ticks decade_ticks(double lowest, double highest, int every, bool between) {
     Ticks ticks{lowest, highest, {}, {}, {}};
+    // Plain decimals where all values are moderate, powers of ten otherwise: one axis does not mix them.
+    const bool plain = lowest >= 0.01 * (1 - 1e-12) && highest < 1e4 * (1 - 1e-12);
     for (int k = static_cast<int>(std::floor(std::log10(lowest))); k <= std::ceil(std::log10(highest)); ++k) {
         if (k % every != 0) continue;
         for (const int factor : {1, 2, 5}) {
@@ -21,8 +23,7 @@ Ticks decade_ticks(double lowest, double highest, int every, bool between) {
             // The tolerance keeps ticks at the ends of the range.
             if (value < lowest * (1 - 1e-12) || value > highest * (1 + 1e-12)) continue;
             ticks.values.push_back(std::clamp(value, lowest, highest));
-            // Plain decimals for moderate values, powers of ten otherwise.
-            if (k >= -2 && k <= 3)
+            if (plain)
                 ticks.labels.push_back(fixed_decimals(value, std::max(0, -k)));
             else
                 ticks.labels.push_back((factor == 1 ? std::string{} : std::to_string(factor) + "·") + power_of_ten(k));

@@ -101,7 +101,7 @@ TEST(LinearTicks, SurviveEveryDegenerateRange) {
 }
 
 TEST(LogarithmicTicks, AreDecadesAndFillShortRanges) {
-    EXPECT_EQ(logarithmic_ticks(1e-4, 1e-1, 5).labels, (std::vector<std::string>{"10⁻⁴", "10⁻³", "0.01", "0.1"}));
+    EXPECT_EQ(logarithmic_ticks(1e-4, 1e-1, 5).labels, (std::vector<std::string>{"10⁻⁴", "10⁻³", "10⁻²", "10⁻¹"}));
     EXPECT_EQ(logarithmic_ticks(1.0, 60.0, 5).labels, (std::vector<std::string>{"1", "2", "5", "10", "20", "50"}));
     const Ticks wide = logarithmic_ticks(1e-12, 1e12, 5);
     EXPECT_LE(wide.values.size(), 7u);
