@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds everything, and runs all tests in one run of ctest: style, the Release build's, those of
-# the numerical modules once more with assertions and sanitizers. Ends with ctest's summary; its exit code is the
-# verdict.
+# Installs what is missing, builds everything, and runs all tests in one run of ctest: the style of the sources, the
+# tests of the Release build, and those of the numerical modules once more with assertions and sanitizers. Ends with
+# ctest's summary; its exit code is the verdict.
 set -euo pipefail
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
 release=$root/build

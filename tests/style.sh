@@ -54,7 +54,10 @@ echo "layout: ${#sources[@]} files"
 unused_using() {
   awk '
     function report() {
-      for (name in declared) if (seen[name] < 2) { print file ": error: using-declaration of " name " is not used"; found = 1 }
+      for (name in declared) if (seen[name] < 2) {
+        print file ": error: using-declaration of " name " is not used"
+        found = 1
+      }
       delete declared; delete seen; file = FILENAME
     }
     FNR == 1 { report() }

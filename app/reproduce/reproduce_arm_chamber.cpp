@@ -247,7 +247,7 @@ std::vector<double> sweep_pressures(const std::vector<RobotTrial>& trials) {
 }
 
 Result<Reproduction> run_arm_chamber(const ReproduceSettings& settings, const Progress& progress) {
-    // The same edge length for chambers and muscle models, so that they are comparable.
+    // Chambers and muscle models have one edge length, so that they are comparable.
     const double edge = settings.coarse ? 9e-3 : 5e-3;
     const Result<ChamberedArm> arm = make_chambered_arm(settings, edge);
     if (!arm) return arm.error();

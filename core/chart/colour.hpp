@@ -25,7 +25,7 @@ constexpr Colour colour_of(std::string_view hex) {
 /// The text "#rrggbb" of a colour, without its opacity.
 std::string hex_of(const Colour& colour);
 
-/// The same colour with its opacity multiplied by `factor`.
+/// Returns the colour with its opacity multiplied by `factor`.
 constexpr Colour faded(const Colour& colour, double factor) { return {colour.rgb, factor * colour.opacity}; }
 
 /// Colours of a chart by role. Pages use print_palette(); the window converts its theme.

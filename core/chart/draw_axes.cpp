@@ -31,6 +31,15 @@ Stroke dashed(Stroke line) {
     return line;
 }
 
+/// The part of a span that the axis shows, as pixels along it; empty (from >= to) outside the axis.
+struct VisiblePart {
+    double from, to;
+};
+VisiblePart visible_part(const Span& span, const Layout& layout, const Rectangle& area) {
+    return {std::clamp(layout.x.scale(span.from), area.left, area.right()),
+            std::clamp(layout.x.scale(span.to), area.left, area.right())};
+}
+
 }  // namespace
 
 Stroke straight(double x1, double y1, double x2, double y2, const Colour& colour, double width) {
@@ -150,8 +159,7 @@ void draw_span_shades(const Panel& panel, const PlacedPanel& placed, const Layou
                       Drawing& drawing) {
     const Rectangle& area = placed.area;
     for (const Span& span : panel.spans) {
-        const double from = std::clamp(layout.x.scale(span.from), area.left, area.right());
-        const double to = std::clamp(layout.x.scale(span.to), area.left, area.right());
+        const auto [from, to] = visible_part(span, layout, area);
         if (to > from) drawing.marks.push_back(Box{{from, area.top, to - from, area.height}, palette.shade});
     }
 }
@@ -160,8 +168,7 @@ void draw_span_labels(const Panel& panel, const PlacedPanel& placed, const Layou
                       Drawing& drawing) {
     const Rectangle& area = placed.area;
     for (const Span& span : panel.spans) {
-        const double from = std::clamp(layout.x.scale(span.from), area.left, area.right());
-        const double to = std::clamp(layout.x.scale(span.to), area.left, area.right());
+        const auto [from, to] = visible_part(span, layout, area);
         if (to > from)
             drawing.marks.push_back(Text{{from + axis_look.remark, area.bottom() - 10.0},
                                          span.label,

@@ -47,7 +47,7 @@ TEST_F(MissedTarget, NamesTheWorstMarkersFirst) {
     const double shifts[] = {1e-3, 4e-3, 2.1e-3, 1.9e-3};
     for (std::size_t m = 0; m < 4; ++m) prediction.residual_m[m].row(2).setConstant(shifts[m]);
     const TargetMiss miss = target_miss(setup_, run(prediction));
-    // Those with at least half of the largest error.
+    // Markers with at least half of the largest error are named.
     ASSERT_EQ(miss.markers.size(), 2u);
     EXPECT_EQ(miss.markers[0].name, "tip_right");
     EXPECT_EQ(miss.markers[1].name, "tip_low");

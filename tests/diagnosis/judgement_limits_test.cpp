@@ -123,7 +123,7 @@ TEST(JudgementLimits, AnAmountDiffersFromZeroByDeviations) {
     EXPECT_TRUE(differs_from_zero(fit, policy));
 }
 
-/// Of an effect with several numbers only the first one, its amount, counts; of several effects each.
+/// An effect with several numbers is judged by its first one, the amount; several effects by the amount of each.
 TEST(JudgementLimits, EveryTriedEffectHasToDiffer) {
     JointFit fit;
     const effect::EffectDeclaration drag{"quadratic_drag", {{"coefficient_kg_m3", 30.0}, {"place", 0.1}}};

@@ -99,7 +99,8 @@ TEST(ProbeScore, HasNonlinearStartsBeyondTheResidual) {
     EXPECT_LT(compensated.nonlinear[0].step(0), 0.0) << "the modulus moves against the start";
 }
 
-/// Of a probe with columns in several directions: the best combination, and a hardly observable one gets hardly any.
+/// A probe with columns in several directions gets their best combination; a hardly observable direction gets hardly
+/// any share of it.
 TEST(ProbeScore, JoinsItsColumnsAndDampsHardlyObservableOnes) {
     effect::EffectProbe probe;
     probe.columns = {{{amount, 1.0}}, {{amount, 1.0}}};
