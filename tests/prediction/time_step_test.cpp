@@ -122,5 +122,23 @@ TEST(TimeStep, IsHalfAnIntervalWhereNothingSwings) {
     EXPECT_LT(step.trace_error_m, 1e-4 / 3.0);
 }
 
+/// Where no vibration is seen, the error follows from two runs (Richardson); it is compared with the difference to a run
+/// with a step of a tenth. The fast components of the release are stiff, so that the order is not yet exactly two.
+TEST(TimeStep, StatesTheErrorOfAMotionThatCreeps) {
+    const test::Folder folder("creeping");
+    setup::Setup setup = test::swung_beam(folder, 0.3);
+    ParameterValues values = declared_values(setup);
+    values.damping_s = 0.1;
+    const setup::TrialStep step = choose_steps(setup, values).front();
+    ASSERT_EQ(step.vibration_Hz, 0.0);
+    const auto run = [&](double h_s) {
+        setup::set_step(setup.trials.front(), h_s);
+        return predict_trial(setup, 0, values);
+    };
+    const double actual_m = rms_between(run(step.h_s), run(0.1 * step.h_s));
+    EXPECT_GT(step.trace_error_m, 0.7 * actual_m);
+    EXPECT_LT(step.trace_error_m, 2.0 * actual_m);
+}
+
 }  // namespace
 }  // namespace myo::prediction
