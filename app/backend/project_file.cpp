@@ -8,6 +8,7 @@
 #include "backend/project_masks.hpp"
 #include "base/files.hpp"
 #include "commands/settings.hpp"
+#include "experiment/effect_toml.hpp"
 #include "fibre/painted_mask.hpp"
 #include "material/catalogue.hpp"
 #include "mesh/cell_traits.hpp"
@@ -32,15 +33,6 @@ constexpr ViewSwitch view_switches[] = {
     {"trails", &ui::commands::ViewOptions::trails},     {"errors", &ui::commands::ViewOptions::errors},
     {"labels", &ui::commands::ViewOptions::labels},     {"clamp", &ui::commands::ViewOptions::clamp},
     {"fibres", &ui::commands::ViewOptions::fibres},     {"effect_force", &ui::commands::ViewOptions::effect_force}};
-
-/// Value of an effect parameter as TOML: number, text, or an array of either.
-std::string effect_value(const effect::EffectParameter& value) {
-    if (const auto* const one = std::get_if<double>(&value)) return toml::toml_number(*one);
-    if (const auto* const word = std::get_if<std::string>(&value)) return toml::toml_text(*word);
-    if (const auto* const words = std::get_if<std::vector<std::string>>(&value))
-        return toml::toml_list(*words, toml::toml_text);
-    return toml::toml_list(std::get<Eigen::VectorXd>(value), toml::toml_number);
-}
 
 /// Relative path if it is at most three levels up, else the absolute one.
 std::string seen_from(const fs::path& path, const fs::path& folder) {
@@ -75,7 +67,7 @@ std::string settings_text(const ui::commands::Settings& s) {
                 "\nname = " + toml::toml_text(effect.name) + "\nvalue = " + toml::toml_text(effect.value) +
                 "\n[effect.parameters]\n";
         for (const auto& [name, value] : effect.declaration.parameters)
-            text += toml::toml_text(name) + " = " + effect_value(value) + "\n";
+            text += toml::toml_text(name) + " = " + experiment::effect_toml(value) + "\n";
     }
     return text;
 }

@@ -4,37 +4,17 @@
 #include <regex>
 
 #include "base/files.hpp"
+#include "experiment/effect_toml.hpp"
 
 namespace myo::diagnosis {
 namespace {
 
-std::string toml_number(double value) {
+/// Number with the digits that a fit determines at most, for a file that people read.
+std::string short_number(double value) {
     char text[40];
     std::snprintf(text, sizeof text, "%.8g", value);
     // TOML distinguishes integers: 3 is not 3.0.
     return std::string(text).find_first_of(".e") == std::string::npos ? std::string(text) + ".0" : std::string(text);
-}
-
-std::string quoted(const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') result += '\\';
-        result += c;
-    }
-    return result + "\"";
-}
-
-std::string toml_value(const effect::EffectParameter& value) {
-    if (const auto* const number = std::get_if<double>(&value)) return toml_number(*number);
-    if (const auto* const name = std::get_if<std::string>(&value)) return quoted(*name);
-    std::string list;
-    if (const auto* const names = std::get_if<std::vector<std::string>>(&value)) {
-        for (const std::string& name : *names) list += (list.empty() ? "" : ", ") + quoted(name);
-    } else {
-        for (const double number : std::get<Eigen::VectorXd>(value))
-            list += (list.empty() ? "" : ", ") + toml_number(number);
-    }
-    return "[" + list + "]";
 }
 
 /// Path relative to `folder` of a file that is given relative to `home`.
@@ -53,8 +33,9 @@ std::string seen_from(const std::filesystem::path& file, const std::filesystem::
 std::string effect_tables(const std::vector<effect::EffectDeclaration>& effects, bool calibrate) {
     std::string text;
     for (const effect::EffectDeclaration& effect : effects) {
-        text += "\n[[effect]]\nid = " + quoted(effect.id) + "\n";
-        for (const auto& [name, value] : effect.parameters) text += name + " = " + toml_value(value) + "\n";
+        text += "\n[[effect]]\nid = " + toml::toml_text(effect.id) + "\n";
+        for (const auto& [name, value] : effect.parameters)
+            text += name + " = " + experiment::effect_toml(value, short_number) + "\n";
         if (calibrate) text += "calibrate = true\n";
     }
     return text;
@@ -72,7 +53,7 @@ Result<std::string> augmented_experiment(const std::filesystem::path& written,
         result.append(from, (*match)[0].first);
         const std::string name = (*match)[3].str();
         result += (*match)[1].str() + (*match)[2].str() +
-                  quoted(seen_from(name.substr(1, name.size() - 2), written.parent_path(), folder));
+                  toml::toml_text(seen_from(name.substr(1, name.size() - 2), written.parent_path(), folder));
         from = (*match)[0].second;
     }
     result.append(from, text->cend());
