@@ -122,8 +122,8 @@ TEST(TimeStep, IsHalfAnIntervalWhereNothingSwings) {
     EXPECT_LT(step.trace_error_m, 1e-4 / 3.0);
 }
 
-/// Where no vibration is seen, the error follows from two runs (Richardson); it is compared with the difference to a run
-/// with a step of a tenth. The fast components of the release are stiff, so that the order is not yet exactly two.
+/// Where no vibration is seen, the error follows from two runs (Richardson); it is compared with the difference to a
+/// run with a step of a tenth. The fast components of the release are stiff, so that the order is not yet exactly two.
 TEST(TimeStep, StatesTheErrorOfAMotionThatCreeps) {
     const test::Folder folder("creeping");
     setup::Setup setup = test::swung_beam(folder, 0.3);
