@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "effect/effect.hpp"
+#include "experiment/robot_parts.hpp"
 #include "fibre/painted_mask.hpp"
 #include "fibre/polyline.hpp"
 #include "fibre/signal.hpp"
@@ -132,11 +133,17 @@ enum class TrialRole { fit, validate };
 /// State at t = 0: the undeformed body at rest, or static equilibrium under the loads of t = 0.
 enum class StartState { straight, equilibrium };
 
-/// Actuation that was not recorded: the muscle switches at t = 0 to a level that is given, or free (empty optional) and
-/// then calibrated per trial.
+/// Actuation that was not recorded: the actuator switches at t = 0 to a level that is given, or free (empty optional)
+/// and then calibrated per trial.
 struct ActuationStep {
-    std::string muscle;           // name of a declared muscle that follows none
-    std::optional<double> level;  // fibre stretch a after the step [-]
+    std::string muscle;           // name of a muscle that follows none, a chamber or a tendon
+    std::optional<double> level;  // after the step: fibre stretch a [-], pressure [Pa], tension [N] or shortening [m]
+};
+
+/// Command of an actuator that is constant over a trial and before it.
+struct ConstantCommand {
+    std::string actuator;  // name of a muscle, chamber or tendon
+    double value = 0.0;    // activation a, pressure [Pa], tension [N] or shortening [m]
 };
 
 /// One recorded run: its files, its time window, its actuation and its loads.
@@ -150,9 +157,13 @@ struct TrialDeclaration {
     double session_time_s = 0.0;                     // time of the trial within the session, for effects that drift
     std::optional<std::filesystem::path> actuation;  // recorded a(t) per muscle, resolved
     std::vector<ActuationStep> actuation_steps;
-    std::optional<double> start_s;            // file time that is t = 0
-    std::optional<double> end_s;              // file time of the last compared sample
-    std::map<std::string, double> condition;  // test conditions by name; free levels are interpolated over them
+    std::vector<ConstantCommand> constant_commands;
+    bool hold = false;  // at rest all along: all samples are measurements of one pose; `start` is not used
+    std::optional<std::filesystem::path> sensors;  // recorded columns of the sensors, resolved
+    std::map<std::string, double> sensor_values;   // readings of a hold, by column name
+    std::optional<double> start_s;                 // file time that is t = 0
+    std::optional<double> end_s;                   // file time of the last compared sample
+    std::map<std::string, double> condition;       // test conditions by name; free levels are interpolated over them
     std::vector<LoadDeclaration> loads;
 };
 
@@ -166,6 +177,12 @@ struct Experiment {
     MaterialDeclaration material;
     Eigen::Vector3d gravity_m_s2{0.0, 0.0, -9.81};  // mesh frame
     std::vector<MuscleDeclaration> muscles;
+    std::vector<ChamberDeclaration> chambers;
+    std::vector<TendonDeclaration> tendons;
+    std::vector<PartDeclaration> parts;
+    MountMotion mount = MountMotion::fixed;
+    std::vector<ObstacleDeclaration> obstacles;
+    std::vector<SensorDeclaration> sensors;
     RegistrationDeclaration registration;
     MarkersDeclaration markers;
     std::vector<TrialDeclaration> trials;

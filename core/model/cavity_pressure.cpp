@@ -75,6 +75,11 @@ public:
         }
     }
 
+    const fibre::Signal* command() const override { return &pressure_; }
+    ForceElementPointer with_command(fibre::Signal pressure_Pa) const override {
+        return std::make_shared<CavityPressure>(walls_, std::move(pressure_Pa));
+    }
+
     std::vector<ForceParameter> parameters() const override {
         std::vector<ForceParameter> knots;
         double largest = 0.0;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "fibre/signal.hpp"
 #include "model/internal_forces.hpp"
 
 namespace myo::model {
@@ -44,6 +45,12 @@ public:
     /// Adds the derivative of the gradient along dv [m/s] at fixed positions; a symmetric operator on dv.
     virtual void add_velocity_tangent(const Body&, const ForceState&, const Eigen::Matrix3Xd&,
                                       Eigen::Matrix3Xd&) const {}
+
+    /// Signal that drives the element: pressure of a chamber, tension or shortening of a tendon. Its knots are the
+    /// first parameters. Null: none.
+    virtual const fibre::Signal* command() const { return nullptr; }
+    /// Copy with another command; null if the element has none.
+    virtual std::shared_ptr<const ForceElement> with_command(fibre::Signal) const { return nullptr; }
 
     /// Parameters in the order of changed() and add_tangent().
     virtual std::vector<ForceParameter> parameters() const = 0;

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "mesh/surface_mesh.hpp"
+
+namespace myo::experiment {
+
+// What a soft robot has beyond one material, muscles and a clamp, as declared. SI units, mesh frame.
+
+/// Closed cavity inside the body, under gauge pressure.
+struct ChamberDeclaration {
+    std::string name;          // its column of an actuation file is "<name>_Pa"
+    Eigen::Vector3d inside_m;  // any point of the cavity [m]
+};
+
+/// What the motor of a tendon prescribes: the tension [N], or the length it takes in from the rest length [m].
+enum class TendonDrive { tension, shortening };
+
+/// Thread that pulls the body together along its path; it never pushes. The motor is at the first guide, the anchor at
+/// the last; between guides the thread is straight.
+struct TendonDeclaration {
+    std::string name;         // its column of an actuation file is "<name>_N" or "<name>_m"
+    Eigen::Matrix3Xd path_m;  // guides at rest, 3 x n, n >= 2
+    TendonDrive drive = TendonDrive::tension;
+    std::optional<double> stiffness_N_m;  // of the whole thread, for `shortening`; absent: it does not stretch
+    double friction = 0.0;                // capstan coefficient at the guides, >= 0
+};
+
+/// Part of the body with a material of its own; of parts that overlap, the later one counts.
+struct PartDeclaration {
+    /// Cells with a number of a volume mesh.
+    struct Region {
+        int number = 0;
+    };
+    std::string name;
+    std::variant<Box, std::filesystem::path, Region> place;  // a path: closed surface in the geometry's unit and frame
+    double youngs_modulus_Pa = 0.0;                          // > 0
+    double youngs_modulus_tolerance = 0.3;                   // relative half-width
+    double poissons_ratio = 0.0;                             // strictly between 0 and 0.5
+    double density_kg_m3 = 0.0;                              // > 0
+    std::optional<double> damping_s;                         // Kelvin-Voigt damping time [s]; absent: the material's
+    std::vector<std::string> calibrate;                      // parameters to fit: of youngs_modulus, damping
+};
+
+/// How the clamped region moves: not at all, or rigidly as the fixed markers were seen to.
+enum class MountMotion { fixed, markers };
+
+/// Rigid obstacle that stands still.
+struct ObstacleDeclaration {
+    struct Plane {
+        Eigen::Vector3d point_m;
+        Eigen::Vector3d normal;  // unit, towards the body
+    };
+    struct Sphere {
+        Eigen::Vector3d centre_m;
+        double radius_m = 0.0;  // > 0
+    };
+    std::variant<Plane, Sphere, Box> shape;
+    double friction = 0.0;  // Coulomb coefficient, >= 0
+};
+
+/// What a sensor beside the markers measures.
+enum class SensorKind { reaction, chamber_volume, tendon_tension, tendon_shortening };
+
+/// Sensor that is compared, weighed and fitted like the markers.
+struct SensorDeclaration {
+    std::string name;  // heads its columns: "<name>_x_N" ..., "<name>_m3", "<name>_N", "<name>_m"
+    SensorKind kind = SensorKind::reaction;
+    std::string of;      // chamber or tendon; empty for a reaction
+    double noise = 0.0;  // 1 sigma in the unit of the column, > 0
+};
+
+}  // namespace myo::experiment
