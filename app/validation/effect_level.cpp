@@ -20,14 +20,14 @@ double rms(const Eigen::VectorXd& residual) {
 /// With a margin, because the truth is simulated on another mesh.
 bool is_visible(double level) { return level > 1.05 * min_level && level < 0.95 * max_level; }
 
-/// Recalibration by secant updates of the Jacobian without the effect.
-inverse::LeastSquaresOptions recalibration(int evaluations) {
-    inverse::LeastSquaresOptions options;
-    options.max_evaluations = evaluations;
-    options.relative_decrease = 0.03;
-    options.relative_step = 1e-4;
-    options.max_jacobians = 0;
-    return options;
+/// Recalibration of a few percent, by secant updates of the Jacobian without the effect.
+constexpr diagnosis::Effort recalibration{max_evaluations, 0.03, 0};
+constexpr diagnosis::Effort first_fit{1, 0.03, 1};
+
+diagnosis::DiagnosisPolicy recalibration_policy() {
+    diagnosis::DiagnosisPolicy policy;
+    policy.fits.relative_step = 1e-4;
+    return policy;
 }
 
 }  // namespace
@@ -38,10 +38,9 @@ EffectLevel::EffectLevel(const SyntheticCase& c, setup::Setup setup, const Progr
     data_ = diagnosis::fit_data(setup_, prediction::trials_with_role(setup_, experiment::TrialRole::fit));
     without_ = true_values(c, setup_);
     without_.effects.clear();
-    inverse::LeastSquaresOptions there = recalibration(1);
-    there.max_jacobians = 1;
-    const diagnosis::JointFit fit = diagnosis::joint_fit(setup_, data_, without_, diagnosis::EffectFreedom::all, there,
-                                                         {}, progress_);
+    const diagnosis::DiagnosisPolicy policy = recalibration_policy();
+    const diagnosis::JointFit fit = diagnosis::joint_fit(
+        {setup_, data_, without_, policy, diagnosis::EffectFreedom::all, first_fit}, progress_);
     if (!fit.usable()) return;
     warm_start_ = diagnosis::warm_start_of(fit);
     recalibrated_.emplace(warm_start_.columns);
@@ -64,8 +63,9 @@ double EffectLevel::fitted(const Level& level) const {
     setup::Setup seen = setup_;
     for (std::size_t i = 0; i < data_.trials.size(); ++i)
         seen.trials[data_.trials[i]].measured.tracks = level.with[i].positions_m;
-    const diagnosis::JointFit fit = diagnosis::joint_fit(seen, data_, without_, diagnosis::EffectFreedom::all,
-                                                         recalibration(max_evaluations), warm_start_, progress_);
+    const diagnosis::DiagnosisPolicy policy = recalibration_policy();
+    const diagnosis::JointFit fit = diagnosis::joint_fit(
+        {seen, data_, without_, policy, diagnosis::EffectFreedom::all, recalibration, warm_start_}, progress_);
     return fit.usable() && fit.residual.allFinite() ? rms(fit.residual) : 0.0;
 }
 

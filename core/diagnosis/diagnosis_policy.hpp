@@ -29,9 +29,6 @@ struct NumericsPolicy {
     /// Relative residual of the linear systems of derivatives: a fit needs the direction of a step, not all digits.
     double tangent_tolerance = 1e-4;
 
-    /// Relative distance to a bound within which a value counts as at the bound.
-    double at_bound = 1e-6;
-
     /// Steps are lengthened while predictions change by at most this [noise levels, rms]: so small an error follows
     /// its order and can be removed. The limit is this share of the residual of the declared fit if that is more: a law
     /// of another form than an effect's leaves a twentieth.
@@ -223,6 +220,8 @@ struct JudgementPolicy {
     /// differences are divided by this for the weights. The most likely value for pairs of effects of seed 1 that both
     /// explained their case is 15 to 30. See evidence_weights().
     double temperature = 16.0;
+    /// Relative distance to a bound within which a value counts as at the bound.
+    double at_bound = 1e-6;
     /// Odds against an effect at its bound, compared with one within its bounds that fits equally well.
     double odds_against_bounds = 4.0;
     /// Guard between blocks of time in cross-validation [s]: the longest correlation time of a residual.
@@ -286,8 +285,12 @@ struct MissingForcePolicy {
     double first_share = 0.1;
     double share_factor = 2.0;
     int max_runs = 8;
-    double noise_margin = 1.02;  // the search ends at this multiple of the squared noise
-    double min_gain = 0.97;      // a run that leaves a larger share of the squared residual is the last
+    /// The largest squared residual that may be noise: its expectation times the first value, because the noise is
+    /// known to a few percent only, plus this many standard deviations. The search ends at the third value times that.
+    double noise_doubt = 1.05;
+    double noise_deviations = 2.0;
+    double noise_margin = 1.02;
+    double min_gain = 0.97;  // a run that leaves a larger share of the squared residual is the last
     /// Factor of the smallest squared residual that a linear response can reach, the lowest target: the last percents
     /// need the largest forces.
     double reachable = 1.1;
@@ -320,6 +323,5 @@ struct DiagnosisPolicy {
     VerdictPolicy verdict;
     MissingForcePolicy force;
 };
-inline constexpr DiagnosisPolicy diagnosis_policy;
 
 }  // namespace myo::diagnosis

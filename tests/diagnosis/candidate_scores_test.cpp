@@ -30,14 +30,18 @@ const std::vector<EffectScore> patches_and_drag{
 /// A fit of each effect starts from the best of its probes, where that promises anything.
 TEST(CandidateScores, TheBestProbeOfEachOfTheBestEffectsIsWorthAFit) {
     ASSERT_TRUE(patches_and_drag[0].usable());
-    EXPECT_THAT(best_probes(patches_and_drag, 8), ElementsAre(4, 1, 7));
-    EXPECT_THAT(best_probes(patches_and_drag, 2), ElementsAre(4, 1));
+    EXPECT_THAT(best_probes(patches_and_drag, 8, ScreeningPolicy{}), ElementsAre(4, 1, 7));
+    EXPECT_THAT(best_probes(patches_and_drag, 2, ScreeningPolicy{}), ElementsAre(4, 1));
 }
 
 /// Then from the next best ones that promise half as much.
 TEST(CandidateScores, OtherPlacesAreTheNextBestProbes) {
-    EXPECT_THAT(other_places(patches_and_drag, [](const std::string&) { return true; }), ElementsAre(2, 3));
-    EXPECT_THAT(other_places(patches_and_drag, [](const std::string& id) { return id != "soft_patch"; }), IsEmpty())
+    EXPECT_THAT(other_places(
+                    patches_and_drag, [](const std::string&) { return true; }, ScreeningPolicy{}),
+                ElementsAre(2, 3));
+    EXPECT_THAT(other_places(
+                    patches_and_drag, [](const std::string& id) { return id != "soft_patch"; }, ScreeningPolicy{}),
+                IsEmpty())
         << "0.39 is less than half of 0.8";
 }
 

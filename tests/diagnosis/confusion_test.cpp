@@ -26,7 +26,7 @@ Candidate candidate(const std::string& id, Eigen::Index axis, const Eigen::Vecto
 Diagnosis of(const std::vector<Candidate>& candidates) {
     Diagnosis d;
     d.declared.fit.residual = Eigen::Vector3d::Ones();
-    d.confusions = find_confusions(candidates, d.declared.fit, diagnosis_policy.confusion);
+    d.confusions = find_confusions(candidates, d.declared.fit, ConfusionPolicy{});
     d.candidates = with_confusions(candidates, d.confusions);
     return d;
 }
@@ -87,11 +87,11 @@ Candidate at_cosine(const std::string& id, double cosine) {
 
 std::size_t confusions(const Candidate& a, const Candidate& b) {
     const JointFit declared = test::made_fit(Eigen::Vector3d::Ones(), Eigen::Vector3d::Zero());
-    return find_confusions({a, b}, declared, diagnosis_policy.confusion).size();
+    return find_confusions({a, b}, declared, ConfusionPolicy{}).size();
 }
 
 TEST(Confusion, BeginsAtACosine) {
-    const double limit = diagnosis_policy.confusion.min_cosine;
+    const double limit = ConfusionPolicy{}.min_cosine;
     for (const double sign : {1.0, -1.0}) {
         EXPECT_EQ(
             confusions(at_cosine("linear_drag", 1.0), at_cosine("quadratic_drag", sign * confusion_above * limit)), 1u);
@@ -102,7 +102,7 @@ TEST(Confusion, BeginsAtACosine) {
 
 TEST(Confusion, IsOfEffectsThatPredictAComparableReduction) {
     Candidate strong = at_cosine("linear_drag", 1.0), weak = at_cosine("quadratic_drag", 1.0);
-    const double limit = diagnosis_policy.confusion.min_reduction * strong.score.test.explained;
+    const double limit = ConfusionPolicy{}.min_reduction * strong.score.test.explained;
     weak.score.test.explained = confusion_above * limit;
     EXPECT_EQ(confusions(strong, weak), 1u);
     weak.score.test.explained = confusion_below * limit;
@@ -113,7 +113,7 @@ TEST(Confusion, IsOfEffectsThatPredictAComparableReduction) {
 }
 
 TEST(Confusion, OfFitsNeedsAComparableWeight) {
-    const double limit = diagnosis_policy.confusion.comparable_weight;
+    const double limit = ConfusionPolicy{}.comparable_weight;
     const Eigen::Vector3d same(1.0, 0.0, 0.0);
     const Candidate first = candidate("clock_offset", 0, same, 0.6);
     EXPECT_EQ(confusions(first, candidate("actuation_delay", 1, same, confusion_above * limit)), 1u);
@@ -127,7 +127,7 @@ TEST(Confusion, OfFitsNeedsAComparableWeight) {
 TEST(Confusion, ProposesAnExperiment) {
     const auto proposal = [](const std::string& first, const std::string& second) {
         const JointFit declared = test::made_fit(Eigen::Vector3d::Ones(), Eigen::Vector3d::Zero());
-        return find_confusions({at_cosine(first, 1.0), at_cosine(second, 1.0)}, declared, diagnosis_policy.confusion)
+        return find_confusions({at_cosine(first, 1.0), at_cosine(second, 1.0)}, declared, ConfusionPolicy{})
             .at(0)
             .next_experiment;
     };

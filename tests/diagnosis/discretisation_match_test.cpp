@@ -28,12 +28,12 @@ struct Matched {
         : setup(short_swing(folder)),
           data(fit_data(setup, {0})),
           fit(test::unmoved_fit(setup, data, prediction::declared_values(setup))),
-          refinement(refined(setup, refine_mesh, diagnosis_policy.numerics, {})) {
-        plain = error_at(setup, refinement, fit.values, data.trials, nullptr, {});
+          refinement(refined(setup, refine_mesh, NumericsPolicy{}, {})) {
+        plain = error_at({setup, refinement, fit.values, data.trials}, NumericsPolicy{}, {});
         error = plain;
         for (int step = 0; step < 3; ++step) {
-            matched = match_discretisation(data, fit, error);
-            error = error_at(setup, refinement, fit.values, data.trials, nullptr, {}, &matched);
+            matched = match_discretisation(data, fit, error, NumericsPolicy{});
+            error = error_at({setup, refinement, fit.values, data.trials, nullptr, &matched}, NumericsPolicy{}, {});
         }
     }
 
@@ -60,7 +60,9 @@ TEST(MatchedValues, MoveAsPredictedAtTheLimitOfTheStep) {
     for (setup::PreparedTrial& trial : finest.trials) trial.options.h_s *= 0.125;
     const VectorXd coarse = of.motion(of.setup, of.fit.values);
     const VectorXd predicted = coarse + flat_shift(of.data, of.error.shift);
-    const double left = (of.motion(finest, extrapolated_values(of.fit, of.matched, of.error.mesh_factor)) - predicted)
+    const double left = (of.motion(finest,
+                                   extrapolated_values(of.fit, of.matched, of.error.mesh_factor, NumericsPolicy{})) -
+                         predicted)
                             .norm();
     const double was = (of.motion(finest, of.fit.values) - coarse).norm();
     test::record("left", left / was);
@@ -69,8 +71,10 @@ TEST(MatchedValues, MoveAsPredictedAtTheLimitOfTheStep) {
 
 TEST(MatchedValues, GiveOnePredictionWhateverTheValuesItIsWrittenFor) {
     const Matched of(true);
-    const prediction::ParameterValues limit = extrapolated_values(of.fit, of.matched, of.error.mesh_factor);
-    const NumericalError there = error_at(of.setup, of.refinement, limit, of.data.trials, nullptr, {}, &of.matched);
+    const prediction::ParameterValues limit = extrapolated_values(of.fit, of.matched, of.error.mesh_factor,
+                                                                  NumericsPolicy{});
+    const NumericalError there = error_at({of.setup, of.refinement, limit, of.data.trials, nullptr, &of.matched},
+                                          NumericsPolicy{}, {});
     const VectorXd at_fit = of.motion(of.setup, of.fit.values) + flat_shift(of.data, of.error.shift);
     const VectorXd at_limit = of.motion(of.setup, limit) + flat_shift(of.data, there.shift);
     EXPECT_LT((at_limit - at_fit).norm(), 1e-6 * at_fit.norm());

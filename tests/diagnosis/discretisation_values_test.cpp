@@ -20,22 +20,26 @@ JointFit fit() { return test::made_fit(VectorXd::Ones(samples), 10.0 * VectorXd:
 PredictionShift shift_of(const VectorXd& over_noise) { return test::made_shift({test::made_noise_m * over_noise}); }
 
 TEST(DiscretisationValues, StepErrorsFallWithTheSquare) {
-    EXPECT_NEAR(step_extrapolation(), 4.0 / 3.0, 1e-15) << "half the step has a quarter of the error";
+    EXPECT_NEAR(step_extrapolation(NumericsPolicy{}), 4.0 / 3.0, 1e-15) << "half the step has a quarter of the error";
+    NumericsPolicy first_order;
+    first_order.step_order = 1.0;
+    EXPECT_NEAR(step_extrapolation(first_order), 2.0, 1e-15);
 }
 
 /// A finer mesh that moves like a modulus higher by 5 %: the parameters undo it, the rest they leave.
 TEST(DiscretisationValues, MatchUndoesWhatTheModulusCan) {
     const FitData data = test::made_data(samples);
     NumericalError error;
-    error.step_shift = shift_of(step_extrapolation() * 0.3 * VectorXd::Unit(samples, 0));
+    error.step_shift = shift_of(step_extrapolation(NumericsPolicy{}) * 0.3 * VectorXd::Unit(samples, 0));
     error.mesh_change = shift_of(0.5 * VectorXd::Unit(samples, 0) + 2.0 * VectorXd::Unit(samples, 2));
-    const MatchedValues matched = match_discretisation(data, fit(), error);
+    const MatchedValues matched = match_discretisation(data, fit(), error, NumericsPolicy{});
     EXPECT_NEAR(matched.setup.youngs_modulus_Pa, E, 1e-9);
     EXPECT_NEAR(matched.finer_step.youngs_modulus_Pa, 0.97 * E, 1e-6);
     EXPECT_NEAR(matched.finer_mesh.youngs_modulus_Pa, 0.95 * E, 1e-6);
     // The next iteration starts from the matched values.
     error.matched = matched;
-    EXPECT_NEAR(match_discretisation(data, fit(), error).finer_mesh.youngs_modulus_Pa, 0.90 * E, 1e-6);
+    EXPECT_NEAR(match_discretisation(data, fit(), error, NumericsPolicy{}).finer_mesh.youngs_modulus_Pa, 0.90 * E,
+                1e-6);
 }
 
 TEST(DiscretisationValues, MatchStaysWithinTheBounds) {
@@ -43,7 +47,7 @@ TEST(DiscretisationValues, MatchStaysWithinTheBounds) {
     error.step_shift = shift_of(VectorXd::Zero(samples));
     error.mesh_change = shift_of(9.0 * VectorXd::Unit(samples, 0));
     const FitData data = test::made_data(samples);
-    EXPECT_NEAR(match_discretisation(data, fit(), error).finer_mesh.youngs_modulus_Pa, 0.5 * E, 1e-6);
+    EXPECT_NEAR(match_discretisation(data, fit(), error, NumericsPolicy{}).finer_mesh.youngs_modulus_Pa, 0.5 * E, 1e-6);
 }
 
 /// The limit lies 4/3 of the change beyond by the step, and by the factor of the mesh.
@@ -52,7 +56,8 @@ TEST(DiscretisationValues, ParametersAreExtrapolated) {
     matched.setup.youngs_modulus_Pa = E;
     matched.finer_step.youngs_modulus_Pa = 0.97 * E;
     matched.finer_mesh.youngs_modulus_Pa = 0.95 * E;
-    EXPECT_NEAR(extrapolated_values(fit(), matched, 2.0).youngs_modulus_Pa, (1.0 - 0.04 - 0.10) * E, 1e-6);
+    EXPECT_NEAR(extrapolated_values(fit(), matched, 2.0, NumericsPolicy{}).youngs_modulus_Pa, (1.0 - 0.04 - 0.10) * E,
+                1e-6);
     JointFit moved = fit();
     moved.values.youngs_modulus_Pa = 1.2 * E;
     const MatchedValues there = moved_match(moved, matched);
@@ -69,8 +74,8 @@ TEST(DiscretisationValues, DoubtIsWhatTheParametersCannotCompensate) {
     const VectorXd one = VectorXd::Unit(samples, 2), none = VectorXd::Zero(samples);
     const auto left = [&](const VectorXd& first, const VectorXd& second) {
         error.shift = test::made_shift({test::made_noise_m * first, test::made_noise_m * second});
-        return extrapolation_left_m(data, error, of_both) /
-               (diagnosis_policy.numerics.extrapolation_doubt * test::made_noise_m / std::sqrt(2.0 * samples));
+        return extrapolation_left_m(data, error, of_both, NumericsPolicy{}) /
+               (NumericsPolicy{}.extrapolation_doubt * test::made_noise_m / std::sqrt(2.0 * samples));
     };
     EXPECT_NEAR(left(VectorXd::Unit(samples, 0), none), 0.0, 1e-9);
     EXPECT_NEAR(left(one, none), 1.0, 1e-9);
@@ -137,9 +142,9 @@ TEST(DebiasedStart, ResetsDistortedParametersOnly) {
     const auto reset = [&](double damping_s, double start_s) {
         of.values.damping_s = damping_s;
         of.values.start_shift_s = {start_s};
-        return debiased_start(of, expected, diagnosis_policy.declared);
+        return debiased_start(of, expected, DeclaredFitPolicy{});
     };
-    const double most = diagnosis_policy.declared.max_damping_ratio * 0.004;
+    const double most = DeclaredFitPolicy{}.max_damping_ratio * 0.004;
     EXPECT_FALSE(reset(0.999 * most, 0.019));
     const auto damped = reset(1.001 * most, 0.019);
     ASSERT_TRUE(damped);

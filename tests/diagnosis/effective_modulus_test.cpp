@@ -4,6 +4,7 @@
 
 #include "diagnosis/diagnosis.hpp"
 #include "diagnosis/discretisation/refinement.hpp"
+#include "prediction/predict_trials.hpp"
 #include "support/swung_beam.hpp"
 
 namespace myo::diagnosis {
@@ -22,9 +23,9 @@ TEST(EffectiveModulus, OfCellsHoldsForOtherMotionsWhereAShiftDoesNot) {
     prediction::ParameterValues there = here;
     there.youngs_modulus_Pa *= 1.15;
 
-    const Refinement refinement = refined(setup, true, diagnosis_policy.numerics, {});
-    const NumericalError plain = error_at(setup, refinement, here, data.trials, nullptr, {});
-    const std::optional<NumericalError> found = match_modulus(setup, here, data, plain, {});
+    const Refinement refinement = refined(setup, true, NumericsPolicy{}, {});
+    const NumericalError plain = error_at({setup, refinement, here, data.trials}, NumericsPolicy{}, {});
+    const std::optional<NumericalError> found = match_modulus(setup, here, data, plain, NumericsPolicy{}, {});
     ASSERT_TRUE(found);
     const NumericalError& matched = *found;
     EXPECT_NE(matched.effective_modulus.mesh, 0.0);
@@ -34,7 +35,8 @@ TEST(EffectiveModulus, OfCellsHoldsForOtherMotionsWhereAShiftDoesNot) {
     // What a finer mesh and step say of the other motion.
     const VectorXd coarse = flat_residual(data, prediction::predict_trials_with(setup, there, data.trials));
     const VectorXd limit = coarse +
-                           flat_shift(data, error_at(setup, refinement, there, data.trials, nullptr, {}).shift);
+                           flat_shift(data,
+                                      error_at({setup, refinement, there, data.trials}, NumericsPolicy{}, {}).shift);
     setup::Setup softer = setup;
     softer.modulus_factor = matched.effective_modulus.factor();
     const VectorXd by_modulus = flat_residual(data, prediction::predict_trials_with(softer, there, data.trials)) +
@@ -49,9 +51,9 @@ TEST(EffectiveModulus, IsLeftAloneWhereTheErrorIsFarBelowTheNoise) {
     setup.noise_m.setConstant(0.05);
     const FitData data = fit_data(setup, {0});
     const prediction::ParameterValues values = prediction::declared_values(setup);
-    const Refinement refinement = refined(setup, true, diagnosis_policy.numerics, {});
-    const NumericalError error = error_at(setup, refinement, values, data.trials, nullptr, {});
-    EXPECT_FALSE(match_modulus(setup, values, data, error, {}));
+    const Refinement refinement = refined(setup, true, NumericsPolicy{}, {});
+    const NumericalError error = error_at({setup, refinement, values, data.trials}, NumericsPolicy{}, {});
+    EXPECT_FALSE(match_modulus(setup, values, data, error, NumericsPolicy{}, {}));
 }
 
 }  // namespace

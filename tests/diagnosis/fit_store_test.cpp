@@ -82,7 +82,7 @@ TEST(FitKey, DependsOnAllThatTheFitDependsOn) {
         prediction::ParameterValues v = start;
         Effort effort{10};
         change(s, d, v, effort);
-        return fit_key({s, d, v, EffectFreedom::all, effort});
+        return fit_key({s, d, v, DiagnosisPolicy{}, EffectFreedom::all, effort});
     };
     using S = setup::Setup;
     using V = prediction::ParameterValues;
@@ -90,7 +90,7 @@ TEST(FitKey, DependsOnAllThatTheFitDependsOn) {
     EXPECT_EQ(key([](S&, FitData&, V&, Effort&) {}), plain);
     WarmStart warm;
     warm.names = {"youngs_modulus_Pa"};
-    EXPECT_EQ(fit_key({setup, data, start, EffectFreedom::all, {10}, warm}), plain);
+    EXPECT_EQ(fit_key({setup, data, start, DiagnosisPolicy{}, EffectFreedom::all, {10}, warm}), plain);
     const effect::EffectDeclaration drag{"quadratic_drag", {{"coefficient_kg_m3", 60.0}}};
     const std::set<std::string> keys{plain,
                                      key([](S& s, FitData&, V&, Effort&) { s.trials[0].options.h_s *= 0.5; }),
@@ -104,7 +104,7 @@ TEST(FitKey, DependsOnAllThatTheFitDependsOn) {
                                      key([](S&, FitData&, V& v, Effort&) { v.youngs_modulus_Pa *= 1.0 + 1e-12; }),
                                      key([](S&, FitData&, V&, Effort& effort) { effort.evaluations = 11; }),
                                      key([&](S&, FitData&, V& v, Effort&) { v.effects.push_back(drag); }),
-                                     fit_key({setup, data, start, EffectFreedom::all, {12}})};
+                                     fit_key({setup, data, start, DiagnosisPolicy{}, EffectFreedom::all, {12}})};
     EXPECT_EQ(keys.size(), 9u);
 }
 

@@ -66,7 +66,8 @@ TEST(JointFit, OverlooksNoMassThatIsFarHeavierThanTheBody) {
         {"point_mass", {{"mass_kg", 8.0 * body_kg}, {"position_m", Eigen::VectorXd(Eigen::Vector3d(0.1, 0.0, 0.0))}}});
     FitStore store;
     const FitData data = recorded.data();
-    const JointFit found = stored_fit({recorded.setup, data, values, EffectFreedom::all, {1}}, store, {});
+    const JointFit found = stored_fit({recorded.setup, data, values, DiagnosisPolicy{}, EffectFreedom::all, {1}}, store,
+                                      {});
     EXPECT_LE(std::get<double>(found.values.effects[0].parameters.at("mass_kg")), 3.001 * body_kg);
 }
 
@@ -76,7 +77,7 @@ TEST(StoredFit, IsTakenOverForTheSameShiftAndStepsOnly) {
     FitStore store(recorded.folder.path() / "fits.json", "beam");
     const auto fit = [&](FitStore& in) {
         const prediction::ParameterValues start = prediction::declared_values(recorded.setup);
-        return stored_fit({recorded.setup, data, start, EffectFreedom::all, {10}}, in, {});
+        return stored_fit({recorded.setup, data, start, DiagnosisPolicy{}, EffectFreedom::all, {10}}, in, {});
     };
     const JointFit first = fit(store), again = fit(store);
     EXPECT_GT(first.report.evaluations, 2);
@@ -117,14 +118,14 @@ TEST(NumericalError, ThatAModulusTakesUpExcusesNothing) {
         return flat_rms_m(data, flat);
     };
     const double like_modulus = shift_of([](const VectorXd& column) { return column; });
-    EXPECT_LT(extrapolation_left_m(data, error, fit), 1e-6 * like_modulus);
+    EXPECT_LT(extrapolation_left_m(data, error, fit, NumericsPolicy{}), 1e-6 * like_modulus);
     const double unlike = shift_of([&](const VectorXd& column) {
         const VectorXd other = VectorXd::Ones(column.size()) - J.col(0) * (J.col(0).sum() / J.col(0).squaredNorm());
         return VectorXd(other * (column.norm() / other.norm()));
     });
     EXPECT_NEAR(unlike, like_modulus, 1e-9 * like_modulus);
-    EXPECT_GT(extrapolation_left_m(data, error, fit), 0.3 * unlike);
-    EXPECT_LT(extrapolation_left_m(data, error, fit), 0.4 * unlike);
+    EXPECT_GT(extrapolation_left_m(data, error, fit, NumericsPolicy{}), 0.3 * unlike);
+    EXPECT_LT(extrapolation_left_m(data, error, fit, NumericsPolicy{}), 0.4 * unlike);
 }
 
 /// A score that predicts far too large an amount gives a useless start; the amount of the probe is a useful one.
@@ -180,7 +181,7 @@ TEST(EffectScores, GiveStartsWhereAProbeGoesBeyondTheResidual) {
     const auto scores = score_effects(
         recorded.setup, data, fit, fit.predictions,
         [](const std::string& id) { return id == "quadratic_drag" || id == "stress_softening"; }, ProbeSize::small,
-        diagnosis_policy.screening, {});
+        ScreeningPolicy{}, {});
     int starts = 0;
     for (const EffectScore& score : scores) {
         ASSERT_TRUE(score.failure.empty()) << score.failure;
@@ -207,7 +208,7 @@ TEST(EffectScores, SeeALargeGradientAcrossTheBodyByLargeProbesOnly) {
         EffectScore found;
         for (const EffectScore& score : score_effects(recorded.setup, data, fit, fit.predictions,
                                                       [](const std::string& id) { return id == "stiffness_gradient"; },
-                                                      size, diagnosis_policy.screening, {}))
+                                                      size, ScreeningPolicy{}, {}))
             if (score.share() > found.share()) found = score;
         return found;
     };
@@ -217,7 +218,7 @@ TEST(EffectScores, SeeALargeGradientAcrossTheBodyByLargeProbesOnly) {
     EXPECT_LT(large.left - of_noise, 0.8 * (small.left - of_noise));  // the modulus takes most of it back either way
     for (const EffectScore& score : score_effects(recorded.setup, data, fit, fit.predictions,
                                                   [](const std::string& id) { return id == "quadratic_drag"; },
-                                                  ProbeSize::large, diagnosis_policy.screening, {}))
+                                                  ProbeSize::large, ScreeningPolicy{}, {}))
         ADD_FAILURE() << score.id << " has no large probe";
 }
 

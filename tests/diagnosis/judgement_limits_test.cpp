@@ -12,7 +12,7 @@ namespace {
 
 using namespace test;
 
-const JudgementPolicy policy = diagnosis_policy.judgement;
+const JudgementPolicy policy;
 
 /// Declared and candidate fit, all of whose tests are significant.
 struct Case {
@@ -152,15 +152,22 @@ TEST(JudgementLimits, BoundsAreReachedWithinATolerance) {
              {std::pair{1.0, true}, {1.0 + 1e-5, false}, {50.0, false}, {100.0 * (1.0 - 1e-5), false}, {100.0, true}}) {
             fit.values.youngs_modulus_Pa = value;
             fit.values.effects = {{"quadratic_drag", {{"coefficient_kg_m3", value}}}};
-            EXPECT_EQ(modulus_at_bound(fit), modulus && at_bound) << value;
-            EXPECT_EQ(effect_at_bound(fit), !modulus && at_bound) << value;
+            EXPECT_EQ(modulus_at_bound(fit, policy), modulus && at_bound) << value;
+            EXPECT_EQ(effect_at_bound(fit, policy), !modulus && at_bound) << value;
         }
     }
+    JudgementPolicy wide;
+    wide.at_bound = 0.1;
+    JointFit near;
+    near.parameters = {number(prediction::ModelParameter::Kind::youngs_modulus)};
+    near.values.youngs_modulus_Pa = 95.0;
+    EXPECT_TRUE(modulus_at_bound(near, wide)) << "within a tenth";
+    EXPECT_FALSE(modulus_at_bound(near, policy));
     JointFit place;
     place.parameters = {number(prediction::ModelParameter::Kind::effect)};
     place.parameters[0].component = 1;
     place.values.effects = {{"quadratic_drag", {{"coefficient_kg_m3", Eigen::VectorXd(Eigen::Vector3d::Ones())}}}};
-    EXPECT_FALSE(effect_at_bound(place)) << "a component of a place";
+    EXPECT_FALSE(effect_at_bound(place, policy)) << "a component of a place";
 }
 
 TEST(JudgementLimits, AnExplanationTakesMostAway) {

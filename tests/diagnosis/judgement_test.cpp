@@ -19,7 +19,7 @@ JudgedFit fit(double held_out, double held_out_in_time, int single_trial_directi
 
 /// Enters the weights of the fits among each other.
 void weigh(const FitData& data, const std::vector<JudgedFit*>& fits) {
-    const std::vector<FitWeight> weights = weights_of(data, {fits.begin(), fits.end()}, diagnosis_policy.judgement);
+    const std::vector<FitWeight> weights = weights_of(data, {fits.begin(), fits.end()}, JudgementPolicy{});
     for (std::size_t i = 0; i < fits.size(); ++i) {
         fits[i]->criterion = weights[i].criterion;
         fits[i]->weight = weights[i].weight;
@@ -70,8 +70,8 @@ TEST(Weigh, WhatEndsAtItsBoundIsTheLimitOfAnotherKind) {
             width.parameter.upper = 10.0;
             of->fit.parameters.push_back(width);
         }
-        ASSERT_TRUE(effect_at_bound(at_bound.fit));
-        ASSERT_FALSE(effect_at_bound(within.fit));
+        ASSERT_TRUE(effect_at_bound(at_bound.fit, JudgementPolicy{}));
+        ASSERT_FALSE(effect_at_bound(within.fit, JudgementPolicy{}));
         weigh(data, {&at_bound, &within});
         EXPECT_EQ(within.weight > at_bound.weight, within_held_out == 1.0);
         if (within_held_out == 1.0) {

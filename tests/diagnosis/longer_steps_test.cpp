@@ -74,8 +74,7 @@ TEST(LongerSteps, AreLongerWhereTheDeclaredFitLeavesMuch) {
                 declared.fit, store, log);
             ASSERT_TRUE(corrected);
             EXPECT_GT(corrected->fit.rms_m, 1e-4);
-            EXPECT_LT(corrected->fit.numerics->step_rms_m,
-                      diagnosis_policy.numerics.step_change_of_left * corrected->fit.rms_m);
+            EXPECT_LT(corrected->fit.numerics->step_rms_m, NumericsPolicy{}.step_change_of_left * corrected->fit.rms_m);
             EXPECT_NE(declared.notes.front().find("5 ms, whose error is taken off"), std::string::npos);
         }
     }

@@ -56,7 +56,7 @@ struct Still {
         EffectScore found;
         for (const EffectScore& score : scan_markers(
                  setup, data, fit, statistics::NuisanceSpace(fit.jacobian),
-                 [&](const std::string& id) { return id == allowed; }, diagnosis_policy.screening))
+                 [&](const std::string& id) { return id == allowed; }, ScreeningPolicy{}))
             if (score.share() > found.share()) found = score;
         return found;
     }

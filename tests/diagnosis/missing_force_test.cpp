@@ -40,7 +40,7 @@ TEST(MissingForce, RecoversDirectionPlaceAndCourseOfAKnownForce) {
     setup::Setup setup = test::swung_beam(folder);
     const prediction::ParameterValues values = prediction::declared_values(setup);
     effect::Affected trial = prediction::affected_trial(setup, 0, values);
-    const ForceFields fields = force_fields(*trial.model.body);
+    const ForceFields fields = force_fields(*trial.model.body, MissingForcePolicy{});
     const Eigen::Matrix3Xd at_end_along_y = fields.patterns[7] / fields.patterns[7].sum();  // 1 N altogether
     const double end = trial.options.end_s;
     const VectorXd fine = VectorXd::LinSpaced(121, 0.0, end), course = pulses(fine, end);
@@ -87,8 +87,10 @@ TEST(MissingForce, OfADragGoesAgainstTheVelocity) {
     dragged.effects.push_back({"quadratic_drag", {{"coefficient_kg_m3", 900.0}}});
     const effect::Affected trial = prediction::affected_trial(setup, 0, dragged);
     test::record(setup, 0, values, dynamics::simulate(trial.model, trial.options));
-    const MissingForce force = infer_missing_force(setup, unexplained(setup));
+    Diagnosis d = unexplained(setup);
+    const MissingForce force = infer_missing_force(setup, d);
     ASSERT_FALSE(force.modes.empty()) << force.failure;
+    EXPECT_GT(force.runs, 2);
     EXPECT_GT(force.removed(), 0.95);
     const ForceMode& mode = force.modes.front();
     EXPECT_GT(std::abs(mode.direction.z()), 0.8);
@@ -99,6 +101,14 @@ TEST(MissingForce, OfADragGoesAgainstTheVelocity) {
         if (c.name == "|v| v") {
             EXPECT_LT(c.correlation, -0.7);
         }
+    // The policy of the diagnosis holds: without a run with a force there is none.
+    d.settings.policy.force.max_runs = 0;
+    const MissingForce without_runs = infer_missing_force(setup, d);
+    EXPECT_EQ(without_runs.runs, 2) << "the run without a force and that with tangents";
+    EXPECT_EQ(without_runs.failure, "no force makes the residual smaller");
+    // With a noise that might be so much larger, this residual is noise.
+    d.settings.policy.force.noise_doubt = 1e8;
+    EXPECT_EQ(infer_missing_force(setup, d).failure, "the residual is noise");
 }
 
 TEST(SmoothForce, LeavesTheNoiseAndIsTheSmallestThatDoes) {
@@ -106,7 +116,7 @@ TEST(SmoothForce, LeavesTheNoiseAndIsTheSmallestThatDoes) {
     const MatrixXd A = MatrixXd::Random(60, 8), half = MatrixXd::Random(8, 8);
     const MatrixXd R = half * half.transpose() + MatrixXd::Identity(8, 8);
     const VectorXd d = VectorXd::Random(60) - A * VectorXd::LinSpaced(8, 1.0, 3.0);
-    const SmoothForce solver(A, R);
+    const SmoothForce solver(A, R, MissingForcePolicy{});
     const double wanted = 0.3 * d.squaredNorm();
     const VectorXd x = solver.solve(d, wanted);
     EXPECT_NEAR((d + A * x).squaredNorm(), wanted, 1e-6 * wanted);
@@ -122,7 +132,7 @@ TEST(SmoothForce, LeavesTheNoiseAndIsTheSmallestThatDoes) {
 TEST(ForceFields, FillTheBody) {
     const test::Folder folder("missing_force");
     const setup::Setup setup = test::swung_beam(folder);
-    const ForceFields fields = force_fields(*setup.body);
+    const ForceFields fields = force_fields(*setup.body, MissingForcePolicy{});
     const double volume = 0.1 * 0.03 * 0.03;
     ASSERT_EQ(fields.patterns.size(), 9u);
     double of_x = 0.0;
@@ -142,10 +152,10 @@ TEST(ForceFields, RespondAsTheRunDoesToASmallForce) {
     for (setup::PreparedTrial& trial : setup.trials) trial.model.gravity_m_s2.setZero();
     const prediction::ParameterValues values = prediction::declared_values(setup);
     const effect::Affected trial = prediction::affected_trial(setup, 0, values);
-    const ForceFields fields = force_fields(*setup.body);
-    const KnotTimes knots = knot_times(trial.options.end_s);
+    const ForceFields fields = force_fields(*setup.body, MissingForcePolicy{});
+    const KnotTimes knots = knot_times(trial.options.end_s, MissingForcePolicy{});
     const FitData data = fit_data(setup, {0});
-    const MatrixXd A = force_response(setup, data, values, fields, knots, {});
+    const MatrixXd A = force_response(setup, data, values, {fields, knots}, MissingForcePolicy{}, {});
     ASSERT_EQ(A.rows(), data.layout.size());
     ASSERT_EQ(A.cols(), 9 * knots.count);
     const auto residual = [&](int knot, double size) {

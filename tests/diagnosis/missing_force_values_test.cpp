@@ -20,6 +20,8 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+const MissingForcePolicy policy;
+
 /// A block of 2 x 1 x 1 cells of 1 cm, held at its lower end along x.
 model::BodyPointer block() {
     const mesh::VolumeMesh mesh = mesh::box_hex_mesh({Eigen::Vector3d::Zero(), {0.02, 0.01, 0.01}}, {2, 1, 1});
@@ -30,17 +32,20 @@ model::BodyPointer block() {
 }
 
 TEST(KnotTimes, AreAQuarterOfATenthOfASecondApart) {
-    const MissingForcePolicy policy;
-    const KnotTimes usual = knot_times(1.0);
+    const auto knots = [](double end_s) { return knot_times(end_s, policy); };
+    const KnotTimes usual = knots(1.0);
     EXPECT_EQ(usual.count, 41);
     EXPECT_NEAR(usual.spacing_s, 0.025, 1e-12);
     EXPECT_NEAR(usual.end_s(), 1.0, 1e-12);
-    EXPECT_EQ(knot_times(0.1).count, policy.min_knots);
-    EXPECT_NEAR(knot_times(0.1).end_s(), 0.1, 1e-12);
-    EXPECT_EQ(knot_times(10.0).count, policy.max_knots);
-    EXPECT_NEAR(knot_times(10.0).end_s(), 10.0, 1e-12);
-    EXPECT_EQ(knot_times(0.26).count, 12) << "eleven intervals";
-    EXPECT_EQ(knot_times(0.28).count, 13);
+    EXPECT_EQ(knots(0.1).count, policy.min_knots);
+    EXPECT_NEAR(knots(0.1).end_s(), 0.1, 1e-12);
+    EXPECT_EQ(knots(10.0).count, policy.max_knots);
+    EXPECT_NEAR(knots(10.0).end_s(), 10.0, 1e-12);
+    EXPECT_EQ(knots(0.26).count, 12) << "eleven intervals";
+    EXPECT_EQ(knots(0.28).count, 13);
+    MissingForcePolicy wider;
+    wider.knot_spacing_s = 0.05;
+    EXPECT_EQ(knot_times(1.0, wider).count, 21);
 }
 
 TEST(KnotSignal, IsLinearBetweenKnots) {
@@ -55,14 +60,17 @@ TEST(KnotSignal, IsLinearBetweenKnots) {
 /// One unknown: the largest lambda for which the residual is allowed has a closed form.
 TEST(SmoothForce, OfOneUnknownHasAClosedForm) {
     const MatrixXd A = Eigen::Vector2d(3.0, 4.0), R = MatrixXd::Constant(1, 1, 4.0);
-    const SmoothForce solver(A, R);
+    const SmoothForce solver(A, R, policy);
     const VectorXd d = Eigen::Vector2d(-3.0, -4.0);  // removed by x = 1
     for (const double left : {0.04, 0.25, 0.81}) {   // (1 - x)^2 of it
         const VectorXd x = solver.solve(d, 25.0 * left);
         EXPECT_NEAR(x(0), 1.0 - std::sqrt(left), 1e-6) << left;
     }
     EXPECT_NEAR(solver.solve(d, 100.0)(0), 0.0, 2e-3) << "more than there is";
-    EXPECT_EQ(SmoothForce(MatrixXd::Zero(2, 1), R).solve(d, 1.0)(0), 0.0) << "a force that does nothing";
+    MissingForcePolicy four_times;
+    four_times.lowest_lambda = four_times.highest_lambda = 4.0;  // lambda R is four times A'A
+    EXPECT_NEAR(SmoothForce(A, R, four_times).solve(d, 0.0)(0), 0.2, 1e-9);
+    EXPECT_EQ(SmoothForce(MatrixXd::Zero(2, 1), R, policy).solve(d, 1.0)(0), 0.0) << "a force that does nothing";
 }
 
 TEST(TimedForces, FollowTheirCourses) {
@@ -90,7 +98,7 @@ TEST(TimedForces, FollowTheirCourses) {
 
 TEST(ForceFields, OfABlockAreUniformTogether) {
     const model::BodyPointer body = block();
-    const ForceFields fields = force_fields(*body);
+    const ForceFields fields = force_fields(*body, policy);
     ASSERT_EQ(fields.patterns.size(), 9u);
     for (int axis = 0; axis < 3; ++axis) {
         Matrix3Xd sum = Matrix3Xd::Zero(3, body->node_count());
@@ -109,6 +117,9 @@ TEST(ForceFields, OfABlockAreUniformTogether) {
     }
     EXPECT_LT((fields.volume - fields.volume.transpose()).norm(), 1e-18);
     EXPECT_GT(Eigen::SelfAdjointEigenSolver<MatrixXd>(fields.volume).eigenvalues()(0), 0.0);
+    MissingForcePolicy ends_only;
+    ends_only.stations = 2;
+    EXPECT_EQ(force_fields(*body, ends_only).patterns.size(), 6u);
 }
 
 /// A uniform stretch at constant volume: mu/2 (l^2 + 2/l - 3) in every cell.

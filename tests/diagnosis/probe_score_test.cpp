@@ -21,7 +21,7 @@ effect::EffectProbe drag_probe() { return effect::probe({{amount, 50.0}}, amount
 
 VectorXd unit(int k) { return VectorXd::Unit(samples, k); }
 
-EffectScore score(const JointFit& fit, const MatrixXd& S, const ScreeningPolicy& policy = diagnosis_policy.screening) {
+EffectScore score(const JointFit& fit, const MatrixXd& S, const ScreeningPolicy& policy = ScreeningPolicy{}) {
     const FitData data = test::made_data(samples);
     return score_probe(drag(), drag_probe(), S, score_reference(fit, data.layout), policy);
 }
@@ -114,9 +114,9 @@ TEST(ProbeScore, JoinsItsColumnsAndDampsHardlyObservableOnes) {
         MatrixXd S(samples, 2);
         S << unit(0), second * unit(1);
         return std::get<VectorXd>(
-            score_probe(drag(), probe, S, reference, diagnosis_policy.screening).best.effect.at("multiples"));
+            score_probe(drag(), probe, S, reference, ScreeningPolicy{}).best.effect.at("multiples"));
     };
-    const double damping = std::pow(diagnosis_policy.screening.negligible_column, 2);
+    const double damping = std::pow(ScreeningPolicy{}.negligible_column, 2);
     EXPECT_NEAR(multiples(1.0)(0), 3.0 / (1.0 + damping), 1e-6);
     EXPECT_NEAR(multiples(1.0)(1), 4.0 / (1.0 + damping), 1e-6);
     const double small = 0.01;

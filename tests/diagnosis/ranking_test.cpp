@@ -60,33 +60,33 @@ std::vector<std::string> ids_of(const std::vector<Candidate>& candidates) {
 TEST(Weights, AreThoseOfTheInformationCriteria) {
     const FitData data = made_data(samples);
     const JudgedFit best = fit(1.0, 1.1), worse = fit(1.3, 1.2, 2);
-    const std::vector<FitWeight> weights = weights_of(data, {&best, &worse}, diagnosis_policy.judgement);
+    const std::vector<FitWeight> weights = weights_of(data, {&best, &worse}, JudgementPolicy{});
     EXPECT_NEAR(weights[0].criterion, 0.5 * samples * (0.0 + std::log(1.1 * 1.1)), 1e-6);
     EXPECT_NEAR(weights[1].criterion,
                 0.5 * (samples * (std::log(1.3 * 1.3) + std::log(1.2 * 1.2)) + 2.0 * std::log(samples)), 1e-6);
     const double difference = weights[1].criterion - weights[0].criterion;
-    EXPECT_NEAR(weights[1].weight / weights[0].weight,
-                std::exp(-0.5 * difference / diagnosis_policy.judgement.temperature), 1e-9);
+    EXPECT_NEAR(weights[1].weight / weights[0].weight, std::exp(-0.5 * difference / JudgementPolicy{}.temperature),
+                1e-9);
     EXPECT_NEAR(weights[0].weight + weights[1].weight, 1.0, 1e-12);
 }
 
 TEST(Weights, OfFitsThatFailedAreZero) {
     JudgedFit broken;
     const JudgedFit good = fit(1.0, 1.0);
-    const std::vector<FitWeight> weights = weights_of(made_data(samples), {&broken, &good}, diagnosis_policy.judgement);
+    const std::vector<FitWeight> weights = weights_of(made_data(samples), {&broken, &good}, JudgementPolicy{});
     EXPECT_EQ(weights[0].weight, 0.0);
     EXPECT_TRUE(std::isinf(weights[0].criterion));
     EXPECT_EQ(weights[1].weight, 1.0);
-    EXPECT_EQ(weights_of(made_data(samples), {&broken}, diagnosis_policy.judgement)[0].weight, 0.0);
+    EXPECT_EQ(weights_of(made_data(samples), {&broken}, JudgementPolicy{})[0].weight, 0.0);
 }
 
 TEST(Weights, AmongOthersCountOnlyThem) {
     JudgedFit a = fit(1.0, 1.0), b = a, c = a;
     a.criterion = b.criterion = 5.0;
-    c.criterion = 5.0 + 2.0 * diagnosis_policy.judgement.temperature * std::log(3.0);
-    EXPECT_NEAR(weight_among(a, {&b}, diagnosis_policy.judgement), 0.5, 1e-12);
-    EXPECT_NEAR(weight_among(a, {&c}, diagnosis_policy.judgement), 0.75, 1e-12);
-    EXPECT_EQ(weight_among(a, {}, diagnosis_policy.judgement), 1.0);
+    c.criterion = 5.0 + 2.0 * JudgementPolicy{}.temperature * std::log(3.0);
+    EXPECT_NEAR(weight_among(a, {&b}, JudgementPolicy{}), 0.5, 1e-12);
+    EXPECT_NEAR(weight_among(a, {&c}, JudgementPolicy{}), 0.75, 1e-12);
+    EXPECT_EQ(weight_among(a, {}, JudgementPolicy{}), 1.0);
 }
 
 TEST(Ranking, PutsExplanationsFirstThenFitsThenScores) {

@@ -122,9 +122,9 @@ TEST(ReportTables, SayWhetherTheDataDecideBetweenConfoundedEffects) {
     };
     EXPECT_EQ(decides(), "no") << "the rival was not fitted";
     d.candidates[1].judged = test::fit_that_leaves(5.0, "linear_drag");
-    d.candidates[1].judged->weight = 0.99 * diagnosis_policy.confusion.comparable_weight;
+    d.candidates[1].judged->weight = 0.99 * ConfusionPolicy{}.comparable_weight;
     EXPECT_EQ(decides(), "yes, by the fits");
-    d.candidates[1].judged->weight = 1.01 * diagnosis_policy.confusion.comparable_weight;
+    d.candidates[1].judged->weight = 1.01 * ConfusionPolicy{}.comparable_weight;
     EXPECT_EQ(decides(), "no");
 }
 

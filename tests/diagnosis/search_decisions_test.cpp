@@ -13,7 +13,7 @@ using namespace test;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-const SearchPolicy policy = diagnosis_policy.search;
+const SearchPolicy policy;
 constexpr double below = 0.999, above = 1.001;
 
 /// A fit of 100 samples with this squared residual beyond the noise.
@@ -94,7 +94,7 @@ TEST(SearchDecisions, APairIsTriedWhereTheBestLeavesAnExcess) {
     Diagnosis d = with_candidate(0.3);
     EXPECT_FALSE(is_worth_a_pair(*d.candidates[0].judged, d.baseline())) << "one effect explains it";
     d.declared = with_excess(5000.0);
-    const double limit = diagnosis_policy.pairs.max_left * 5000.0;
+    const double limit = PairPolicy{}.max_left * 5000.0;
     EXPECT_TRUE(is_worth_a_pair(with_excess(below * limit), d.baseline()));
     EXPECT_FALSE(is_worth_a_pair(with_excess(above * limit), d.baseline()));
 }

@@ -12,7 +12,7 @@ inline diagnosis::JointFit unmoved_fit(const setup::Setup& setup, const diagnosi
                                        const prediction::ParameterValues& values) {
     diagnosis::JointFit fit;
     fit.values = values;
-    fit.parameters = diagnosis::joint_parameters(setup, values);
+    fit.parameters = diagnosis::joint_parameters(setup, values, diagnosis::DeclaredFitPolicy{});
     fit.predictions = prediction::predict_trials_with(setup, values, data.trials, {}, fit.parameters);
     fit.residual = diagnosis::flat_residual(data, fit.predictions);
     fit.jacobian = diagnosis::flat_jacobian(data, fit.predictions, fit.parameters.size());

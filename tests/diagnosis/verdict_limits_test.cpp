@@ -10,7 +10,7 @@ namespace {
 
 using namespace test;
 
-const VerdictPolicy policy = diagnosis_policy.verdict;
+const VerdictPolicy policy;
 constexpr double below = 0.999, above = 1.001;
 
 std::string rule_of(const Diagnosis& d) { return decide(d).verdict.rule; }
@@ -25,7 +25,7 @@ Diagnosis measured(double left) {
 TEST(VerdictLimits, NothingIsMissingBelowTheAllowance) {
     for (const bool missing : {false, true}) {
         Diagnosis d = with_candidate(0.1);
-        d.declared = fit_that_leaves((missing ? above : below) * diagnosis_policy.judgement.min_systematic);
+        d.declared = fit_that_leaves((missing ? above : below) * JudgementPolicy{}.min_systematic);
         d.declared.tests.variance.p = 0.0;
         EXPECT_EQ(rule_of(d), missing ? "single_effect" : "nothing_missing");
     }
@@ -68,13 +68,13 @@ TEST(VerdictLimits, PairsCountForThePresenceOfAnEffect) {
 TEST(VerdictLimits, ThePairExplainsWhatNoSingleEffectDoes) {
     for (const bool explains : {true, false}) {
         Diagnosis d = with_candidate(4.0);
-        d.pairs = {pair_that_leaves((explains ? below : above) * diagnosis_policy.judgement.share_of_form * 10.0)};
+        d.pairs = {pair_that_leaves((explains ? below : above) * JudgementPolicy{}.share_of_form * 10.0)};
         d.pairs[0].tests.variance.p = 0.0;
         EXPECT_EQ(rule_of(d), explains ? "pair" : "unexplained");
     }
     for (const bool needed : {true, false}) {
         Diagnosis d = with_candidate(1.4);
-        d.pairs = {pair_that_leaves((needed ? below : above) * diagnosis_policy.judgement.most_of_residual * 1.4)};
+        d.pairs = {pair_that_leaves((needed ? below : above) * JudgementPolicy{}.most_of_residual * 1.4)};
         EXPECT_EQ(rule_of(d), needed ? "pair" : "unexplained") << "the second effect has to do something";
     }
 }
@@ -119,7 +119,7 @@ TEST(VerdictLimits, APairRemovesMostIfItRanksFirst) {
 TEST(VerdictLimits, AFaintResidualIsNotMissed) {
     for (const bool faint : {true, false}) {
         Diagnosis d = with_candidate(0.45);
-        d.declared = fit_that_leaves((faint ? below : above) * diagnosis_policy.judgement.faint);
+        d.declared = fit_that_leaves((faint ? below : above) * JudgementPolicy{}.faint);
         d.declared.tests.variance.p = d.candidates[0].judged->tests.variance.p = 0.0;
         EXPECT_EQ(rule_of(d), faint ? "faint" : "unexplained");
     }
@@ -139,7 +139,7 @@ TEST(VerdictLimits, ConfidencesFollowTheirFormulas) {
         none.declared = fit_that_leaves(declared);
         EXPECT_NEAR(decide(none).verdict.confidence, policy.undoubted, 1e-12) << "nothing is significant";
         none.declared.tests.variance.p = 0.0;
-        const double share = declared / diagnosis_policy.judgement.min_systematic;
+        const double share = declared / JudgementPolicy{}.min_systematic;
         EXPECT_NEAR(decide(none).verdict.confidence,
                     policy.undoubted * std::clamp(policy.faint_allowance - share, policy.min_faint, 1.0), 1e-12);
     }

@@ -15,7 +15,7 @@ namespace {
 
 using namespace test;
 
-std::string rule_of(Diagnosis d, const DiagnosisPolicy& policy = diagnosis_policy) {
+std::string rule_of(Diagnosis d, const DiagnosisPolicy& policy = {}) {
     d.settings.policy = policy;
     decided(d);
     return d.verdict.rule;
@@ -116,7 +116,7 @@ TEST(VerdictRules, ConfidenceFollowsThePolicy) {
     EXPECT_DOUBLE_EQ(halved.verdict.confidence, 0.5 * plain.verdict.confidence);
     Diagnosis drift = drifting();
     decided(drift);
-    EXPECT_DOUBLE_EQ(drift.verdict.confidence, diagnosis_policy.verdict.undoubted * diagnosis_policy.verdict.drift);
+    EXPECT_DOUBLE_EQ(drift.verdict.confidence, VerdictPolicy{}.undoubted * VerdictPolicy{}.drift);
 }
 
 TEST(VerdictRules, AreListedInTheManualInTheirOrder) {

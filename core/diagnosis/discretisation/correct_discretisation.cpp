@@ -31,7 +31,8 @@ FitData with_shift(FitData data, const PredictionShift& shift) {
 
 JointFit refit(const CorrectionInput& in, const FitData& data, const prediction::ParameterValues& start,
                const Effort& effort, const WarmStart& warm, FitStore& store, PhaseLog& log) {
-    return logged_fit(in.phase, {in.setup, data, start, EffectFreedom::all, effort, warm}, store, log);
+    return logged_fit(in.phase, {in.setup, data, start, in.settings.policy, EffectFreedom::all, effort, warm}, store,
+                      log);
 }
 
 /// Scales the fitted modulus such that the motion stays the same with another modulus factor of the cells.
@@ -55,9 +56,10 @@ std::optional<NumericalError> matched_error(const CorrectionInput& in, const Joi
     std::optional<NumericalError> best;
     for (int step = 0; step < policy.max_matching_steps; ++step) {
         const NumericalError& before = best ? *best : plain;
-        const MatchedValues matched = match_discretisation(data, fresh, before);
+        const MatchedValues matched = match_discretisation(data, fresh, before, policy);
         NumericalError numerics = log.timed(error_phase, 4 * fit_count(in), [&] {
-            return error_at(in.setup, in.refinement, fit.values, data.trials, nullptr, log.progress(), &matched);
+            return error_at({in.setup, in.refinement, fit.values, data.trials, nullptr, &matched}, policy,
+                            log.progress());
         });
         const double was = shift_rms_m(before.shift), is = shift_rms_m(numerics.shift);
         if (log.cancelled() || !(is < was)) break;
@@ -72,6 +74,7 @@ std::optional<NumericalError> matched_error(const CorrectionInput& in, const Joi
 std::optional<Refit> matched_refit(const CorrectionInput& in, const JointFit& fit, FitData data,
                                    const NumericalError& plain, FitStore& store, PhaseLog& log) {
     if (fit.effects.empty()) return {};
+    const NumericsPolicy& policy = in.settings.policy.numerics;
     std::optional<NumericalError> found = matched_error(in, fit, data, plain, store, log);
     if (!found) return {};
     NumericalError& numerics = *found;
@@ -79,11 +82,11 @@ std::optional<Refit> matched_refit(const CorrectionInput& in, const JointFit& fi
     data.shift = numerics.shift;
     const JointFit there = refit(in, data, fit.values, in.correction.effort, warm_start_of(fit), store, log);
     if (!there.usable()) return {};
-    numerics.left_rms_m = extrapolation_left_m(data, numerics, there);
+    numerics.left_rms_m = extrapolation_left_m(data, numerics, there, policy);
     numerics.rest_rms_m = shift_rms_m(numerics.shift);
     numerics.matched = moved_match(there, matched);
     // The shift was found at the fitted values; it must hold at the extrapolated ones, which are those of the body.
-    const prediction::ParameterValues limit = extrapolated_values(there, matched, numerics.mesh_factor);
+    const prediction::ParameterValues limit = extrapolated_values(there, matched, numerics.mesh_factor, policy);
     const std::vector<prediction::TrialPrediction> at_limit = fitted_predictions(in.setup, data.trials, limit,
                                                                                  log.progress());
     if (!prediction::all_ok(at_limit)) return {};
@@ -100,14 +103,15 @@ Refit plain_refit(const CorrectionInput& in, const JointFit& fit, NumericalError
                   PhaseLog& log) {
     const FitData data = with_shift(in.data, numerics.shift);
     JointFit again = refit(in, data, fit.values, in.correction.effort, warm_start_of(fit), store, log);
-    if (again.usable()) numerics.left_rms_m = extrapolation_left_m(data, numerics, again);
+    if (again.usable()) numerics.left_rms_m = extrapolation_left_m(data, numerics, again, in.settings.policy.numerics);
     return {std::move(again), std::move(numerics), false};
 }
 
 NumericalError plain_error(const CorrectionInput& in, const JudgedFit& fit, PhaseLog& log) {
     return log.timed(error_phase, 3 * fit_count(in), [&] {
-        return error_at(in.setup, in.refinement, fit.fit.values, in.data.trials,
-                        fit.numerics ? &*fit.numerics : nullptr, log.progress());
+        return error_at(
+            {in.setup, in.refinement, fit.fit.values, in.data.trials, fit.numerics ? &*fit.numerics : nullptr},
+            in.settings.policy.numerics, log.progress());
     });
 }
 
@@ -156,16 +160,17 @@ std::optional<JudgedFit> correct_discretisation(const CorrectionInput& in, Judge
 
 std::optional<CorrectedDeclaredFit> correct_declared_fit(const CorrectionInput& in, JudgedFit fit, FitStore& store,
                                                          PhaseLog& log) {
+    const NumericsPolicy& policy = in.settings.policy.numerics;
     CorrectedDeclaredFit result;
     setup::Setup setup = in.setup;
     const CorrectionInput with{setup, in.data, in.settings, result.refinement, in.phase, in.correction};
     NumericalError error = log.timed(error_phase, 3 * fit_count(in), [&] {
-        result.refinement = refined(setup, in.settings.refine_mesh, in.settings.policy.numerics, log.progress());
-        return error_at(setup, result.refinement, fit.fit.values, in.data.trials, nullptr, log.progress());
+        result.refinement = refined(setup, in.settings.refine_mesh, policy, log.progress());
+        return error_at({setup, result.refinement, fit.fit.values, in.data.trials}, policy, log.progress());
     });
     if (log.cancelled()) return {};
     const std::optional<NumericalError> by_modulus = log.timed(error_phase, 3 * fit_count(in), [&] {
-        return match_modulus(setup, prediction::with_predicted_levels(setup, fit.fit.values), in.data, error,
+        return match_modulus(setup, prediction::with_predicted_levels(setup, fit.fit.values), in.data, error, policy,
                              log.progress());
     });
     if (by_modulus) {
@@ -198,7 +203,8 @@ NumericalError with_error_of_other_trials(const DiagnosisContext& context, const
     if (others.empty() || log.cancelled()) return own;
     const MatchedValues* const matched = own.matched ? &*own.matched : nullptr;
     return completed(own, log.timed(error_phase, 3 * static_cast<int>(others.size()), [&] {
-        return error_at(context.setup, context.refinement, fit.fit.values, others, nullptr, log.progress(), matched);
+        return error_at({context.setup, context.refinement, fit.fit.values, others, nullptr, matched},
+                        context.policy().numerics, log.progress());
     }));
 }
 

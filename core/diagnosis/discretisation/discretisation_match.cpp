@@ -1,7 +1,5 @@
 #include "diagnosis/discretisation/discretisation_match.hpp"
 
-#include "diagnosis/diagnosis_policy.hpp"
-
 #include <Eigen/QR>
 
 #include <algorithm>
@@ -27,11 +25,12 @@ prediction::ParameterValues moved(const std::vector<prediction::ModelParameter>&
 
 /// Values with the least-squares step of the fit's parameters that cancels a change of the flat residual, within
 /// bounds.
-prediction::ParameterValues undoing(const JointFit& fit, prediction::ParameterValues values, const VectorXd& change) {
+prediction::ParameterValues undoing(const JointFit& fit, prediction::ParameterValues values, const VectorXd& change,
+                                    const NumericsPolicy& policy) {
     VectorXd size = fit.jacobian.colwise().norm();
     size = (size.array() > 0.0).select(size, 1.0);
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
-    solver.setThreshold(diagnosis_policy.numerics.min_singular_value);
+    solver.setThreshold(policy.min_singular_value);
     solver.compute(fit.jacobian * size.cwiseInverse().asDiagonal());
     const VectorXd step = -solver.solve(change).cwiseQuotient(size);
     for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
@@ -46,10 +45,12 @@ prediction::ParameterValues undoing(const JointFit& fit, prediction::ParameterVa
 
 }  // namespace
 
-MatchedValues match_discretisation(const FitData& data, const JointFit& fit, const NumericalError& error) {
+MatchedValues match_discretisation(const FitData& data, const JointFit& fit, const NumericalError& error,
+                                   const NumericsPolicy& policy) {
     const MatchedValues with = error.matched ? *error.matched : MatchedValues{fit.values, fit.values, fit.values};
-    return {fit.values, undoing(fit, with.finer_step, flat_shift(data, error.step_shift) / step_extrapolation()),
-            undoing(fit, with.finer_mesh, flat_shift(data, error.mesh_change))};
+    return {fit.values,
+            undoing(fit, with.finer_step, flat_shift(data, error.step_shift) / step_extrapolation(policy), policy),
+            undoing(fit, with.finer_mesh, flat_shift(data, error.mesh_change), policy)};
 }
 
 MatchedValues moved_match(const JointFit& fit, const MatchedValues& matched) {
@@ -57,9 +58,10 @@ MatchedValues moved_match(const JointFit& fit, const MatchedValues& matched) {
             moved(fit.parameters, fit.values, matched.setup, matched.finer_mesh, 1.0)};
 }
 
-prediction::ParameterValues extrapolated_values(const JointFit& fit, const MatchedValues& matched, double mesh_factor) {
+prediction::ParameterValues extrapolated_values(const JointFit& fit, const MatchedValues& matched, double mesh_factor,
+                                                const NumericsPolicy& policy) {
     const prediction::ParameterValues by_step = moved(fit.parameters, fit.values, matched.setup, matched.finer_step,
-                                                      step_extrapolation());
+                                                      step_extrapolation(policy));
     return moved(fit.parameters, by_step, matched.setup, matched.finer_mesh, mesh_factor);
 }
 

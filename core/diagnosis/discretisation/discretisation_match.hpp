@@ -13,7 +13,8 @@ namespace myo::diagnosis {
 ///
 /// One Gauss-Newton step with the derivatives of the fit.
 /// @param error  found with the values of the fit in all runs, or with error.matched of the previous iteration
-MatchedValues match_discretisation(const FitData& data, const JointFit& fit, const NumericalError& error);
+MatchedValues match_discretisation(const FitData& data, const JointFit& fit, const NumericalError& error,
+                                   const NumericsPolicy& policy);
 
 /// Match moved to the values of another fit; refined and coarse values keep their differences.
 MatchedValues moved_match(const JointFit& fit, const MatchedValues& matched);
@@ -21,6 +22,7 @@ MatchedValues moved_match(const JointFit& fit, const MatchedValues& matched);
 /// Richardson extrapolation of the parameters of a fit: values with which the limit of zero edge length and step moves
 /// like the setup with the fitted values.
 /// @param mesh_factor  see NumericalError
-prediction::ParameterValues extrapolated_values(const JointFit& fit, const MatchedValues& matched, double mesh_factor);
+prediction::ParameterValues extrapolated_values(const JointFit& fit, const MatchedValues& matched, double mesh_factor,
+                                                const NumericsPolicy& policy);
 
 }  // namespace myo::diagnosis

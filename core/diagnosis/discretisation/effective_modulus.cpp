@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/diagnosis_policy.hpp"
 #include "prediction/predict_trials.hpp"
 
 namespace myo::diagnosis {
@@ -18,34 +17,31 @@ std::vector<prediction::TrialPrediction> with_factor(setup::Setup setup, const p
 /// Derivative of the predictions with respect to the relative change of the modulus (difference quotient).
 PredictionShift derivative(const setup::Setup& setup, const FitData& data,
                            const std::vector<prediction::TrialPrediction>& there,
-                           const std::vector<prediction::TrialPrediction>& softer) {
+                           const std::vector<prediction::TrialPrediction>& softer, double step) {
     PredictionShift result(setup.trials.size());
     for (std::size_t i = 0; i < data.trials.size(); ++i)
-        add_scaled(difference(softer[i], there[i]), -1.0 / diagnosis_policy.numerics.modulus_step,
-                   result[data.trials[i]]);
+        add_scaled(difference(softer[i], there[i]), -1.0 / step, result[data.trials[i]]);
     return result;
 }
 
 }  // namespace
 
 std::optional<NumericalError> match_modulus(const setup::Setup& setup, const prediction::ParameterValues& values,
-                                            const FitData& data, NumericalError error, const Progress& progress) {
+                                            const FitData& data, NumericalError error, const NumericsPolicy& policy,
+                                            const Progress& progress) {
     const Eigen::VectorXd all = flat_shift(data, error.shift), of_step = flat_shift(data, error.step_shift),
                           finer_mesh = flat_shift(data, error.mesh_change);
-    if (all.norm() < diagnosis_policy.numerics.min_error_for_modulus * std::sqrt(static_cast<double>(all.size())))
-        return {};
+    if (all.norm() < policy.min_error_for_modulus * std::sqrt(static_cast<double>(all.size()))) return {};
     const std::vector<prediction::TrialPrediction> there = with_factor(setup, values, data, 1.0, progress),
-                                                   softer = with_factor(setup, values, data,
-                                                                        1.0 - diagnosis_policy.numerics.modulus_step,
+                                                   softer = with_factor(setup, values, data, 1.0 - policy.modulus_step,
                                                                         progress);
     if (!prediction::all_ok(there) || !prediction::all_ok(softer)) return {};
-    const PredictionShift column = derivative(setup, data, there, softer);
+    const PredictionShift column = derivative(setup, data, there, softer, policy.modulus_step);
     const Eigen::VectorXd flat = flat_shift(data, column);
     const double squares = flat.squaredNorm();
     if (!(squares > 0.0)) return {};
     const auto share = [&](const Eigen::VectorXd& shift) {
-        return std::clamp(flat.dot(shift) / squares, -diagnosis_policy.numerics.max_modulus_change,
-                          diagnosis_policy.numerics.max_modulus_change);
+        return std::clamp(flat.dot(shift) / squares, -policy.max_modulus_change, policy.max_modulus_change);
     };
     EffectiveModulus found;
     found.mesh = share(all - of_step);

@@ -16,6 +16,7 @@ namespace myo::diagnosis {
 /// @return        the error with effective_modulus and by_modulus, its shift reduced; empty if the error is too small,
 ///                or if the trials could not be run
 std::optional<NumericalError> match_modulus(const setup::Setup& setup, const prediction::ParameterValues& values,
-                                            const FitData& data, NumericalError error, const Progress& progress);
+                                            const FitData& data, NumericalError error, const NumericsPolicy& policy,
+                                            const Progress& progress);
 
 }  // namespace myo::diagnosis

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/diagnosis_policy.hpp"
 #include "prediction/predict_trials.hpp"
 #include "setup/integration_check.hpp"
 #include "statistics/nuisance_space.hpp"
@@ -25,10 +24,9 @@ struct Sum {
 };
 
 /// Order of convergence of displacements with the edge length.
-double mesh_order(fem::ElementKind element) {
-    if (element == fem::ElementKind::hex8) return diagnosis_policy.numerics.order_hex8;
-    return fem::fine_element(element) == fem::ElementKind::tet10_fine ? diagnosis_policy.numerics.order_tet10_fine
-                                                                      : diagnosis_policy.numerics.order_other;
+double mesh_order(fem::ElementKind element, const NumericsPolicy& policy) {
+    if (element == fem::ElementKind::hex8) return policy.order_hex8;
+    return fem::fine_element(element) == fem::ElementKind::tet10_fine ? policy.order_tet10_fine : policy.order_other;
 }
 
 /// Richardson factor: distance to the limit over the change by a refinement with this ratio (fine over coarse).
@@ -42,9 +40,7 @@ bool moves_modulus(const JointFit& fit) {
 
 }  // namespace
 
-double step_extrapolation() {
-    return extrapolation(diagnosis_policy.numerics.step_ratio, diagnosis_policy.numerics.step_order);
-}
+double step_extrapolation(const NumericsPolicy& policy) { return extrapolation(policy.step_ratio, policy.step_order); }
 
 std::vector<Matrix3Xd> difference(const prediction::TrialPrediction& finer,
                                   const prediction::TrialPrediction& coarser) {
@@ -62,16 +58,12 @@ void add_scaled(const std::vector<Matrix3Xd>& tracks, double factor, std::vector
     for (std::size_t m = 0; m < tracks.size(); ++m) sum[m] += factor * tracks[m];
 }
 
-NumericalError numerical_error(const setup::Setup& setup, const setup::Setup* refined, const MatchedValues& values,
-                               const std::vector<std::size_t>& trials,
-                               const std::vector<prediction::TrialPrediction>& base, const NumericalError* known,
-                               const EffectiveModulus& effective_modulus, const Progress& progress) {
+NumericalError numerical_error(const RefinedRuns& runs, const NumericsPolicy& policy, const Progress& progress) {
+    const auto& [setup, refined, values, trials, base, known, effective_modulus] = runs;
     NumericalError error;
     error.effective_modulus = effective_modulus;
-    error.step_ratio = diagnosis_policy.numerics.step_ratio;
-    const bool negligible = known &&
-                            known->step_rms_m <
-                                diagnosis_policy.numerics.negligible_step_error * setup.noise_m.minCoeff() &&
+    error.step_ratio = policy.step_ratio;
+    const bool negligible = known && known->step_rms_m < policy.negligible_step_error * setup.noise_m.minCoeff() &&
                             known->step_shift.size() == setup.trials.size();
     std::vector<prediction::TrialPrediction> finer_step(trials.size());
     if (!negligible) {
@@ -105,7 +97,7 @@ NumericalError numerical_error(const setup::Setup& setup, const setup::Setup* re
         if (finer_step[i].ok()) {
             const std::vector<Matrix3Xd> change = difference(finer_step[i], base[i]);
             by_step.add(change);
-            add_scaled(change, step_extrapolation(), error.step_shift[t]);
+            add_scaled(change, step_extrapolation(policy), error.step_shift[t]);
         }
         error.shift[t] = error.step_shift[t];
         if (finer_mesh[i].ok()) {
@@ -115,8 +107,8 @@ NumericalError numerical_error(const setup::Setup& setup, const setup::Setup* re
         }
     }
     // The order does not hold far from the limit: a large change is taken over without extrapolation.
-    if (by_mesh.rms() < diagnosis_policy.numerics.asymptotic_change * setup.noise_m.maxCoeff() && refined)
-        error.mesh_factor = extrapolation(error.mesh_ratio, mesh_order(setup.mesh.element));
+    if (by_mesh.rms() < policy.asymptotic_change * setup.noise_m.maxCoeff() && refined)
+        error.mesh_factor = extrapolation(error.mesh_ratio, mesh_order(setup.mesh.element, policy));
     for (const std::size_t t : trials)
         if (!error.mesh_change[t].empty()) add_scaled(error.mesh_change[t], error.mesh_factor, error.shift[t]);
     error.step_rms_m = negligible ? known->step_rms_m : by_step.rms();
@@ -143,7 +135,8 @@ NumericalError completed(NumericalError error, const NumericalError& other) {
     return error;
 }
 
-double extrapolation_left_m(const FitData& data, const NumericalError& error, const JointFit& fit) {
+double extrapolation_left_m(const FitData& data, const NumericalError& error, const JointFit& fit,
+                            const NumericsPolicy& policy) {
     const statistics::NuisanceSpace nuisance(fit.jacobian);
     Eigen::VectorXd shift = flat_shift(data, error.shift);
     if (!moves_modulus(fit)) shift += flat_shift(data, error.by_modulus);
@@ -155,7 +148,7 @@ double extrapolation_left_m(const FitData& data, const NumericalError& error, co
                 own.segment(series.begin, series.size()) = shift.segment(series.begin, series.size());
         squares += std::pow(flat_rms_m(data, nuisance.outside(own)), 2);
     }
-    return diagnosis_policy.numerics.extrapolation_doubt * std::sqrt(squares);
+    return policy.extrapolation_doubt * std::sqrt(squares);
 }
 
 }  // namespace myo::diagnosis

@@ -5,6 +5,7 @@
 
 #include "base/progress.hpp"
 #include "base/result.hpp"
+#include "diagnosis/diagnosis_policy.hpp"
 #include "diagnosis/fit/joint_fit.hpp"
 
 namespace myo::diagnosis {
@@ -47,22 +48,25 @@ struct NumericalError {
 };
 
 /// Richardson factor of the change by half the step.
-double step_extrapolation();
+double step_extrapolation(const NumericsPolicy& policy);
+
+/// Runs that numerical_error() compares. Refers to values that outlive the call.
+struct RefinedRuns {
+    const setup::Setup& setup;
+    const setup::Setup* refined;  // setup on a finer mesh; null: none
+    const MatchedValues& values;  // of the three runs
+    const std::vector<std::size_t>& trials;
+    /// Predictions of the setup with values.setup, one per trial, traces not needed; failed ones are skipped.
+    const std::vector<prediction::TrialPrediction>& base;
+    const NumericalError* known;  // with similar values, null: none; its step part is reused if far below the noise
+    /// Of the setup, whose modulus factor is set accordingly; sets that of the refined runs.
+    const EffectiveModulus& effective_modulus;
+};
 
 /// Runs the trials with half the step and on the refined setup, and extrapolates both changes by Richardson's rule with
 /// their orders. Shifts of other trials stay empty.
-///
-/// @param refined            setup on a finer mesh, null: none
-/// @param values             of the three runs
-/// @param base               predictions of the setup with values.setup, one per entry of `trials`, traces not needed;
-///                           failed ones are skipped
-/// @param known              error with similar values, null: none; its step part is reused if far below the noise
-/// @param effective_modulus  of the setup, whose modulus factor is set accordingly; sets that of the refined runs
 /// Source: Roache 1997, Annu. Rev. Fluid Mech. 29, 123.
-NumericalError numerical_error(const setup::Setup& setup, const setup::Setup* refined, const MatchedValues& values,
-                               const std::vector<std::size_t>& trials,
-                               const std::vector<prediction::TrialPrediction>& base, const NumericalError* known,
-                               const EffectiveModulus& effective_modulus, const Progress& progress);
+NumericalError numerical_error(const RefinedRuns& runs, const NumericsPolicy& policy, const Progress& progress);
 
 /// finer - coarser of the residuals, per marker 3 x T [m]; 0 where a sample is not compared.
 std::vector<Eigen::Matrix3Xd> difference(const prediction::TrialPrediction& finer,
@@ -79,6 +83,7 @@ NumericalError completed(NumericalError error, const NumericalError& of_other_tr
 
 /// Possible error of the extrapolation, independent between trials, that the parameters of a fit cannot compensate
 /// (they compensate stiffer cells by a lower modulus). Rms over the data [m].
-double extrapolation_left_m(const FitData& data, const NumericalError& error, const JointFit& fit);
+double extrapolation_left_m(const FitData& data, const NumericalError& error, const JointFit& fit,
+                            const NumericsPolicy& policy);
 
 }  // namespace myo::diagnosis

@@ -35,17 +35,16 @@ Refinement refined(const setup::Setup& setup, bool refine_mesh, const NumericsPo
     return {std::make_shared<const setup::Setup>(std::move(*finer)), {}};
 }
 
-NumericalError error_at(const setup::Setup& setup, const Refinement& refinement,
-                        const prediction::ParameterValues& fitted, const std::vector<std::size_t>& trials,
-                        const NumericalError* known, const Progress& progress, const MatchedValues* matched) {
+NumericalError error_at(const ErrorTask& task, const NumericsPolicy& policy, const Progress& progress) {
+    const auto& [setup, refinement, fitted, trials, known, matched] = task;
     const NumericalError& unmatched = refinement.unmatched;
     const MatchedValues same = matched ? *matched : MatchedValues{fitted, fitted, fitted};
     const MatchedValues values{prediction::with_predicted_levels(setup, same.setup),
                                prediction::with_predicted_levels(setup, same.finer_step),
                                prediction::with_predicted_levels(setup, same.finer_mesh)};
     const std::vector<prediction::TrialPrediction> base = fitted_predictions(setup, trials, same.setup, progress);
-    NumericalError error = numerical_error(setup, refinement.finer.get(), values, trials, base, known,
-                                           unmatched.effective_modulus, progress);
+    NumericalError error = numerical_error(
+        {setup, refinement.finer.get(), values, trials, base, known, unmatched.effective_modulus}, policy, progress);
     if (matched) {
         const std::vector<prediction::TrialPrediction> there = fitted_predictions(setup, trials, fitted, progress);
         for (std::size_t i = 0; i < trials.size(); ++i)

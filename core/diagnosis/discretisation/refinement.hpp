@@ -27,13 +27,18 @@ struct Refinement {
 /// within the limits of the policy.
 Refinement refined(const setup::Setup& setup, bool refine_mesh, const NumericsPolicy& policy, const Progress& progress);
 
-/// numerical_error() with the values of a fit in all runs, or with `matched` if given. In both cases the shift applies
-/// to predictions with `fitted`.
-///
-/// @param setup  whose modulus factor is that of refinement.unmatched.effective_modulus
-/// @param known  error with similar values, null: none; see numerical_error()
-NumericalError error_at(const setup::Setup& setup, const Refinement& refinement,
-                        const prediction::ParameterValues& fitted, const std::vector<std::size_t>& trials,
-                        const NumericalError* known, const Progress& progress, const MatchedValues* matched = nullptr);
+/// Where the numerical error is computed. Refers to values that outlive the call.
+struct ErrorTask {
+    const setup::Setup& setup;  // whose modulus factor is that of refinement.unmatched.effective_modulus
+    const Refinement& refinement;
+    const prediction::ParameterValues& fitted;
+    const std::vector<std::size_t>& trials;
+    const NumericalError* known = nullptr;   // with similar values, null: none; see numerical_error()
+    const MatchedValues* matched = nullptr;  // values of the runs; null: those of the fit in all runs
+};
+
+/// numerical_error() at the values of a fit. The shift applies to predictions with task.fitted, also if other values
+/// are matched.
+NumericalError error_at(const ErrorTask& task, const NumericsPolicy& policy, const Progress& progress);
 
 }  // namespace myo::diagnosis

@@ -61,7 +61,8 @@ public:
     bool is_unfinished(std::size_t i) const {
         const JointFit& found = fit(i).fit;
         return fit(i).usable() && (!found.report.converged() ||
-                                   found.parameters.size() < joint_parameters(in_.setup, found.values).size());
+                                   found.parameters.size() <
+                                       joint_parameters(in_.setup, found.values, in_.settings.policy.declared).size());
     }
 
     using Wanted = std::function<bool(std::size_t)>;
@@ -93,8 +94,8 @@ private:
                                                         : of_base_;
             warm.paths = of_base_.paths;  // the paths of all candidates would exceed the memory
             const prediction::ParameterValues start = from(i);
-            JointFit found = stored_fit({setup, in_.data, start, freedom, effort, std::move(warm)}, store_,
-                                        progress_.with_sink({}));
+            JointFit found = stored_fit({setup, in_.data, start, in_.settings.policy, freedom, effort, std::move(warm)},
+                                        store_, progress_.with_sink({}));
             if (!found.usable() || progress_.cancelled()) return;
             for (prediction::TrialPrediction& prediction : found.predictions) prediction.trace = {};
             JudgedFit fresh = judged(in_.data, std::move(found), in_.settings);

@@ -46,8 +46,8 @@ DeclaredFit fit_declared(const setup::Setup& setup, const DiagnoseSettings& sett
     lengthen_steps(result, numerics.max_step_change * noise_m, log);
     if (log.cancelled()) return result;
     JointFit fit = logged_fit("declared fit",
-                              {result.setup, result.data, prediction::declared_values(result.setup), EffectFreedom::all,
-                               settings.policy.declared.effort},
+                              {result.setup, result.data, prediction::declared_values(result.setup), settings.policy,
+                               EffectFreedom::all, settings.policy.declared.effort},
                               store, log);
     if (log.cancelled()) return result;
     if (!fit.usable()) {

@@ -6,7 +6,6 @@
 
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
-#include "diagnosis/diagnosis_policy.hpp"
 #include "effect/catalogue.hpp"
 #include "prediction/predict_trials.hpp"
 
@@ -29,7 +28,7 @@ struct Priors {
     std::vector<Index> of;  // indices of the parameters
     VectorXd weight, start;
 
-    explicit Priors(const std::vector<prediction::ModelParameter>& parameters) {
+    Priors(const std::vector<prediction::ModelParameter>& parameters, double widths) {
         for (std::size_t i = 0; i < parameters.size(); ++i)
             if (parameters[i].component >= 0) of.push_back(static_cast<Index>(i));
         weight.resize(size());
@@ -37,7 +36,7 @@ struct Priors {
         for (Index k = 0; k < size(); ++k) {
             const inverse::Parameter& p = parameters[static_cast<std::size_t>(of[static_cast<std::size_t>(k)])]
                                               .parameter;
-            weight(k) = 1.0 / (diagnosis_policy.declared.prior_widths * p.scale);
+            weight(k) = 1.0 / (widths * p.scale);
             start(k) = p.value;
         }
     }
@@ -51,7 +50,8 @@ struct Priors {
 };
 
 /// Bounds places to the bounding box of the body, and masses to a multiple of its mass.
-void bound_by_body(const setup::Setup& setup, std::vector<prediction::ModelParameter>& parameters) {
+void bound_by_body(const setup::Setup& setup, double max_mass_ratio,
+                   std::vector<prediction::ModelParameter>& parameters) {
     const Box body = mesh::bounding_box(setup.surface.vertices);
     const double body_kg = setup.experiment.material.density_kg_m3 * setup.body->volume_m3;
     for (prediction::ModelParameter& p : parameters) {
@@ -59,7 +59,7 @@ void bound_by_body(const setup::Setup& setup, std::vector<prediction::ModelParam
             p.parameter.lower = body.lowest(p.component);
             p.parameter.upper = body.highest(p.component);
         } else if (p.of_effect == "mass_kg") {
-            p.parameter.upper = diagnosis_policy.declared.max_mass_ratio * body_kg;
+            p.parameter.upper = max_mass_ratio * body_kg;
         }
     }
 }
@@ -67,15 +67,14 @@ void bound_by_body(const setup::Setup& setup, std::vector<prediction::ModelParam
 /// Residuals and derivatives of all trials. Keeps the last predictions, which the derivatives need.
 class Residuals {
 public:
-    Residuals(const setup::Setup& setup, const FitData& data, const prediction::ParameterValues& start,
-              int max_evaluations, const WarmStart& warm, JointFit& fit)
-        : setup_(setup),
-          data_(data),
-          start_(start),
-          max_evaluations_(max_evaluations),
+    Residuals(const FitTask& task, JointFit& fit)
+        : setup_(task.setup),
+          data_(task.data),
+          start_(task.start),
+          max_evaluations_(task.effort.evaluations),
           fit_(fit),
-          priors_(fit.parameters),
-          warm_paths_(warm.paths) {}
+          priors_(fit.parameters, task.policy.declared.prior_widths),
+          warm_paths_(task.warm.paths) {}
 
     inverse::ResidualEvaluation evaluate(const VectorXd& p, const Progress& progress) {
         if (last_at_.size() > 0 && p == last_at_ && last_.ok) return last_;
@@ -171,11 +170,20 @@ private:
     std::vector<prediction::TrialPrediction> predictions_;  // at last_at_
 };
 
+inverse::LeastSquaresOptions options_of(const FitTask& task) {
+    inverse::LeastSquaresOptions options;
+    options.max_evaluations = task.effort.evaluations;
+    options.relative_decrease = task.effort.relative_decrease;
+    options.max_jacobians = task.effort.max_jacobians;
+    options.relative_step = task.policy.fits.relative_step;
+    return options;
+}
+
 }  // namespace
 
 std::vector<prediction::ModelParameter> joint_parameters(const setup::Setup& setup,
                                                          const prediction::ParameterValues& start,
-                                                         EffectFreedom freedom) {
+                                                         const DeclaredFitPolicy& policy, EffectFreedom freedom) {
     std::vector<prediction::ModelParameter> parameters = prediction::free_parameters(setup);
     for (std::size_t e = setup.experiment.effects.size(); e < start.effects.size(); ++e) {
         std::vector<prediction::ModelParameter> own = prediction::effect_parameters(start.effects[e], e);
@@ -185,7 +193,7 @@ std::vector<prediction::ModelParameter> joint_parameters(const setup::Setup& set
             });
         for (prediction::ModelParameter& parameter : own) parameters.push_back(std::move(parameter));
     }
-    bound_by_body(setup, parameters);
+    bound_by_body(setup, policy.max_mass_ratio, parameters);
     for (prediction::ModelParameter& p : parameters)
         p.parameter.value = std::clamp(prediction::value_of(p, start), p.parameter.lower, p.parameter.upper);
     return parameters;
@@ -207,26 +215,25 @@ double change_between(const JointFit& a, const JointFit& b) {
     return (b.jacobian * step).norm() / std::sqrt(static_cast<double>(std::max<Index>(1, b.residual.size())));
 }
 
-JointFit joint_fit(const setup::Setup& setup, const FitData& data, const prediction::ParameterValues& start,
-                   EffectFreedom freedom, const inverse::LeastSquaresOptions& options, const WarmStart& warm,
-                   const Progress& progress) {
+JointFit joint_fit(const FitTask& task, const Progress& progress) {
     const Stopwatch watch;
+    const setup::Setup& setup = task.setup;
     JointFit fit;
-    fit.parameters = joint_parameters(setup, start, freedom);
-    fit.values = start;
-    Residuals residuals(setup, data, start, options.max_evaluations, warm, fit);
+    fit.parameters = joint_parameters(setup, task.start, task.policy.declared, task.freedom);
+    fit.values = task.start;
+    Residuals residuals(task, fit);
     std::vector<inverse::Parameter> parameters;
     for (const prediction::ModelParameter& p : fit.parameters) parameters.push_back(p.parameter);
     VectorXd origin(static_cast<Index>(parameters.size()));
     for (std::size_t i = 0; i < parameters.size(); ++i) origin(static_cast<Index>(i)) = parameters[i].value;
-    inverse::LeastSquaresOptions informed = options;
-    if (!warm.names.empty()) informed.jacobian_guess = residuals.jacobian(origin, warm, progress);
+    inverse::LeastSquaresOptions options = options_of(task);
+    if (!task.warm.names.empty()) options.jacobian_guess = residuals.jacobian(origin, task.warm, progress);
     fit.report = inverse::fit_by_secants(
         parameters, [&](const VectorXd& p, const Progress& inner) { return residuals.evaluate(p, inner); },
         [&](const VectorXd& p, const inverse::ResidualEvaluation&, const Progress& inner) {
             return residuals.jacobian(p, {}, inner);
         },
-        informed, progress);
+        options, progress);
     if (fit.report.jacobian.rows() < fit.residual.size())
         fit.residual.resize(0);  // no Jacobian, so the fit cannot be assessed
     if (fit.usable()) fit.jacobian = fit.report.jacobian.topRows(fit.residual.size());

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/diagnosis_policy.hpp"
 #include "diagnosis/fit/fit_data.hpp"
 #include "inverse/least_squares.hpp"
 
@@ -48,19 +49,29 @@ double change_between(const JointFit& a, const JointFit& b);
 /// Fitted parameters of the tried effects: the first parameter of each, its amount, or all (place, direction, ...).
 enum class EffectFreedom { amount, all };
 
-/// Least-squares fit to the data from `start` (inverse::fit_by_secants). Effects of `start` beyond those of the
+/// What is fitted, and from where. Refers to values that outlive the fit.
+struct FitTask {
+    const setup::Setup& setup;
+    const FitData& data;
+    const prediction::ParameterValues& start;
+    const DiagnosisPolicy& policy;
+    EffectFreedom freedom = EffectFreedom::all;
+    Effort effort;
+    WarmStart warm = {};  // saves runs
+};
+
+/// Least-squares fit to the data from task.start (inverse::fit_by_secants). Effects of the start beyond those of the
 /// experiment are fitted, too.
 ///
 /// Runs setup.settings.threads trials in parallel. Vectors of effects have a weak prior around their start with a width
-/// of ten times their scale: the data determine a place on a surface in two directions only. The result is not usable
-/// if the model cannot be run at the start or has no Jacobian.
-JointFit joint_fit(const setup::Setup& setup, const FitData& data, const prediction::ParameterValues& start,
-                   EffectFreedom freedom, const inverse::LeastSquaresOptions& options, const WarmStart& warm,
-                   const Progress& progress);
+/// of ten times their scale (DeclaredFitPolicy::prior_widths): the data determine a place on a surface in two
+/// directions only. The result is not usable if the model cannot be run at the start or has no Jacobian.
+JointFit joint_fit(const FitTask& task, const Progress& progress);
 
 /// Free parameters of the experiment, followed by those of the tried effects, with start values and bounds.
 std::vector<prediction::ModelParameter> joint_parameters(const setup::Setup& setup,
                                                          const prediction::ParameterValues& start,
+                                                         const DeclaredFitPolicy& policy,
                                                          EffectFreedom freedom = EffectFreedom::all);
 
 }  // namespace myo::diagnosis

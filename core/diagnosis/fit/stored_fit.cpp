@@ -32,33 +32,26 @@ std::string key_of(const FitTask& task, const std::vector<prediction::ModelParam
     return key;
 }
 
-inverse::LeastSquaresOptions options_of(const Effort& effort) {
-    inverse::LeastSquaresOptions options;
-    options.max_evaluations = effort.evaluations;
-    options.relative_decrease = effort.relative_decrease;
-    options.max_jacobians = effort.max_jacobians;
-    options.relative_step = diagnosis_policy.fits.relative_step;
-    return options;
+std::vector<prediction::ModelParameter> parameters_of(const FitTask& task) {
+    return joint_parameters(task.setup, task.start, task.policy.declared, task.freedom);
 }
 
 }  // namespace
 
-std::string fit_key(const FitTask& task) {
-    return key_of(task, joint_parameters(task.setup, task.start, task.freedom));
-}
+std::string fit_key(const FitTask& task) { return key_of(task, parameters_of(task)); }
 
 JointFit stored_fit(const FitTask& task, FitStore& store, const Progress& progress) {
-    const std::vector<prediction::ModelParameter> parameters = joint_parameters(task.setup, task.start, task.freedom);
+    const std::vector<prediction::ModelParameter> parameters = parameters_of(task);
     const std::string key = key_of(task, parameters);
-    inverse::LeastSquaresOptions options = options_of(task.effort);
+    Effort effort = task.effort;
     prediction::ParameterValues from = task.start;
     if (const std::optional<VectorXd> done = store.find(key);
         done && done->size() == static_cast<Index>(parameters.size())) {
         for (std::size_t i = 0; i < parameters.size(); ++i)
             prediction::set_value(parameters[i], (*done)(static_cast<Index>(i)), from);
-        options.max_evaluations = 0;
+        effort.evaluations = 0;
     }
-    JointFit fit = joint_fit(task.setup, task.data, from, task.freedom, options, task.warm, progress);
+    JointFit fit = joint_fit({task.setup, task.data, from, task.policy, task.freedom, effort, task.warm}, progress);
     if (!fit.usable() || progress.cancelled()) return fit;
     VectorXd found(static_cast<Index>(parameters.size()));
     for (std::size_t i = 0; i < parameters.size(); ++i)

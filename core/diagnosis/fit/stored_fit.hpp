@@ -2,24 +2,14 @@
 
 #include <string>
 
-#include "diagnosis/diagnosis_policy.hpp"
 #include "diagnosis/fit/fit_store.hpp"
 #include "diagnosis/fit/joint_fit.hpp"
 #include "diagnosis/phase_log.hpp"
 
 namespace myo::diagnosis {
 
-/// What is fitted, and from where. Refers to values that outlive the fit.
-struct FitTask {
-    const setup::Setup& setup;
-    const FitData& data;
-    const prediction::ParameterValues& start;
-    EffectFreedom freedom = EffectFreedom::all;
-    Effort effort;
-    WarmStart warm = {};  // saves runs; the key of the fit does not depend on it
-};
-
-/// Text under which the fit is stored: effort, shift, modulus factor, steps, effects and start values.
+/// Text under which the fit is stored: effort, shift, modulus factor, steps, effects and start values. The warm start
+/// does not belong to it.
 std::string fit_key(const FitTask& task);
 
 /// joint_fit() with a store: a stored fit is evaluated once at its stored values, and a new result is stored. A result

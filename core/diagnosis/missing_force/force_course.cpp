@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "diagnosis/diagnosis_policy.hpp"
 #include "model/internal_forces.hpp"
 
 namespace myo::diagnosis {
@@ -38,14 +37,14 @@ VectorXd rate(const VectorXd& values, double dt) {
 
 /// Elastic force along the pattern (no viscosity, no fibres), from a subset of the steps of the run.
 VectorXd elastic_course(const model::Model& model, const dynamics::Trace& trace, const Matrix3Xd& pattern,
-                        const VectorXd& at) {
+                        const VectorXd& at, const MissingForcePolicy& policy) {
     model::Stiffness elastic = model::stiffness(model);
     elastic.viscous.clear();
     elastic.fibres = false;
     model::InternalInput input;
     input.stiffness = &elastic;
     const std::size_t stride = std::max<std::size_t>(
-        1, trace.times_s.size() / static_cast<std::size_t>(diagnosis_policy.force.curve_points));
+        1, trace.times_s.size() / static_cast<std::size_t>(policy.curve_points));
     std::vector<double> times, values;
     for (std::size_t k = 0; k < trace.times_s.size(); k += stride) {
         times.push_back(trace.times_s[k]);
@@ -60,9 +59,9 @@ VectorXd elastic_course(const model::Model& model, const dynamics::Trace& trace,
 
 std::vector<statistics::Correlate> course_correlates(const setup::Setup& setup, const effect::Affected& trial,
                                                      const dynamics::Trace& trace, const KnotTimes& knots,
-                                                     const ForceMode& mode) {
+                                                     const ForceMode& mode, const MissingForcePolicy& policy) {
     if (trace.times_s.size() < 2) return {};
-    const VectorXd at = VectorXd::LinSpaced(diagnosis_policy.force.curve_points, 0.0, knots.end_s());
+    const VectorXd at = VectorXd::LinSpaced(policy.curve_points, 0.0, knots.end_s());
     const double dt = at(1) - at(0);
     std::vector<double> position, velocity;
     for (std::size_t k = 0; k < trace.times_s.size(); ++k) {
@@ -78,13 +77,12 @@ std::vector<statistics::Correlate> course_correlates(const setup::Setup& setup, 
         {"velocity", v},
         {"|v| v", v.cwiseAbs().cwiseProduct(v)},
         {"acceleration", rate(v, dt)},
-        {"strain rate", rate(elastic_course(trial.model, trace, mode.pattern, at), dt)},
+        {"strain rate", rate(elastic_course(trial.model, trace, mode.pattern, at, policy), dt)},
         {"time", at}};
     const std::size_t groups = std::min(trial.model.activation.size(), setup.experiment.muscles.size());
     for (std::size_t g = 0; g < groups; ++g) {
-        VectorXd activation(diagnosis_policy.force.curve_points);
-        for (Index k = 0; k < diagnosis_policy.force.curve_points; ++k)
-            activation(k) = trial.model.activation[g].value(at(k)) - 1.0;
+        VectorXd activation(policy.curve_points);
+        for (Index k = 0; k < policy.curve_points; ++k) activation(k) = trial.model.activation[g].value(at(k)) - 1.0;
         if (activation.maxCoeff() > activation.minCoeff())
             regressors.push_back({"activation of " + setup.experiment.muscles[g].name, activation});
     }

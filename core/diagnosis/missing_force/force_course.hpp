@@ -13,6 +13,6 @@ namespace myo::diagnosis {
 /// @param trace  of the trial with the force; fewer than two steps: no correlates
 std::vector<statistics::Correlate> course_correlates(const setup::Setup& setup, const effect::Affected& trial,
                                                      const dynamics::Trace& trace, const KnotTimes& knots,
-                                                     const ForceMode& mode);
+                                                     const ForceMode& mode, const MissingForcePolicy& policy);
 
 }  // namespace myo::diagnosis

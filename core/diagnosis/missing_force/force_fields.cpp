@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "diagnosis/diagnosis_policy.hpp"
 #include "diagnosis/missing_force/timed_forces.hpp"
 #include "measurement/rigid_motion.hpp"
 
@@ -37,18 +36,18 @@ VectorXd places(const model::Body& body) {
     return (along.array() - lowest) / std::max(highest - lowest, 1e-30);
 }
 
-double mean_value(const fibre::Signal& signal, double end_s) {
+double mean_value(const fibre::Signal& signal, double end_s, int samples) {
     double sum = 0.0;
-    for (int k = 0; k < diagnosis_policy.force.path_samples; ++k)
-        sum += signal.value(end_s * k / (diagnosis_policy.force.path_samples - 1));
-    return sum / diagnosis_policy.force.path_samples;
+    for (int k = 0; k < samples; ++k) sum += signal.value(end_s * k / (samples - 1));
+    return sum / samples;
 }
 
 /// The trial at equilibrium under constant loads: activations at their mean, forces that act at the middle of the
 /// trial.
-effect::Affected at_mean_state(effect::Affected trial) {
+effect::Affected at_mean_state(effect::Affected trial, const MissingForcePolicy& policy) {
     const double end = trial.options.end_s;
-    for (fibre::Signal& signal : trial.model.activation) signal = fibre::Signal::constant(mean_value(signal, end));
+    for (fibre::Signal& signal : trial.model.activation)
+        signal = fibre::Signal::constant(mean_value(signal, end, policy.path_samples));
     std::vector<model::DeadForce> steady;
     for (model::DeadForce force : trial.model.forces)
         if (force.active(0.5 * end)) {
@@ -98,33 +97,32 @@ sensitivity::SensitiveTrace unit_run(const setup::Setup& setup, effect::Affected
 
 }  // namespace
 
-ForceFields force_fields(const model::Body& body) {
+ForceFields force_fields(const model::Body& body, const MissingForcePolicy& policy) {
     ForceFields fields;
     fields.place = places(body);
-    MatrixXd hats = MatrixXd::Zero(body.node_count(), diagnosis_policy.force.stations);
+    MatrixXd hats = MatrixXd::Zero(body.node_count(), policy.stations);
     for (Index i = 0; i < hats.rows(); ++i)
-        for (Index j = 0; j < diagnosis_policy.force.stations; ++j)
-            hats(i, j) = std::max(
-                0.0, 1.0 - std::abs((diagnosis_policy.force.stations - 1) * fields.place(i) - static_cast<double>(j)));
+        for (Index j = 0; j < policy.stations; ++j)
+            hats(i, j) = std::max(0.0,
+                                  1.0 - std::abs((policy.stations - 1) * fields.place(i) - static_cast<double>(j)));
     const MatrixXd weighted = body.unit_mass * hats;
     const MatrixXd volume = hats.transpose() * weighted;
-    fields.volume.setZero(3 * diagnosis_policy.force.stations, 3 * diagnosis_policy.force.stations);
-    for (Index j = 0; j < diagnosis_policy.force.stations; ++j)
+    fields.volume.setZero(3 * policy.stations, 3 * policy.stations);
+    for (Index j = 0; j < policy.stations; ++j)
         for (Index axis = 0; axis < 3; ++axis) {
             Matrix3Xd pattern = Matrix3Xd::Zero(3, body.node_count());
             pattern.row(axis) = weighted.col(j).transpose();
             for (Index i = 0; i < pattern.cols(); ++i)
                 if (body.clamped[static_cast<std::size_t>(i)]) pattern.col(i).setZero();
             fields.patterns.push_back(std::move(pattern));
-            for (Index k = 0; k < diagnosis_policy.force.stations; ++k)
-                fields.volume(3 * j + axis, 3 * k + axis) = volume(j, k);
+            for (Index k = 0; k < policy.stations; ++k) fields.volume(3 * j + axis, 3 * k + axis) = volume(j, k);
         }
     return fields;
 }
 
-KnotTimes knot_times(double end_s) {
-    const int intervals = std::clamp(static_cast<int>(std::ceil(end_s / diagnosis_policy.force.knot_spacing_s)),
-                                     diagnosis_policy.force.min_knots - 1, diagnosis_policy.force.max_knots - 1);
+KnotTimes knot_times(double end_s, const MissingForcePolicy& policy) {
+    const int intervals = std::clamp(static_cast<int>(std::ceil(end_s / policy.knot_spacing_s)), policy.min_knots - 1,
+                                     policy.max_knots - 1);
     return {end_s / intervals, intervals + 1};
 }
 
@@ -135,13 +133,14 @@ fibre::Signal knot_signal(const KnotTimes& knots, const VectorXd& values) {
 }
 
 MatrixXd force_response(const setup::Setup& setup, const FitData& data, const prediction::ParameterValues& values,
-                        const ForceFields& fields, const KnotTimes& knots, const Progress& progress) {
+                        const ForceBasis& basis, const MissingForcePolicy& policy, const Progress& progress) {
+    const auto& [fields, knots] = basis;
     assert(data.trials.size() == 1);
     const std::size_t index = data.trials.front();
     const setup::PreparedTrial& trial = setup.trials[index];
     const effect::Affected affected = prediction::affected_trial(setup, index, values);
     const std::vector<TimedForce> forces = hats(fields, knots.spacing_s, affected.options.starts_at_equilibrium());
-    sensitivity::SensitiveTrace run = unit_run(setup, at_mean_state(affected), forces, progress);
+    sensitivity::SensitiveTrace run = unit_run(setup, at_mean_state(affected, policy), forces, progress);
     if (!run.trace.complete() && !progress.cancelled()) run = unit_run(setup, at_rest(affected), forces, progress);
     if (!run.trace.complete()) return {};
 

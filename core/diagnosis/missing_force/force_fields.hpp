@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "diagnosis/diagnosis_policy.hpp"
 #include "diagnosis/fit/fit_data.hpp"
 #include "setup/trial_effects.hpp"
 
@@ -16,7 +17,7 @@ struct ForceFields {
     Eigen::VectorXd place;                   // n: 0 at the clamp, 1 at the far end
 };
 /// Fields of a body; hat functions at MissingForcePolicy::stations.
-ForceFields force_fields(const model::Body& body);
+ForceFields force_fields(const model::Body& body, const MissingForcePolicy& policy);
 
 /// Knots of courses that are piecewise linear in time.
 struct KnotTimes {
@@ -26,8 +27,15 @@ struct KnotTimes {
     double end_s() const { return spacing_s * static_cast<double>(count - 1); }
     Eigen::VectorXd times_s() const { return Eigen::VectorXd::LinSpaced(count, 0.0, end_s()); }
 };
-/// Knots about 25 ms apart; closer in trials shorter than a quarter of a second, wider in those longer than 1.5 s.
-KnotTimes knot_times(double end_s);
+/// Knots about MissingForcePolicy::knot_spacing_s apart; closer in trials that would have too few of them, wider in
+/// those that would have too many.
+KnotTimes knot_times(double end_s, const MissingForcePolicy& policy);
+
+/// Basis of forces over body and time.
+struct ForceBasis {
+    ForceFields fields;
+    KnotTimes knots;
+};
 
 /// Piecewise linear signal with these values at the knots.
 fibre::Signal knot_signal(const KnotTimes& knots, const Eigen::VectorXd& values);
@@ -40,7 +48,7 @@ fibre::Signal knot_signal(const KnotTimes& knots, const Eigen::VectorXd& values)
 /// @param data  of this trial alone
 /// @return      empty if no such run completes
 Eigen::MatrixXd force_response(const setup::Setup& setup, const FitData& data,
-                               const prediction::ParameterValues& values, const ForceFields& fields,
-                               const KnotTimes& knots, const Progress& progress);
+                               const prediction::ParameterValues& values, const ForceBasis& basis,
+                               const MissingForcePolicy& policy, const Progress& progress);
 
 }  // namespace myo::diagnosis

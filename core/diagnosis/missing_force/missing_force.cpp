@@ -8,7 +8,6 @@
 #include "base/decompositions.hpp"
 #include "base/text.hpp"
 #include "diagnosis/diagnosis.hpp"
-#include "diagnosis/diagnosis_policy.hpp"
 #include "diagnosis/missing_force/force_course.hpp"
 #include "diagnosis/missing_force/force_fields.hpp"
 #include "diagnosis/missing_force/smooth_force.hpp"
@@ -23,20 +22,21 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Largest squared residual that may be noise: two standard deviations above its expectation, which is known to a few
-/// percent only.
-double noise_squares(Index samples) {
-    return 1.05 * static_cast<double>(samples) + 2.0 * std::sqrt(2.0 * static_cast<double>(samples));
+/// Largest squared residual that may be noise. Its expectation is the number of samples, its variance twice that.
+double noise_squares(Index samples, const MissingForcePolicy& policy) {
+    return policy.noise_doubt * static_cast<double>(samples) +
+           policy.noise_deviations * std::sqrt(2.0 * static_cast<double>(samples));
 }
 
 /// Matrix of the integral of f^2 + (smoothing_s df/dt)^2 over body and time, for knot values in the order of the
 /// columns of force_response().
-MatrixXd size_of_force(const ForceFields& fields, const KnotTimes& knots) {
+MatrixXd size_of_force(const ForceBasis& basis, double smoothing_s) {
+    const auto& [fields, knots] = basis;
     const double dt = knots.spacing_s;
     MatrixXd time = MatrixXd::Zero(knots.count, knots.count);
     Eigen::Matrix2d interval;
-    const double diagonal = dt / 3.0 + diagnosis_policy.force.smoothing_s * diagnosis_policy.force.smoothing_s / dt,
-                 neighbouring = dt / 6.0 - diagnosis_policy.force.smoothing_s * diagnosis_policy.force.smoothing_s / dt;
+    const double diagonal = dt / 3.0 + smoothing_s * smoothing_s / dt,
+                 neighbouring = dt / 6.0 - smoothing_s * smoothing_s / dt;
     interval << diagonal, neighbouring, neighbouring, diagonal;
     for (Index k = 0; k + 1 < time.rows(); ++k) time.block<2, 2>(k, k) += interval;
     const Index count = fields.volume.rows();
@@ -52,11 +52,11 @@ class ForcedTrial {
 public:
     ForcedTrial(const setup::Setup& setup, const Diagnosis& d, std::size_t trial)
         : setup_(setup),
+          policy_(d.settings.policy.force),
           values_(d.augmented.fit.values),
           trial_(trial),
           affected_(prediction::affected_trial(setup, trial, values_)),
-          fields_(force_fields(*affected_.model.body)),
-          knots_(knot_times(affected_.options.end_s)),
+          basis_{force_fields(*affected_.model.body, policy_), knot_times(affected_.options.end_s, policy_)},
           data_(fit_data(setup, {trial})) {
         data_.shift = d.data.shift;
     }
@@ -68,12 +68,12 @@ public:
     /// @param sizes  fields x knots, in the order of the columns of force_response()
     Run run(const VectorXd& sizes, const Progress& progress) const {
         model::Model model = affected_.model;
-        const auto count = static_cast<Index>(fields_.patterns.size());
-        const Eigen::Map<const MatrixXd> courses(sizes.data(), count, knots_.count);
+        const auto count = static_cast<Index>(basis_.fields.patterns.size());
+        const Eigen::Map<const MatrixXd> courses(sizes.data(), count, basis_.knots.count);
         std::vector<TimedForce> forces;
         for (Index f = 0; f < count; ++f)
-            forces.push_back(
-                {fields_.patterns[static_cast<std::size_t>(f)], knot_signal(knots_, courses.row(f).transpose())});
+            forces.push_back({basis_.fields.patterns[static_cast<std::size_t>(f)],
+                              knot_signal(basis_.knots, courses.row(f).transpose())});
         model.force_elements.push_back(timed_forces(std::move(forces)));
         Run result{dynamics::simulate(model, affected_.options, progress), {}};
         if (result.trace.complete())
@@ -82,21 +82,23 @@ public:
     }
 
     MatrixXd response(const Progress& progress) const {
-        return force_response(setup_, data_, values_, fields_, knots_, progress);
+        return force_response(setup_, data_, values_, basis_, policy_, progress);
     }
 
     const effect::Affected& affected() const { return affected_; }
-    const ForceFields& fields() const { return fields_; }
-    const KnotTimes& knots() const { return knots_; }
+    const ForceBasis& basis() const { return basis_; }
+    const ForceFields& fields() const { return basis_.fields; }
+    const KnotTimes& knots() const { return basis_.knots; }
+    const MissingForcePolicy& policy() const { return policy_; }
     std::size_t trial() const { return trial_; }
 
 private:
     const setup::Setup& setup_;
+    const MissingForcePolicy& policy_;
     const prediction::ParameterValues& values_;
     std::size_t trial_;
     effect::Affected affected_;
-    ForceFields fields_;
-    KnotTimes knots_;
+    ForceBasis basis_;
     FitData data_;
 };
 
@@ -107,15 +109,15 @@ struct FoundForce {
 };
 FoundForce repeated_steps(const ForcedTrial& trial, const MatrixXd& A, ForcedTrial::Run start, int& runs,
                           const Progress& progress) {
-    const SmoothForce solver(A, size_of_force(trial.fields(), trial.knots()));
+    const MissingForcePolicy& policy = trial.policy();
+    const SmoothForce solver(A, size_of_force(trial.basis(), policy.smoothing_s), policy);
     FoundForce best{VectorXd::Zero(A.cols()), std::move(start)};
-    const double wanted = noise_squares(A.rows());
-    double share = diagnosis_policy.force.first_share;
-    for (int step = 0;
-         step < diagnosis_policy.force.max_runs && share < 1.0 &&
-         best.run.residual.squaredNorm() > diagnosis_policy.force.noise_margin * wanted && !progress.cancelled();
+    const double wanted = noise_squares(A.rows(), policy);
+    double share = policy.first_share;
+    for (int step = 0; step < policy.max_runs && share < 1.0 &&
+                       best.run.residual.squaredNorm() > policy.noise_margin * wanted && !progress.cancelled();
          ++step) {
-        progress.report({"missing force", 2.0 + step, 2.0 + diagnosis_policy.force.max_runs, "runs", {}});
+        progress.report({"missing force", 2.0 + step, 2.0 + policy.max_runs, "runs", {}});
         const double before = best.run.residual.squaredNorm();
         // The target is above what the linear response can reach: the last part needs large forces and is its own
         // error.
@@ -123,17 +125,16 @@ FoundForce repeated_steps(const ForcedTrial& trial, const MatrixXd& A, ForcedTri
         ForcedTrial::Run run = trial.run(sizes, progress);
         ++runs;
         if (run.residual.size() == 0 || !(run.residual.squaredNorm() < before)) {
-            share *= diagnosis_policy.force.share_factor;
+            share *= policy.share_factor;
             continue;
         }
         best = {sizes, std::move(run)};
-        if (best.run.residual.squaredNorm() > diagnosis_policy.force.min_gain * before) break;
+        if (best.run.residual.squaredNorm() > policy.min_gain * before) break;
     }
     return best;
 }
 
-std::string direction_words(const ForceMode& mode) {
-    const MissingForcePolicy& policy = diagnosis_policy.force;
+std::string direction_words(const ForceMode& mode, const MissingForcePolicy& policy) {
     if (mode.aligned < policy.min_aligned) return "in opposite directions along the body, like a moment";
     Index axis = 0;
     if (mode.direction.cwiseAbs().maxCoeff(&axis) > policy.along_axis)
@@ -147,8 +148,7 @@ std::string direction_words(const ForceMode& mode) {
 }
 
 /// @param place, spread  mean and standard deviation along the body, in units of its length
-std::string place_words(double place, double spread) {
-    const MissingForcePolicy& policy = diagnosis_policy.force;
+std::string place_words(double place, double spread, const MissingForcePolicy& policy) {
     if (place > policy.at_end) return "at the free end";
     if (place > policy.near_end) return "nearer the free end";
     if (place < policy.at_clamp) return "at the clamp";
@@ -156,7 +156,7 @@ std::string place_words(double place, double spread) {
     return spread < policy.concentrated ? "at the middle of the body" : "along the whole body";
 }
 
-void describe(const model::Body& body, const ForceFields& fields, ForceMode& mode) {
+void describe(const model::Body& body, const ForceFields& fields, const MissingForcePolicy& policy, ForceMode& mode) {
     VectorXd lengths = mode.pattern.colwise().norm().transpose();
     const double total = lengths.sum();
     mode.pattern /= total;
@@ -175,7 +175,7 @@ void describe(const model::Body& body, const ForceFields& fields, ForceMode& mod
     mode.centroid_m = body.mesh.nodes * lengths;
     mode.place = fields.place.dot(lengths);
     const double spread = std::sqrt(std::max(0.0, fields.place.cwiseAbs2().dot(lengths) - mode.place * mode.place));
-    mode.where = place_words(mode.place, spread) + ", " + direction_words(mode);
+    mode.where = place_words(mode.place, spread, policy) + ", " + direction_words(mode, policy);
     const double square = mode.amplitude_N.squaredNorm() / static_cast<double>(mode.amplitude_N.size());
     mode.steady = square > 0.0 ? std::pow(mode.amplitude_N.mean(), 2) / square : 0.0;
 }
@@ -183,24 +183,25 @@ void describe(const model::Body& body, const ForceFields& fields, ForceMode& mod
 /// Modes (distribution times course) with the largest shares of the squared force.
 std::vector<ForceMode> force_modes(const ForcedTrial& trial, const VectorXd& sizes) {
     const ForceFields& fields = trial.fields();
+    const MissingForcePolicy& policy = trial.policy();
     const Eigen::Map<const MatrixXd> courses(sizes.data(), fields.volume.rows(), trial.knots().count);
     const Eigen::LLT<MatrixXd> volume(fields.volume);
     const MatrixXd weighted = volume.matrixU() * courses;
-    const LeadingSvd svd = leading_svd(weighted, diagnosis_policy.force.max_modes);
+    const LeadingSvd svd = leading_svd(weighted, policy.max_modes);
     const double all = weighted.squaredNorm();
     std::vector<ForceMode> modes;
     double shown = 0.0;
-    for (Index k = 0; k < svd.sizes.size() && all > 0.0 && shown < diagnosis_policy.force.reported_share; ++k) {
+    for (Index k = 0; k < svd.sizes.size() && all > 0.0 && shown < policy.reported_share; ++k) {
         ForceMode mode;
         mode.share = std::pow(svd.sizes(k), 2) / all;
-        if (mode.share < diagnosis_policy.force.min_mode) break;
+        if (mode.share < policy.min_mode) break;
         shown += mode.share;
         const VectorXd of_field = volume.matrixU().solve(VectorXd(svd.left.col(k)));
         mode.pattern = Matrix3Xd::Zero(3, fields.place.size());
         for (std::size_t f = 0; f < fields.patterns.size(); ++f)
             mode.pattern += of_field(static_cast<Index>(f)) * fields.patterns[f];
         mode.amplitude_N = svd.sizes(k) * svd.right.col(k);
-        describe(*trial.affected().model.body, fields, mode);
+        describe(*trial.affected().model.body, fields, policy, mode);
         modes.push_back(std::move(mode));
     }
     return modes;
@@ -226,10 +227,11 @@ MissingForce infer_missing_force(const setup::Setup& declared, const Diagnosis& 
         return result;
     }
     const setup::Setup setup = as_diagnosed(d, declared);
+    const MissingForcePolicy& policy = d.settings.policy.force;
     const ForcedTrial trial(setup, d, worst_trial(d.data, d.augmented.fit.residual));
     result.trial = setup.trials[trial.trial()].name;
     result.time_s = trial.knots().times_s();
-    progress.report({"missing force", 0.0, 2.0 + diagnosis_policy.force.max_runs, "runs", {}});
+    progress.report({"missing force", 0.0, 2.0 + policy.max_runs, "runs", {}});
     ForcedTrial::Run start = trial.run(
         VectorXd::Zero(static_cast<Index>(trial.fields().patterns.size()) * trial.knots().count), progress);
     if (start.residual.size() == 0) {
@@ -237,7 +239,7 @@ MissingForce infer_missing_force(const setup::Setup& declared, const Diagnosis& 
         return result;
     }
     result.before_over_noise = result.after_over_noise = rms_of(start.residual);
-    progress.report({"missing force", 1.0, 2.0 + diagnosis_policy.force.max_runs, "runs", {}});
+    progress.report({"missing force", 1.0, 2.0 + policy.max_runs, "runs", {}});
     const MatrixXd A = trial.response(progress);
     result.runs = 2;
     if (A.size() == 0 || !A.allFinite()) {
@@ -249,17 +251,17 @@ MissingForce infer_missing_force(const setup::Setup& declared, const Diagnosis& 
     result.modes = force_modes(trial, found.sizes);
     const double squares_before = std::pow(result.before_over_noise, 2) * static_cast<double>(A.rows());
     if (result.modes.empty())
-        result.failure = squares_before <= diagnosis_policy.force.noise_margin * noise_squares(A.rows())
+        result.failure = squares_before <= policy.noise_margin * noise_squares(A.rows(), policy)
                              ? "the residual is noise"
                              : "no force makes the residual smaller";
-    else if (result.removed() < diagnosis_policy.force.min_explained) {
+    else if (result.removed() < policy.min_explained) {
         result.modes.clear();
         result.failure = "no smooth force takes away more than " + format_number(100.0 * result.removed(), 1) +
                          " % of the square of what is left in " + result.trial +
                          ": it may be in the recording (markers, names, times) rather than in the body";
     }
     for (ForceMode& mode : result.modes)
-        mode.correlates = course_correlates(setup, trial.affected(), found.run.trace, trial.knots(), mode);
+        mode.correlates = course_correlates(setup, trial.affected(), found.run.trace, trial.knots(), mode, policy);
     return result;
 }
 

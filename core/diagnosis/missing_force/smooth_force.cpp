@@ -8,14 +8,13 @@
 
 #include "base/decompositions.hpp"
 
-#include "diagnosis/diagnosis_policy.hpp"
-
 namespace myo::diagnosis {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-SmoothForce::SmoothForce(const MatrixXd& A, const MatrixXd& R) : A_(A) {
+SmoothForce::SmoothForce(const MatrixXd& A, const MatrixXd& R, const MissingForcePolicy& policy)
+    : policy_(policy), A_(A) {
     assert(A.cols() == R.cols());
     const Eigen::LLT<MatrixXd> factor(R);
     const MatrixXd squares = A.transpose() * A;
@@ -28,16 +27,15 @@ SmoothForce::SmoothForce(const MatrixXd& A, const MatrixXd& R) : A_(A) {
 
 VectorXd SmoothForce::solve(const VectorXd& d, double squares) const {
     const VectorXd g = to_x_.transpose() * (A_.transpose() * d);
-    const MissingForcePolicy& policy = diagnosis_policy.force;
     const double largest = diagonal_.maxCoeff();
     if (!(largest > 0.0)) return VectorXd::Zero(A_.cols());
     const auto left = [&](double lambda) {
         const Eigen::ArrayXd sum = diagonal_.array() + lambda;
         return d.squaredNorm() - (g.array().square() * (sum + lambda) / sum.square()).sum();
     };
-    double low = std::log(policy.lowest_lambda * largest), high = std::log(policy.highest_lambda * largest);
-    const double wanted = std::max(squares, policy.reachable * left(std::exp(low)));
-    for (int i = 0; i < policy.bisections; ++i) {
+    double low = std::log(policy_.lowest_lambda * largest), high = std::log(policy_.highest_lambda * largest);
+    const double wanted = std::max(squares, policy_.reachable * left(std::exp(low)));
+    for (int i = 0; i < policy_.bisections; ++i) {
         const double middle = 0.5 * (low + high);
         (left(std::exp(middle)) <= wanted ? low : high) = middle;
     }

@@ -15,13 +15,12 @@ std::vector<EffectScore> score_with_longer_steps(const setup::Setup& setup, cons
 EffectScore best_score(const std::vector<EffectScore>& scores);
 
 /// Indices of the best probe of each of the best effects, at most `count`, by decreasing explained share.
-std::vector<std::size_t> best_probes(const std::vector<EffectScore>& scores, int count,
-                                     const ScreeningPolicy& policy = diagnosis_policy.screening);
+std::vector<std::size_t> best_probes(const std::vector<EffectScore>& scores, int count, const ScreeningPolicy& policy);
 
 /// Indices of the next best probes of the wanted effects at other places or along other axes, by decreasing explained
 /// share: a fit from the best probe may end in a local minimum. At most two per effect, each with at least half the
 /// share of the effect's best probe, and six in total (ScreeningPolicy).
 std::vector<std::size_t> other_places(const std::vector<EffectScore>& scores, const EffectFilter& wanted,
-                                      const ScreeningPolicy& policy = diagnosis_policy.screening);
+                                      const ScreeningPolicy& policy);
 
 }  // namespace myo::diagnosis

@@ -18,7 +18,8 @@ std::optional<JointFit> debiased_fit(const DiagnosisContext& context, FitStore& 
     const std::optional<prediction::ParameterValues> values = debiased_start(
         context.declared.fit, prediction::declared_values(context.setup), context.policy().declared);
     if (!values) return std::nullopt;
-    JointFit fit = stored_fit({context.setup, context.data, *values, EffectFreedom::all, {1}}, store, log.progress());
+    JointFit fit = stored_fit({context.setup, context.data, *values, context.policy(), EffectFreedom::all, {1}}, store,
+                              log.progress());
     return fit.usable() ? std::optional(std::move(fit)) : std::nullopt;
 }
 

@@ -91,7 +91,9 @@ bool Search::correct(JudgedFit& fit) {
 bool Search::polish(JudgedFit& fit) {
     if (!is_unpolished(fit)) return true;
     JointFit again = logged_fit(
-        "refit", {context_.setup, context_.data, fit.fit.values, EffectFreedom::all, policy().polish}, store_, log_);
+        "refit",
+        {context_.setup, context_.data, fit.fit.values, context_.policy(), EffectFreedom::all, policy().polish}, store_,
+        log_);
     if (log_.cancelled()) return false;
     if (again.usable() && again.squares() < fit.fit.squares())
         fit = judged(context_.data, std::move(again), context_.settings);

@@ -42,7 +42,8 @@ RankedFits with_refit_alone(const DiagnosisContext& context, const FitData& data
     const prediction::ParameterValues start = with_one_effect(pair.fit.values, context.setup.experiment.effects.size(),
                                                               kept);
     JointFit alone = logged_fit(
-        fit_phase, {context.setup, data, start, EffectFreedom::all, context.policy().search.polish}, store, log);
+        fit_phase, {context.setup, data, start, context.policy(), EffectFreedom::all, context.policy().search.polish},
+        store, log);
     if (log.cancelled() || !alone.usable()) return fits;
     const std::string id = pair.fit.effects[kept].id;
     for (Candidate& candidate : fits.candidates)

@@ -25,8 +25,9 @@ bool predicts_held_out(const JudgedFit& fit, const JudgedFit& before, const Judg
            std::max(policy.chance_held_out, policy.max_held_out * held_out_excess(before.*rms));
 }
 
-bool at_bound(const prediction::ModelParameter& p, const prediction::ParameterValues& values) {
-    const double value = prediction::value_of(p, values), little = diagnosis_policy.numerics.at_bound * std::abs(value);
+bool at_bound(const prediction::ModelParameter& p, const prediction::ParameterValues& values,
+              const JudgementPolicy& policy) {
+    const double value = prediction::value_of(p, values), little = policy.at_bound * std::abs(value);
     return value <= p.parameter.lower + little || value >= p.parameter.upper - little;
 }
 
@@ -60,15 +61,15 @@ double numerical_allowance(const FitData& data, const NumericalError& numerics, 
     return std::max({policy.min_systematic, doubt, std::min(policy.max_rough, policy.rough_extrapolation * doubt)});
 }
 
-bool modulus_at_bound(const JointFit& fit) {
+bool modulus_at_bound(const JointFit& fit, const JudgementPolicy& policy) {
     return std::any_of(fit.parameters.begin(), fit.parameters.end(), [&](const prediction::ModelParameter& p) {
-        return p.kind == prediction::ModelParameter::Kind::youngs_modulus && at_bound(p, fit.values);
+        return p.kind == prediction::ModelParameter::Kind::youngs_modulus && at_bound(p, fit.values, policy);
     });
 }
 
-bool effect_at_bound(const JointFit& fit) {
+bool effect_at_bound(const JointFit& fit, const JudgementPolicy& policy) {
     return std::any_of(fit.parameters.begin(), fit.parameters.end(), [&](const prediction::ModelParameter& p) {
-        return p.kind == prediction::ModelParameter::Kind::effect && p.component < 0 && at_bound(p, fit.values);
+        return p.kind == prediction::ModelParameter::Kind::effect && p.component < 0 && at_bound(p, fit.values, policy);
     });
 }
 
@@ -95,7 +96,7 @@ bool differs_from_zero(const JointFit& fit, const JudgementPolicy& policy) {
 
 bool may_explain(const JudgedFit& fit, const Baseline& baseline) {
     const JudgementPolicy& policy = baseline.policy().judgement;
-    return fit.usable() && !modulus_at_bound(fit.fit) && differs_from_zero(fit.fit, policy) &&
+    return fit.usable() && !modulus_at_bound(fit.fit, policy) && differs_from_zero(fit.fit, policy) &&
            predicts_held_out(fit, baseline.declared, policy);
 }
 
@@ -121,7 +122,7 @@ bool explains(const JudgedFit& fit, const Baseline& baseline, Leniency leniency)
     const double left = tolerant ? surely_left(fit.tests.systematic, policy) : fit.tests.systematic.rms;
     if (left > (is_faint(baseline) ? policy.most_of_faint : policy.most_of_residual) * was) return false;
     // An effect at its bound would have grown further: its remainder is due neither to its form nor to the mesh.
-    const bool excused = tolerant && !effect_at_bound(fit.fit);
+    const bool excused = tolerant && !effect_at_bound(fit.fit, policy);
     return !fit.tests.significant() || fit.drifts() ||
            left <= tolerated(fit.numerics ? *fit.numerics : baseline.numerics, baseline, left, excused);
 }

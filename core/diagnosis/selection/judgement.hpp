@@ -8,10 +8,10 @@ namespace myo::diagnosis {
 double numerical_allowance(const FitData& data, const NumericalError& numerics, const JudgementPolicy& policy);
 
 /// Whether the fitted modulus is at a bound; it then compensates for something else.
-bool modulus_at_bound(const JointFit& fit);
+bool modulus_at_bound(const JointFit& fit, const JudgementPolicy& policy);
 
 /// Whether a scalar number of an effect is at a bound; components of vectors, such as places, are not tested.
-bool effect_at_bound(const JointFit& fit);
+bool effect_at_bound(const JointFit& fit, const JudgementPolicy& policy);
 
 /// Whether the amount of every tried effect differs significantly from zero, with all other numbers of the fit free.
 /// Amounts that the data do not determine do not. True if the fit has no deviations.

@@ -24,9 +24,10 @@ std::vector<double> criteria_of(const std::vector<const JudgedFit*>& fits, doubl
                                                                 static_cast<int>(fit->fit.parameters.size()));
         const double of_held_out = statistics::information_criterion(samples * std::pow(fit->*held_out, 2), samples,
                                                                      effective, 0);
-        criteria.push_back(
-            0.5 * (of_fit + of_held_out) +
-            (effect_at_bound(fit->fit) ? 2.0 * policy.temperature * std::log(policy.odds_against_bounds) : 0.0));
+        criteria.push_back(0.5 * (of_fit + of_held_out) +
+                           (effect_at_bound(fit->fit, policy)
+                                ? 2.0 * policy.temperature * std::log(policy.odds_against_bounds)
+                                : 0.0));
     }
     return criteria;
 }

@@ -46,7 +46,8 @@ void add_caution(Verdict& verdict, const std::string& sentence) {
 
 Conclusion named(const VerdictEvidence& e, const JudgedFit& fit, double weight) {
     const VerdictPolicy& policy = e.policy.verdict;
-    const bool effect_bound = effect_at_bound(fit.fit), modulus_bound = modulus_at_bound(fit.fit);
+    const bool effect_bound = effect_at_bound(fit.fit, e.policy.judgement),
+               modulus_bound = modulus_at_bound(fit.fit, e.policy.judgement);
     Verdict verdict{VerdictKind::effects, fit.fit.effects};
     verdict.confidence = policy.undoubted * weight * (effect_bound || modulus_bound ? policy.at_bound : 1.0);
     verdict.reason = systematic_fall(fit, e.diagnosis.declared);
@@ -78,8 +79,9 @@ Conclusion unexplained(const VerdictEvidence& e) {
 bool removes_most(const VerdictEvidence& e, const JudgedFit& fit) {
     const Diagnosis& d = e.diagnosis;
     const VerdictPolicy& policy = e.policy.verdict;
-    if (d.data.noise_declared || !fit.usable() || !differs_from_zero(fit.fit, e.policy.judgement) ||
-        (modulus_at_bound(fit.fit) && !modulus_at_bound(d.declared.fit)))
+    const JudgementPolicy& judgement = e.policy.judgement;
+    if (d.data.noise_declared || !fit.usable() || !differs_from_zero(fit.fit, judgement) ||
+        (modulus_at_bound(fit.fit, judgement) && !modulus_at_bound(d.declared.fit, judgement)))
         return false;
     const auto leaves = [&](double JudgedFit::*rms, double share) { return fit.*rms <= share * d.declared.*rms; };
     const bool untested_by_trials = fit.single_trial_directions > d.declared.single_trial_directions;
@@ -105,7 +107,8 @@ double presence(const Diagnosis& d, const JudgedFit& fit) {
 bool removes_nearly_all(const VerdictEvidence& e) {
     const Diagnosis& d = e.diagnosis;
     const JudgedFit& fit = *e.single;
-    return may_explain(fit, d.baseline()) && presence(d, fit) > e.policy.verdict.present && !effect_at_bound(fit.fit) &&
+    return may_explain(fit, d.baseline()) && presence(d, fit) > e.policy.verdict.present &&
+           !effect_at_bound(fit.fit, e.policy.judgement) &&
            fit.tests.systematic.rms <= e.policy.verdict.nearly_all * d.declared.tests.systematic.rms;
 }
 
