@@ -117,6 +117,8 @@ TEST(Architecture, FilesStayShort) { EXPECT_EQ(faults_of(length_faults), ""); }
 
 TEST(Architecture, TuningNumbersAreInPolicies) { EXPECT_EQ(faults_of(tuning_faults), ""); }
 
+TEST(Architecture, PhasesOfTheDiagnosisAreGivenTheirPolicy) { EXPECT_EQ(faults_of(global_policy_faults), ""); }
+
 TEST(Architecture, EffectsAreNamedInTheirOwnFilesOnly) {
     const std::map<std::string, std::string> effects = effect_files(files());
     // One id per entry of the list in the catalogue, whose definition is no entry.
@@ -271,6 +273,19 @@ TEST(TuningRule, FindsNumbersOutsidePolicies) {
     EXPECT_EQ(faults("constexpr double none = std::numeric_limits<double>::quiet_NaN();"), 0u);
     EXPECT_EQ(faults("// constexpr double most = 3.0;"), 0u);
     EXPECT_EQ(tuning_faults({"tests/fem/x.cpp", "constexpr double most = 3.0;"}).size(), 0u);
+}
+
+TEST(GlobalPolicyRule, FindsPoliciesThatNoArgumentCarries) {
+    const auto faults = [](const std::string& code) {
+        return global_policy_faults({"core/diagnosis/fit/x.cpp", code}).size();
+    };
+    EXPECT_EQ(faults("inline constexpr DiagnosisPolicy defaults;"), 1u);
+    EXPECT_EQ(faults("return diagnosis_policy.force.max_runs;"), 1u);
+    EXPECT_EQ(faults("void f(const DiagnosisPolicy& policy = diagnosis_policy);"), 1u);
+    EXPECT_EQ(faults("#include \"diagnosis/diagnosis_policy.hpp\"\nvoid f(const ForcePolicy& policy);"), 0u);
+    EXPECT_EQ(faults("const ForcePolicy policy_;  // see diagnosis_policy"), 0u);
+    EXPECT_EQ(global_policy_faults({"core/setup/x.cpp", "mesh_policy.most;"}).size(), 0u);
+    EXPECT_EQ(global_policy_faults({"core/diagnosis/report/x.cpp", "report_policy.most;"}).size(), 0u);
 }
 
 TEST(EffectRule, FindsIdsInLiteralsOfOtherFiles) {

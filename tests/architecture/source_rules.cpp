@@ -228,6 +228,19 @@ std::vector<Fault> tuning_faults(const SourceFile& file) {
     return faults;
 }
 
+std::vector<Fault> global_policy_faults(const SourceFile& file) {
+    static const std::regex global(R"(\b\w+_policy\b|\bconstexpr\s+\w*Policy\b)");
+    if (file.path.rfind("core/diagnosis/", 0) != 0 || file.path.rfind("core/diagnosis/report/", 0) == 0) return {};
+    if (!is_cpp(file.path)) return {};
+    std::vector<Fault> faults;
+    std::istringstream lines(code_only(file.text));
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number)
+        if (std::smatch match; std::regex_search(line, match, global))
+            faults.push_back(fault(file, number, "a policy that no argument carries: " + match.str()));
+    return faults;
+}
+
 std::vector<Fault> machine_path_faults(const SourceFile& file) {
     // Written in two parts, or this file would break the rule itself.
     static const std::array<std::string, 5> roots = {std::string("/wo") + "rk/", std::string("/tm") + "p/",

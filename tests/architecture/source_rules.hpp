@@ -49,6 +49,10 @@ std::vector<Fault> length_faults(const SourceFile& file);
 /// and quadrature weights of a few files, which are listed with their reason.
 std::vector<Fault> tuning_faults(const SourceFile& file);
 
+/// Policies at namespace scope in core/diagnosis: every phase is given the policy of its DiagnoseSettings, so that a
+/// changed number acts everywhere. The layout of the report has its own.
+std::vector<Fault> global_policy_faults(const SourceFile& file);
+
 /// Ids of the catalogue of effects (`.id = "soft_patch"`), each with its own file of core/effect.
 std::map<std::string, std::string> effect_files(const std::vector<SourceFile>& files);
 
