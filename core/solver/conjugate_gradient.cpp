@@ -49,6 +49,9 @@ void add_block_column(const SymmetricSparse& lower, int j, const std::vector<Lan
     const double* a = lower.valuePtr() + first;  // indexed by the entries of the first column
     const double *b = a + length - 1, *c = b + length - 2;
     const auto at = static_cast<std::size_t>(j);
+    // Copies stay in registers. References would be read again after every store to y: measured 33 % slower for xa, xb
+    // and xc, 7 % for xi, at 8 columns.
+    // NOLINTBEGIN(performance-unnecessary-copy-initialization)
     const Lane xa = x[at], xb = x[at + 1], xc = x[at + 2];
     Lane ya = a[0] * xa + a[1] * xb + a[2] * xc, yb = a[1] * xa + b[1] * xb + b[2] * xc,
          yc = a[2] * xa + b[2] * xb + c[2] * xc;
@@ -62,6 +65,7 @@ void add_block_column(const SymmetricSparse& lower, int j, const std::vector<Lan
             y[i + static_cast<std::size_t>(r)] += a[e + r] * xa + b[e + r] * xb + c[e + r] * xc;
         }
     }
+    // NOLINTEND(performance-unnecessary-copy-initialization)
     y[at] += ya;
     y[at + 1] += yb;
     y[at + 2] += yc;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <vector>
 
 namespace myo::statistics {
@@ -42,7 +43,7 @@ struct GriddedSeries {
     Eigen::VectorXd seen;    // T: 1 if seen, else 0
 
     /// Number of seen samples.
-    Eigen::Index count() const { return static_cast<Eigen::Index>(seen.sum() + 0.5); }
+    Eigen::Index count() const { return std::lround(seen.sum()); }
 };
 
 /// Grid from the first to the last sample of one series. Empty for an empty series.

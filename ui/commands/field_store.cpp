@@ -26,7 +26,8 @@ std::array<double, 2> range_of(const Eigen::VectorXd& values) {
 /// Magnitude of the force on the patch of each node. Null if no force is known.
 std::shared_ptr<const FieldFrame> force_frame(const WorkbenchState& state) {
     const PatchForces* const forces = shown_forces(state);
-    const Eigen::Matrix3Xd now = forces ? force_at_time(*forces, state.time_s) : Eigen::Matrix3Xd();
+    if (!forces) return nullptr;
+    const Eigen::Matrix3Xd now = force_at_time(*forces, state.time_s);
     if (now.cols() == 0) return nullptr;
     const Eigen::VectorXi& patch = state.diagnosis->patch_of_node;
     FieldFrame frame;
@@ -79,7 +80,10 @@ void FieldStore::take(Answer answer) {
     if (answer.range) range_ = answer.range;
     if (answer.values.size() > 0) frame_ = answer.frame;
     auto frame = std::make_shared<FieldFrame>();
-    frame->values = answer.values.size() > 0 || !shown_ ? std::move(answer.values) : shown_->values;
+    if (answer.values.size() > 0 || !shown_)
+        frame->values = std::move(answer.values);
+    else
+        frame->values = shown_->values;
     frame->trial_range = range_;
     shown_ = std::move(frame);
 }

@@ -9,9 +9,9 @@ MYOLOOP_GL_FUNCTIONS(MYOLOOP_GL_DEFINE)
 #undef MYOLOOP_GL_DEFINE
 
 Result<void> load(GetProcAddress get_proc_address) {
-#define MYOLOOP_GL_LOAD(type, name)                              \
-    name = reinterpret_cast<type>(get_proc_address("gl" #name)); \
-    if (name == nullptr) return Error{"the graphics driver lacks gl" #name "; OpenGL 3.3 is needed", "OpenGL"};
+#define MYOLOOP_GL_LOAD(type, name)                                \
+    (name) = reinterpret_cast<type>(get_proc_address("gl" #name)); \
+    if ((name) == nullptr) return Error{"the graphics driver lacks gl" #name "; OpenGL 3.3 is needed", "OpenGL"};
     MYOLOOP_GL_FUNCTIONS(MYOLOOP_GL_LOAD)
 #undef MYOLOOP_GL_LOAD
     GLint major = 0;
