@@ -4,37 +4,37 @@
 #include <cassert>
 
 namespace myo::model {
+namespace {
 
-BlockPattern block_pattern(const mesh::VolumeMesh& mesh, const std::vector<bool>& clamped) {
-    assert(static_cast<Eigen::Index>(clamped.size()) == mesh.node_count());
-    BlockPattern pattern;
-    pattern.free_index.assign(clamped.size(), -1);
-    for (std::size_t i = 0; i < clamped.size(); ++i)
-        if (!clamped[i]) {
-            pattern.free_index[i] = pattern.free_count++;
-            pattern.free_nodes.push_back(static_cast<int>(i));
+using BlockRows = std::vector<std::vector<int>>;  // block rows per block column, diagonal first
+
+/// Adds the blocks of a group of nodes to the stored triangle.
+/// @param index  free index of node a of the group, -1: clamped
+template <class Index>
+void couple(std::size_t count, const Index& index, BlockRows& rows) {
+    for (std::size_t b = 0; b < count; ++b)
+        for (std::size_t a = 0; a < count; ++a)
+            if (index(b) >= 0 && index(a) >= index(b)) rows[static_cast<std::size_t>(index(b))].push_back(index(a));
+}
+
+/// Rank of each block of a group in its block column: assembly then needs no search.
+template <class Index>
+void add_ranks(std::size_t count, const Index& index, const BlockRows& rows, int* ranks) {
+    for (std::size_t b = 0; b < count; ++b)
+        for (std::size_t a = 0; a < count; ++a) {
+            const int row = index(a), column = index(b);
+            if (column < 0 || row < column) continue;
+            const std::vector<int>& list = rows[static_cast<std::size_t>(column)];
+            ranks[b * count + a] = static_cast<int>(std::lower_bound(list.begin(), list.end(), row) - list.begin());
         }
+}
 
-    const auto nodes = static_cast<int>(mesh.cells.rows());
-    const auto free_node = [&](Eigen::Index a, Eigen::Index c) {
-        return pattern.free_index[static_cast<std::size_t>(mesh.cells(a, c))];
-    };
-    std::vector<std::vector<int>> rows(static_cast<std::size_t>(pattern.free_count));  // block rows per block column
-    for (Eigen::Index c = 0; c < mesh.cell_count(); ++c)
-        for (int b = 0; b < nodes; ++b)
-            for (int a = 0; a < nodes; ++a)
-                if (free_node(b, c) >= 0 && free_node(a, c) >= free_node(b, c))
-                    rows[static_cast<std::size_t>(free_node(b, c))].push_back(free_node(a, c));
+/// Matrix of zeros with these blocks.
+void set_zero_matrix(const BlockRows& rows, BlockPattern& pattern) {
     std::size_t entries = 0;
-    for (std::size_t column = 0; column < rows.size(); ++column) {
-        rows[column].push_back(static_cast<int>(column));  // a node without cells keeps its diagonal
-        std::sort(rows[column].begin(), rows[column].end());
-        rows[column].erase(std::unique(rows[column].begin(), rows[column].end()), rows[column].end());
-        // A block column has three scalar columns; the strict upper triangle of the diagonal block (3 entries) is not
-        // stored.
-        entries += 9 * rows[column].size() - 3;
-    }
-
+    // A block column has three scalar columns; the strict upper triangle of the diagonal block (3 entries) is not
+    // stored.
+    for (const std::vector<int>& column : rows) entries += 9 * column.size() - 3;
     solver::SymmetricSparse& matrix = pattern.zero;
     matrix.resize(pattern.unknowns(), pattern.unknowns());
     matrix.resizeNonZeros(static_cast<Eigen::Index>(entries));
@@ -49,19 +49,47 @@ BlockPattern block_pattern(const mesh::VolumeMesh& mesh, const std::vector<bool>
                 }
         }
     matrix.outerIndexPtr()[pattern.unknowns()] = position;
+}
 
-    // Rank of each cell block in its block column: assembly then needs no search.
-    pattern.cell_blocks.assign(static_cast<std::size_t>(mesh.cell_count()) * static_cast<std::size_t>(nodes * nodes),
-                               -1);
+}  // namespace
+
+BlockPattern block_pattern(const mesh::VolumeMesh& mesh, const std::vector<bool>& clamped,
+                           const std::vector<std::vector<int>>& couplings) {
+    assert(static_cast<Eigen::Index>(clamped.size()) == mesh.node_count());
+    BlockPattern pattern;
+    pattern.free_index.assign(clamped.size(), -1);
+    for (std::size_t i = 0; i < clamped.size(); ++i)
+        if (!clamped[i]) {
+            pattern.free_index[i] = pattern.free_count++;
+            pattern.free_nodes.push_back(static_cast<int>(i));
+        }
+    const auto nodes = static_cast<std::size_t>(mesh.cells.rows());
+    const auto in_cell = [&](Eigen::Index c) {
+        return [&pattern, column = mesh.cells.data() + c * mesh.cells.rows()](std::size_t a) {
+            return pattern.free_index[static_cast<std::size_t>(column[a])];
+        };
+    };
+    const auto in_group = [&](const std::vector<int>& group) {
+        return [&](std::size_t a) { return pattern.free_index[static_cast<std::size_t>(group[a])]; };
+    };
+
+    BlockRows rows(static_cast<std::size_t>(pattern.free_count));
+    for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) couple(nodes, in_cell(c), rows);
+    for (const std::vector<int>& group : couplings) couple(group.size(), in_group(group), rows);
+    for (std::size_t column = 0; column < rows.size(); ++column) {
+        rows[column].push_back(static_cast<int>(column));  // a node without cells keeps its diagonal
+        std::sort(rows[column].begin(), rows[column].end());
+        rows[column].erase(std::unique(rows[column].begin(), rows[column].end()), rows[column].end());
+    }
+    set_zero_matrix(rows, pattern);
+
+    pattern.cell_blocks.assign(static_cast<std::size_t>(mesh.cell_count()) * nodes * nodes, -1);
     for (Eigen::Index c = 0; c < mesh.cell_count(); ++c)
-        for (int b = 0; b < nodes; ++b)
-            for (int a = 0; a < nodes; ++a) {
-                const int row = free_node(a, c), column = free_node(b, c);
-                if (column < 0 || row < column) continue;
-                const auto& list = rows[static_cast<std::size_t>(column)];
-                const auto rank = std::lower_bound(list.begin(), list.end(), row) - list.begin();
-                pattern.cell_blocks[static_cast<std::size_t>((c * nodes + b) * nodes + a)] = static_cast<int>(rank);
-            }
+        add_ranks(nodes, in_cell(c), rows, pattern.cell_blocks.data() + static_cast<std::size_t>(c) * nodes * nodes);
+    for (const std::vector<int>& group : couplings) {
+        pattern.coupled_blocks.emplace_back(group.size() * group.size(), -1);
+        add_ranks(group.size(), in_group(group), rows, pattern.coupled_blocks.back().data());
+    }
     return pattern;
 }
 

@@ -19,7 +19,8 @@ struct BlockPattern {
     std::vector<int> free_nodes;  // per free node: node
     // at (cell * N + b) * N + a: rank of block (a, b) in its block column; -1: not stored
     std::vector<int> cell_blocks;
-    solver::SymmetricSparse zero;  // matrix with this pattern and values 0
+    std::vector<std::vector<int>> coupled_blocks;  // the same for each coupling, with its number of nodes for N
+    solver::SymmetricSparse zero;                  // matrix with this pattern and values 0
 
     int unknowns() const { return 3 * free_count; }
 
@@ -36,9 +37,25 @@ struct BlockPattern {
     void add(solver::SymmetricSparse& matrix, const Eigen::MatrixXi& cells, int cell, int a, int b,
              const Block& entry) const {
         const auto nodes = static_cast<int>(cells.rows());
-        const int rank = cell_blocks[static_cast<std::size_t>((cell * nodes + b) * nodes + a)];
+        add_ranked(matrix, cell_blocks[static_cast<std::size_t>((cell * nodes + b) * nodes + a)], cells(b, cell),
+                   entry);
+    }
+
+    /// Adds the block (a, b) of a coupling, see block_pattern(). Clamped blocks and blocks above the diagonal are
+    /// skipped.
+    ///
+    /// @param nodes  of the coupling
+    template <class Block>
+    void add_coupled(solver::SymmetricSparse& matrix, const std::vector<int>& nodes, std::size_t coupling,
+                     std::size_t a, std::size_t b, const Block& entry) const {
+        add_ranked(matrix, coupled_blocks[coupling][b * nodes.size() + a], nodes[b], entry);
+    }
+
+private:
+    template <class Block>
+    void add_ranked(solver::SymmetricSparse& matrix, int rank, int column_node, const Block& entry) const {
         if (rank < 0) return;
-        const int column = 3 * free_index[static_cast<std::size_t>(cells(b, cell))];
+        const int column = 3 * free_index[static_cast<std::size_t>(column_node)];
         for (int s = 0; s < 3; ++s) {
             double* values = matrix.valuePtr() + matrix.outerIndexPtr()[column + s];
             if (rank == 0)
@@ -50,8 +67,11 @@ struct BlockPattern {
 };
 
 /// Pattern of a mesh.
-/// @param clamped  one flag per node
-BlockPattern block_pattern(const mesh::VolumeMesh& mesh, const std::vector<bool>& clamped);
+/// @param clamped    one flag per node
+/// @param couplings  further groups of nodes that are coupled with each other, such as those that carry two guides of a
+///                   tendon; a node occurs once in a group
+BlockPattern block_pattern(const mesh::VolumeMesh& mesh, const std::vector<bool>& clamped,
+                           const std::vector<std::vector<int>>& couplings = {});
 
 /// Free columns of a nodal field as one vector.
 ///

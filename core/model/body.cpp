@@ -2,7 +2,8 @@
 
 namespace myo::model {
 
-BodyPointer make_body(mesh::VolumeMesh mesh, fem::ElementKind kind, const std::vector<int>& clamped_nodes) {
+BodyPointer make_body(mesh::VolumeMesh mesh, fem::ElementKind kind, const std::vector<int>& clamped_nodes,
+                      std::vector<std::vector<int>> couplings) {
     auto body = std::make_shared<Body>();
     body->mesh = std::move(mesh);
     body->boundary = mesh::boundary_faces(body->mesh);
@@ -12,7 +13,8 @@ BodyPointer make_body(mesh::VolumeMesh mesh, fem::ElementKind kind, const std::v
     for (const int node : clamped_nodes) body->clamped[static_cast<std::size_t>(node)] = true;
     body->surroundings = fem::cell_surroundings(body->mesh, body->clamped);
     body->cells = pack_elements(fem::make_elements(body->mesh, kind, body->surroundings));
-    body->pattern = block_pattern(body->mesh, body->clamped);
+    body->couplings = std::move(couplings);
+    body->pattern = block_pattern(body->mesh, body->clamped, body->couplings);
 
     std::vector<Eigen::Triplet<double>> triplets;
     // Triplets of shared nodes are summed by setFromTriplets().

@@ -18,16 +18,17 @@ struct Body {
     mesh::VolumeMesh mesh;         // rest configuration [m]
     mesh::BoundaryFaces boundary;  // faces of the boundary
     fem::ElementKind kind = fem::ElementKind::hex8;
-    PackedElements cells;                   // cell geometry in SIMD layout
-    NodeIncidence incidence;                // node to cell map for the assembly of nodal vectors
-    std::vector<bool> clamped;              // per node
-    fem::CellSurroundings surroundings;     // neighbourhood of each hex8 cell, see fem::cell_surroundings()
-    BlockPattern pattern;                   // of the stiffness matrix
-    Eigen::SparseMatrix<double> unit_mass;  // n x n [m3]: consistent mass for density 1
-    double volume_m3 = 0.0;                 // [m3] rest volume
-    int volume_points_per_cell = 1;         // independent volume measures (pressures) per cell
-    int strains_per_cell = 0;               // strain components per cell: 6 per point
-    int points_per_cell = 0;                // quadrature points, where the material law is evaluated
+    PackedElements cells;                     // cell geometry in SIMD layout
+    NodeIncidence incidence;                  // node to cell map for the assembly of nodal vectors
+    std::vector<bool> clamped;                // per node
+    fem::CellSurroundings surroundings;       // neighbourhood of each hex8 cell, see fem::cell_surroundings()
+    std::vector<std::vector<int>> couplings;  // groups of nodes that force elements couple, see block_pattern()
+    BlockPattern pattern;                     // of the stiffness matrix
+    Eigen::SparseMatrix<double> unit_mass;    // n x n [m3]: consistent mass for density 1
+    double volume_m3 = 0.0;                   // [m3] rest volume
+    int volume_points_per_cell = 1;           // independent volume measures (pressures) per cell
+    int strains_per_cell = 0;                 // strain components per cell: 6 per point
+    int points_per_cell = 0;                  // quadrature points, where the material law is evaluated
 
     int cell_count() const { return static_cast<int>(mesh.cell_count()); }
     int node_count() const { return static_cast<int>(mesh.node_count()); }
@@ -51,6 +52,8 @@ using BodyPointer = std::shared_ptr<const Body>;
 /// Builds the body.
 /// @param kind           element formulation; asserts that it matches the cells of the mesh
 /// @param clamped_nodes  nodes with prescribed zero displacement
-BodyPointer make_body(mesh::VolumeMesh mesh, fem::ElementKind kind, const std::vector<int>& clamped_nodes);
+/// @param couplings      see block_pattern()
+BodyPointer make_body(mesh::VolumeMesh mesh, fem::ElementKind kind, const std::vector<int>& clamped_nodes,
+                      std::vector<std::vector<int>> couplings = {});
 
 }  // namespace myo::model

@@ -11,6 +11,7 @@
 #include "base/cross_matrix.hpp"
 #include "mesh/face_quadrature.hpp"
 #include "mesh/face_shape.hpp"
+#include "model/command.hpp"
 #include "model/loaded_face.hpp"
 
 namespace myo::model {
@@ -60,7 +61,7 @@ public:
         : walls_(std::move(walls)), pressure_(std::move(pressure)) {}
 
     void add(const Body& body, const ForceState& at, HessianKind kind, InternalEnergy& out) const override {
-        const double p = at.before_jump ? pressure_.value_before(at.time_s) : pressure_.value(at.time_s);
+        const double p = command_value(pressure_, at);
         if (p == 0.0) return;
         for (const LoadedFace& wall : *walls_) {
             const WallVolume V = wall_volume(at.x(Eigen::all, wall.nodes), kind == HessianKind::exact);
@@ -81,42 +82,22 @@ public:
     }
 
     std::vector<ForceParameter> parameters() const override {
-        std::vector<ForceParameter> knots;
-        double largest = 0.0;
-        for (const double p : pressure_.values) largest = std::max(largest, std::abs(p));
-        for (std::size_t k = 0; k < pressure_.values.size(); ++k)
-            knots.push_back(
-                {"pressure_Pa, knot " + std::to_string(k), pressure_.values[k], largest > 0.0 ? largest : 1e3});
-        return knots;
+        return command_parameters(pressure_, "pressure_Pa", 1e3);
     }
     ForceElementPointer changed(const VectorXd& values) const override {
-        return std::make_shared<CavityPressure>(walls_,
-                                                fibre::Signal{pressure_.times_s, {values.begin(), values.end()}});
+        return std::make_shared<CavityPressure>(walls_, with_values(pressure_, values));
     }
-    // Linear interpolation between knots: only the two neighbouring knots contribute.
     void add_tangent(const Body&, const ForceState& at, const VectorXd& change, Matrix3Xd& gradient) const override {
-        // The pressure is linear in the values of its knots, so a change of values interpolates like the values.
-        const fibre::Signal::Weights w = pressure_.weights(at.time_s, at.before_jump);
-        const double dp = w.left == w.right ? change(static_cast<Eigen::Index>(w.left))
-                                            : w.of_left * change(static_cast<Eigen::Index>(w.left)) +
-                                                  w.of_right * change(static_cast<Eigen::Index>(w.right));
+        const double dp = command_change(pressure_, at, change);
         if (dp != 0.0) add_unit_pressure(at.x, dp, gradient);
     }
     void add_work(const Body&, const ForceState& at, const Matrix3Xd& p, VectorXd& by_parameter) const override {
         Matrix3Xd unit = Matrix3Xd::Zero(3, p.cols());
         add_unit_pressure(at.x, 1.0, unit);
-        const double work = unit.cwiseProduct(p).sum();
-        const fibre::Signal::Weights w = pressure_.weights(at.time_s, at.before_jump);
-        by_parameter(static_cast<Eigen::Index>(w.left)) += w.of_left * work;
-        if (w.right != w.left) by_parameter(static_cast<Eigen::Index>(w.right)) += w.of_right * work;
+        add_command_work(pressure_, at, unit.cwiseProduct(p).sum(), by_parameter);
     }
 
-    /// Constant pressure between the two times.
-    bool steady(double from_s, double to_s) const override {
-        const auto inside = [&](double t) { return t > from_s && t < to_s; };
-        return pressure_.value(from_s) == pressure_.value_before(to_s) &&
-               std::none_of(pressure_.times_s.begin(), pressure_.times_s.end(), inside);
-    }
+    bool steady(double from_s, double to_s) const override { return constant_between(pressure_, from_s, to_s); }
     std::vector<double> jumps() const override { return pressure_.jumps(); }
 
 private:

@@ -10,6 +10,7 @@
 #include "model/point_friction.hpp"
 #include "model/surface_drag.hpp"
 #include "support/hollow.hpp"
+#include "support/tendon_body.hpp"
 
 namespace myo::model {
 namespace {
@@ -51,6 +52,10 @@ Model model_with(const ForceCase& c) {
         model.force_elements = {
             point_friction(body, tip_cell(body), nodes, shares, Vector3d(1.0, 2.0, -0.5), 0.3, 0.05)};
     }
+    const std::vector<Vector3d> path{
+        {-0.01, 0.004, 0.002}, {0.02, 0.004, 0.003}, {0.043, 0.005, 0.026}, {0.058, 0.027, 0.02}};
+    if (element == "tension") test::pull_by_tension(path, fibre::Signal{{0.0, 1.0}, {2.0, 3.0}}, model);
+    if (element == "shortening") test::pull_by_shortening(path, fibre::Signal{{0.0, 1.0}, {2e-3, 3e-3}}, 900.0, model);
     if (element == "pressure")
         model.force_elements = {
             cavity_pressure(body, closed_cavities(body).at(0), fibre::Signal{{0.0, 1.0}, {4e3, 6e3}})};
@@ -132,7 +137,9 @@ INSTANTIATE_TEST_SUITE_P(
                     ForceCase{"drag", fem::ElementKind::hex8}, ForceCase{"drag", fem::ElementKind::tet10},
                     ForceCase{"friction", fem::ElementKind::hex8}, ForceCase{"friction", fem::ElementKind::tet10},
                     ForceCase{"pressure", fem::ElementKind::hex8}, ForceCase{"pressure", fem::ElementKind::tet4},
-                    ForceCase{"pressure", fem::ElementKind::tet10}),
+                    ForceCase{"pressure", fem::ElementKind::tet10}, ForceCase{"tension", fem::ElementKind::hex8},
+                    ForceCase{"tension", fem::ElementKind::tet10}, ForceCase{"shortening", fem::ElementKind::hex8},
+                    ForceCase{"shortening", fem::ElementKind::tet10}),
     [](const auto& c) { return std::string(c.param.element) + "_" + to_string(c.param.kind); });
 
 TEST(CavityPressure, PushesNothingAwayAndTurnsWithTheBody) {

@@ -4,6 +4,7 @@
 #include "sensitivity/gradient_check.hpp"
 #include "sensitivity/tangent_run.hpp"
 #include "support/figures.hpp"
+#include "support/tendon_body.hpp"
 
 namespace myo::sensitivity {
 namespace {
@@ -85,6 +86,27 @@ INSTANTIATE_TEST_SUITE_P(
         return to_string(c.param.kind) + "_" + to_string(c.param.scheme.integrator) +
                (c.param.start == dynamics::StartKind::equilibrium ? "_equilibrium" : "");
     });
+
+/// A block under a tendon whose tension is prescribed and one that takes in a length and becomes taut on the way.
+TEST(TendonGradient, EqualsCentralDifferences) {
+    model::Model model = test::hollow_block(fem::ElementKind::hex8);
+    model.damping_s = 0.002;
+    test::pull_by_tension({{-0.01, 0.004, 0.002}, {0.02, 0.004, 0.003}, {0.043, 0.005, 0.026}},
+                          fibre::Signal{{0.0, 0.0125, 0.0125, 0.03}, {2.0, 4.0, 1.0, 3.0}}, model);
+    test::pull_by_shortening({{-0.01, 0.02, 0.026}, {0.03, 0.025, 0.027}, {0.058, 0.026, 0.02}},
+                             fibre::Signal{{0.0, 0.03}, {-1e-4, 2e-3}}, 900.0, model);
+    const dynamics::SimulationOptions options = short_run(dynamics::Integrator::tr_bdf2, dynamics::StartKind::straight);
+    const GradientCheck check = check_gradient(model, options, rough_loss(model), checked_parameters(model, options));
+    ASSERT_TRUE(check.complete()) << check.message;
+    int of_elements = 0;
+    for (const GradientCheckRow& row : check.rows) {
+        EXPECT_LT(row.relative_error, 1e-5)
+            << row.name << ": adjoint " << row.adjoint << ", difference " << row.difference;
+        of_elements += row.name.starts_with("force element") ? 1 : 0;
+    }
+    EXPECT_EQ(of_elements, 4 + 6 + 2 + 1 + 6);  // knots and guides; knots, stiffness and guides
+    EXPECT_LT(check.median_error(), 1e-6);
+}
 
 }  // namespace
 }  // namespace myo::sensitivity

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+#include "mesh/volume_mesh.hpp"
+
+namespace myo::fem {
+
+/// A point of the material as a function of the node positions of one cell: x(t) = sum of weights times nodes.
+struct MaterialPoint {
+    int cell = 0;
+    std::vector<int> nodes;                             // of the cell
+    Eigen::VectorXd weights;                            // shape functions at the point; they sum to 1
+    Eigen::Matrix<double, Eigen::Dynamic, 3> gradient;  // dN/dX at the point [1/m]
+};
+
+/// Point of the body at a rest position [m]: of the cell that contains it, or, for a position outside the mesh, of the
+/// cell behind the nearest boundary face, whose shape functions are continued beyond the face.
+MaterialPoint material_point(const mesh::VolumeMesh& mesh, const Eigen::Vector3d& rest_m);
+
+}  // namespace myo::fem

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "fem/material_point.hpp"
+#include "fibre/signal.hpp"
+#include "model/force_element.hpp"
+
+namespace myo::model {
+
+/// Guide of a tendon: it moves with the material, or stands still.
+struct TendonGuide {
+    std::optional<fem::MaterialPoint> on_body;
+    Eigen::Vector3d rest_m;  // rest position; of a fixed guide all along
+};
+
+/// Groups of nodes that a tendon couples, for make_body(): neighbouring guides of a prescribed tension; all guides of a
+/// prescribed shortening, whose tension depends on the whole length.
+std::vector<std::vector<int>> tendon_couplings(const std::vector<TendonGuide>& guides, bool by_shortening);
+
+/// Thread under the prescribed tension T(t) [N] through guides, straight between them, without friction. Potential T L
+/// with the length L of the path.
+///
+/// @param first_coupling  index in Body::couplings of the first of tendon_couplings()
+/// Parameters: the knots of the command, then the places of the guides on the body at rest, to first order in their
+/// shift.
+/// Source: Camarillo et al. 2008 (tension along the path).
+ForceElementPointer tendon_of_tension(const std::vector<TendonGuide>& guides, std::size_t first_coupling,
+                                      fibre::Signal tension_N);
+
+/// Elastic thread of which the motor takes in the length s(t) [m]: tension k (L - L0 + s), L0 the length at rest. A
+/// slack thread has no tension; over `slack_m` beyond the onset of tension the stiffness grows linearly from 0, so that
+/// the tension has a continuous derivative.
+///
+/// @param stiffness_N_m  k of the whole thread, > 0, parameter between the knots and the guides
+ForceElementPointer tendon_of_shortening(const std::vector<TendonGuide>& guides, std::size_t first_coupling,
+                                         fibre::Signal shortening_m, double stiffness_N_m, double slack_m);
+
+/// What a sensor at the motor sees.
+struct TendonState {
+    double tension_N = 0.0;
+    double shortening_m = 0.0;  // of the path between the guides, from its rest length
+};
+/// State of a tendon at node positions x; asserts that the element is a tendon.
+TendonState tendon_state(const ForceElement& tendon, const ForceState& at);
+
+}  // namespace myo::model
