@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "base/stopwatch.hpp"
 #include "solver/conjugate_gradient.hpp"
+#include "solver/gmres.hpp"
 
 namespace myo::dynamics {
 
@@ -13,18 +15,56 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// One solve with the present factor; false: not converged within the limit.
+using SolveOnce = std::function<bool(int limit, int& iterations, MatrixXd& solution)>;
+
+/// GMRES for each column of B: H and the rest of the stiffness.
+static SolveOnce unsymmetric_solve(const solver::SymmetricSparse& H, const MatrixXd& B, double tolerance,
+                                   const StageProblem& problem, const Matrix3Xd& x, const LaggedFactor& factor,
+                                   const MatrixXd& guess, model::Side side) {
+    return [&, tolerance, side](int limit, int& iterations, MatrixXd& solution) {
+        const auto product = [&](const VectorXd& v) {
+            return VectorXd(solver::symmetric_product(H, v) + problem.unsymmetric_product(x, v, side));
+        };
+        const auto metric = [&](const VectorXd& v) { return VectorXd(factor.solve(problem.pattern(), v)); };
+        solution.resize(B.rows(), B.cols());
+        for (Eigen::Index k = 0; k < B.cols(); ++k) {
+            const VectorXd start = guess.size() > 0 ? VectorXd(guess.col(k)) : VectorXd();
+            const solver::GmresReport found = solver::gmres(product, metric, B.col(k), tolerance, limit, start);
+            iterations += found.iterations;
+            if (!found.converged) return false;
+            solution.col(k) = found.solution;
+        }
+        return true;
+    };
+}
+
+static SolveOnce symmetric_solve(const solver::SymmetricSparse& H, const MatrixXd& B, double tolerance,
+                                 const StageProblem& problem, const LaggedFactor& factor, StageReport& report,
+                                 const MatrixXd& guess) {
+    return [&, tolerance](int limit, int& iterations, MatrixXd& solution) {
+        const auto product = [&](const MatrixXd& V) {
+            const TimedScope scope(report.times.linear_s);
+            return solver::symmetric_product(H, V);
+        };
+        const auto metric = [&](const MatrixXd& V) {
+            const TimedScope scope(report.times.linear_s);
+            return factor.solve(problem.pattern(), V);
+        };
+        solver::ConjugateGradientReport cg = solver::conjugate_gradient(product, metric, B, tolerance, limit, guess);
+        iterations += cg.iterations;
+        if (cg.converged) solution = std::move(cg.solution);
+        return cg.converged;
+    };
+}
+
 bool solve_by_lagged_factor(const solver::SymmetricSparse& H, const MatrixXd& B, double tolerance,
                             const StageProblem& problem, const Matrix3Xd& x, LaggedFactor& factor, StageReport& report,
-                            MatrixXd& solution, const MatrixXd& guess) {
+                            MatrixXd& solution, const MatrixXd& guess, model::Side side) {
     const model::Body& body = *problem.model().body;
-    const auto product = [&](const MatrixXd& V) {
-        const TimedScope scope(report.times.linear_s);
-        return solver::symmetric_product(H, V);
-    };
-    const auto metric = [&](const MatrixXd& V) {
-        const TimedScope scope(report.times.linear_s);
-        return factor.solve(body.pattern, V);
-    };
+    const SolveOnce solve = model::has_potential(problem.model())
+                                ? symmetric_solve(H, B, tolerance, problem, factor, report, guess)
+                                : unsymmetric_solve(H, B, tolerance, problem, x, factor, guess, side);
     bool fresh = false;
     // With many columns each iteration is expensive, and a factor of this very matrix needs fewer of them.
     const bool pays = B.cols() > factor.iterations_per_factorisation(body);
@@ -37,12 +77,11 @@ bool solve_by_lagged_factor(const solver::SymmetricSparse& H, const MatrixXd& B,
     while (true) {
         // The Schwarz preconditioner converges more slowly than a factor of the whole matrix.
         const int limit = std::max(factor.is_whole(body.pattern) ? 30 : 500, factor.iterations_per_factorisation(body));
-        const solver::ConjugateGradientReport cg = solver::conjugate_gradient(product, metric, B, tolerance, limit,
-                                                                              guess);
-        report.linear_iterations += cg.iterations;
-        if (cg.converged) {
-            factor.charge(cg.iterations, body);
-            solution = cg.solution;
+        int iterations = 0;
+        const bool converged = solve(limit, iterations, solution);
+        report.linear_iterations += iterations;
+        if (converged) {
+            factor.charge(iterations, body);
             return true;
         }
         // No convergence with an old factor: renew it once, with H itself.
@@ -122,6 +161,7 @@ static bool factor_definite(const StageProblem& problem, const Matrix3Xd& x, int
 
 bool energy_newton(const StageProblem& problem, const SolverOptions& options, double scale, LaggedFactor& factor,
                    Matrix3Xd& x, StageReport& report) {
+    const bool conservative = model::has_potential(problem.model());
     int indefinite = 0;  // iterations for which the projected Hessian is used
     int crawling = 0;    // iterations in a row with a line search factor below 1e-3
     for (int iteration = 0; iteration < 5 * options.max_newton_iterations && crawling < 25;
@@ -136,12 +176,12 @@ bool energy_newton(const StageProblem& problem, const SolverOptions& options, do
         if (residual <= options.tolerance) return true;
         if (!factor_definite(problem, x, indefinite, factor, now.hessian, report)) return false;
         MatrixXd step = -factor.solve(problem.pattern(), now.residual);
-        if (!factor.is_whole(problem.pattern()) &&
+        if ((!factor.is_whole(problem.pattern()) || !conservative) &&
             !solve_by_lagged_factor(now.hessian, -now.residual, 1e-3, problem, x, factor, report, step))
             return false;
         // Armijo line search with halving. A direction without descent cannot be improved by it.
         const double slope = now.residual.dot(step.col(0));
-        if (!(slope < 0.0)) return false;
+        if (conservative && !(slope < 0.0)) return false;
         const Matrix3Xd dx = model::scatter(problem.pattern(), step);
         double length = 1.0;
         bool accepted = false;
@@ -149,8 +189,11 @@ bool energy_newton(const StageProblem& problem, const SolverOptions& options, do
             const StageProblem::Evaluation trial = problem.evaluate(x + length * dx, model::HessianKind::none);
             // If the potential cannot resolve the decrease, the residual decides; elsewhere it would allow cycles.
             const bool rounding = -slope < 1e-9 * std::abs(now.potential) || residual < 1e-3;
-            accepted = trial.residual.allFinite() && (trial.potential <= now.potential + 1e-4 * length * slope ||
-                                                      (rounding && trial.residual.norm() < 0.9 * now.residual.norm()));
+            const double shrinks = trial.residual.norm() / now.residual.norm();
+            accepted = trial.residual.allFinite() &&
+                       (conservative
+                            ? trial.potential <= now.potential + 1e-4 * length * slope || (rounding && shrinks < 0.9)
+                            : shrinks < 1.0 - 1e-4 * length);
             if (accepted) x += length * dx;
         }
         if (!accepted) return false;

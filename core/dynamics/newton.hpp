@@ -22,11 +22,13 @@ bool mixed_newton(const StageProblem& problem, const SolverOptions& options, dou
                   Eigen::Matrix3Xd& x, StageReport& report);
 
 /// Newton's method with a line search on the potential. Where the Hessian is indefinite, cell matrices are projected to
-/// be positive semidefinite. Slow but robust; the last resort. Parameters as above.
+/// be positive semidefinite. Slow but robust; the last resort. Without a potential the residual must decrease instead.
+/// Parameters as above.
 bool energy_newton(const StageProblem& problem, const SolverOptions& options, double scale, LaggedFactor& factor,
                    Eigen::Matrix3Xd& x, StageReport& report);
 
-/// Solves H X = B by conjugate gradients with the lagged factor as preconditioner.
+/// Solves H X = B by conjugate gradients with the lagged factor as preconditioner. For a body with forces without
+/// potential: solves (H + N) X = B, N the rest of the stiffness, or its transpose, by GMRES.
 ///
 /// @param B          unknowns x k
 /// @param tolerance  relative residual
@@ -35,6 +37,7 @@ bool energy_newton(const StageProblem& problem, const SolverOptions& options, do
 /// @return           false if H is not positive definite or the iteration limit is reached
 bool solve_by_lagged_factor(const solver::SymmetricSparse& H, const Eigen::MatrixXd& B, double tolerance,
                             const StageProblem& problem, const Eigen::Matrix3Xd& x, LaggedFactor& factor,
-                            StageReport& report, Eigen::MatrixXd& solution, const Eigen::MatrixXd& guess = {});
+                            StageReport& report, Eigen::MatrixXd& solution, const Eigen::MatrixXd& guess = {},
+                            model::Side side = model::Side::plain);
 
 }  // namespace myo::dynamics

@@ -114,6 +114,12 @@ StageProblem::Evaluation StageProblem::evaluate(const Matrix3Xd& x, model::Hessi
     return result;
 }
 
+VectorXd StageProblem::unsymmetric_product(const Matrix3Xd& x, const VectorXd& vector, model::Side side) const {
+    const Matrix3Xd v = model::depends_on_velocity(model()) ? stage_velocities(stage_, x) : Matrix3Xd();
+    return model::gather(pattern(), model::unsymmetric_product(model(), force_state(stage_, x, v),
+                                                               model::scatter(pattern(), vector), side));
+}
+
 double StageProblem::force_scale(const Matrix3Xd& start, double tolerance) const {
     const double external = model::gather(pattern(), dead_ - stage_.constant).norm();
     const double inertial = model::gather(pattern(), stage_.constant - stage_.inertia_1_s2 *

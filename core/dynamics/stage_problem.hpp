@@ -55,6 +55,11 @@ public:
     Evaluation evaluate(const Eigen::Matrix3Xd& x, model::HessianKind kind,
                         const Eigen::VectorXd* pressure = nullptr) const;
 
+    /// Product of what the stiffness at x has beyond the Hessian with a vector of the free unknowns; see
+    /// ForceElement::add_unsymmetric_tangent().
+    Eigen::VectorXd unsymmetric_product(const Eigen::Matrix3Xd& x, const Eigen::VectorXd& vector,
+                                        model::Side side) const;
+
     const model::Model& model() const { return *constants_.model; }
     const model::BlockPattern& pattern() const { return model().body->pattern; }
     const StageConstants& constants() const { return constants_; }

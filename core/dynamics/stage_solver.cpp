@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "dynamics/newton.hpp"
 #include "dynamics/quasi_newton.hpp"
+#include "solver/conjugate_gradient.hpp"
 
 namespace myo::dynamics {
 
@@ -66,7 +67,8 @@ StageReport StageSolver::solve(const Stage& stage, Matrix3Xd& x) {
     };
     const Matrix3Xd start = x;
     // Sequence of methods: the chosen one, mixed Newton from its result, mixed Newton from the guess, energy Newton.
-    if (options_.strategy == Strategy::projective && projective_.prepare(problem, report)) {
+    const bool conservative = model::has_potential(model());  // quasi-Newton methods minimise the potential
+    if (conservative && options_.strategy == Strategy::projective && projective_.prepare(problem, report)) {
         QuasiNewtonOptions options;
         options.tolerance = options_.tolerance;
         options.scale = scale;
@@ -80,7 +82,7 @@ StageReport StageSolver::solve(const Stage& stage, Matrix3Xd& x) {
         report.newton_iterations += result.iterations;
         report.residual = result.residual;
         if (result.converged) return converged();
-    } else if (options_.strategy != Strategy::newton && factor_.is_whole(problem.pattern())) {
+    } else if (options_.strategy != Strategy::newton && factor_.is_whole(problem.pattern()) && conservative) {
         if (lagged_newton(problem, scale, x, report)) return converged();
     }
     if (!x.allFinite()) x = start;
@@ -118,17 +120,26 @@ solver::SymmetricSparse StageSolver::hessian(const Stage& stage, const Matrix3Xd
 }
 
 MatrixXd StageSolver::solve_linear(const solver::SymmetricSparse& H, const Stage& stage, const Matrix3Xd& x,
-                                   const MatrixXd& B, const MatrixXd& guess) {
+                                   const MatrixXd& B, const MatrixXd& guess, model::Side side) {
     if (B.isZero(0.0)) return MatrixXd::Zero(B.rows(), B.cols());
     StageReport unused;
     MatrixXd solution;
     if (solve_by_lagged_factor(H, B, options_.tangent_tolerance, StageProblem(constants_, stage), x, factor_, unused,
-                               solution, guess))
+                               solution, guess, side))
         return solution;
     // Indefinite Hessian at a converged state (a buckling body): direct factorisation in double precision.
     solver::SparseCholesky exact;
-    if (exact.factorize(H)) return exact.solve(B);
+    if (model::has_potential(model()) && exact.factorize(H)) return exact.solve(B);
     return MatrixXd::Constant(B.rows(), B.cols(), std::numeric_limits<double>::quiet_NaN());
+}
+
+MatrixXd StageSolver::stiffness_product(const solver::SymmetricSparse& H, const Stage& stage, const Matrix3Xd& x,
+                                        const MatrixXd& V, model::Side side) const {
+    MatrixXd result = solver::symmetric_product(H, V);
+    if (model::has_potential(model())) return result;
+    const StageProblem problem(constants_, stage);
+    for (Eigen::Index k = 0; k < V.cols(); ++k) result.col(k) += problem.unsymmetric_product(x, V.col(k), side);
+    return result;
 }
 
 Matrix3Xd StageSolver::total_forces(const Stage& stage, const Matrix3Xd& x) {

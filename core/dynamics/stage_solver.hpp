@@ -44,14 +44,21 @@ public:
     /// Exact Hessian of the stage at x over the free unknowns [N/m].
     solver::SymmetricSparse hessian(const Stage& stage, const Eigen::Matrix3Xd& x);
 
-    /// Solves H X = B to options.tangent_tolerance.
+    /// Solves H X = B to options.tangent_tolerance. For a body with forces without potential the rest of the stiffness
+    /// is added to H, or its transpose.
     ///
     /// @param H      Hessian of the stage at x
     /// @param B      unknowns x k
     /// @param guess  initial X; may be empty
     /// Errors: NaN if H is singular.
     Eigen::MatrixXd solve_linear(const solver::SymmetricSparse& H, const Stage& stage, const Eigen::Matrix3Xd& x,
-                                 const Eigen::MatrixXd& B, const Eigen::MatrixXd& guess = {});
+                                 const Eigen::MatrixXd& B, const Eigen::MatrixXd& guess = {},
+                                 model::Side side = model::Side::plain);
+
+    /// Product of the stiffness of the stage at x, H and the rest of it, or of its transpose, with nodal fields, both
+    /// unknowns x k.
+    Eigen::MatrixXd stiffness_product(const solver::SymmetricSparse& H, const Stage& stage, const Eigen::Matrix3Xd& x,
+                                      const Eigen::MatrixXd& V, model::Side side = model::Side::plain) const;
 
     /// External minus internal forces at x, 3 x n [N], zero on clamped nodes. Strain rates as in the stage; inertia is
     /// not included.

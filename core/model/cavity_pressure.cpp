@@ -77,8 +77,8 @@ public:
     }
 
     const fibre::Signal* command() const override { return &pressure_; }
-    ForceElementPointer with_command(fibre::Signal pressure_Pa) const override {
-        return std::make_shared<CavityPressure>(walls_, std::move(pressure_Pa));
+    ForceElementPointer with_command(const fibre::Signal& pressure_Pa) const override {
+        return std::make_shared<CavityPressure>(walls_, pressure_Pa);
     }
 
     std::vector<ForceParameter> parameters() const override {

@@ -29,6 +29,21 @@ bool depends_on_velocity(const Model& model) {
                        [](const ForceElementPointer& e) { return e->depends_on_velocity(); });
 }
 
+bool has_potential(const Model& model) {
+    return std::all_of(model.force_elements.begin(), model.force_elements.end(),
+                       [](const ForceElementPointer& e) { return e->has_potential(); });
+}
+
+Matrix3Xd unsymmetric_product(const Model& model, const ForceState& at, const Matrix3Xd& field, Side side) {
+    Matrix3Xd result = Matrix3Xd::Zero(3, field.cols());
+    for (const ForceElementPointer& element : model.force_elements)
+        if (side == Side::plain)
+            element->add_unsymmetric_tangent(*model.body, at, field, result);
+        else
+            element->add_unsymmetric_pull(*model.body, at, field, result);
+    return result;
+}
+
 void add_force_elements(const Model& model, const ForceState& at, HessianKind kind, InternalEnergy& out) {
     for (const ForceElementPointer& element : model.force_elements) element->add(*model.body, at, kind, out);
 }

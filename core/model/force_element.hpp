@@ -29,8 +29,10 @@ struct ForceParameter {
 
 /// External force on a body in addition to material, fibres and dead loads: a spring, a pressure, a drag. Immutable.
 ///
-/// The force is the gradient of a potential, like all terms of a time step. A velocity-dependent force has the
-/// potential D(v) / velocity_factor, with gradient dD/dv and Hessian velocity_factor d2D/dv2.
+/// The force is usually the gradient of a potential, like all terms of a time step. A velocity-dependent force has the
+/// potential D(v) / velocity_factor, with gradient dD/dv and Hessian velocity_factor d2D/dv2. A force without
+/// potential, such as friction that grows with a normal force, has a Hessian that is the symmetric part of its
+/// stiffness that Newton's method may factor; the rest is given by add_unsymmetric_tangent().
 class ForceElement {
 public:
     virtual ~ForceElement() = default;
@@ -46,11 +48,20 @@ public:
     virtual void add_velocity_tangent(const Body&, const ForceState&, const Eigen::Matrix3Xd&,
                                       Eigen::Matrix3Xd&) const {}
 
+    /// Whether the force is the gradient of the potential that add() adds.
+    virtual bool has_potential() const { return true; }
+    /// Adds what the derivative of the gradient along dx (3 x n [m]) has beyond the Hessian.
+    virtual void add_unsymmetric_tangent(const Body&, const ForceState&, const Eigen::Matrix3Xd&,
+                                         Eigen::Matrix3Xd&) const {}
+    /// Transpose of add_unsymmetric_tangent(): adds the adjoint of x for the adjoint p of the gradient, both 3 x n.
+    virtual void add_unsymmetric_pull(const Body&, const ForceState&, const Eigen::Matrix3Xd&,
+                                      Eigen::Matrix3Xd&) const {}
+
     /// Signal that drives the element: pressure of a chamber, tension or shortening of a tendon. Its knots are the
     /// first parameters. Null: none.
     virtual const fibre::Signal* command() const { return nullptr; }
     /// Copy with another command; null if the element has none.
-    virtual std::shared_ptr<const ForceElement> with_command(fibre::Signal) const { return nullptr; }
+    virtual std::shared_ptr<const ForceElement> with_command(const fibre::Signal&) const { return nullptr; }
 
     /// Parameters in the order of changed() and add_tangent().
     virtual std::vector<ForceParameter> parameters() const = 0;
@@ -74,6 +85,16 @@ Eigen::VectorXd parameter_values(const ForceElement& element);
 
 /// True if any force element of the model depends on the velocity.
 bool depends_on_velocity(const Model& model);
+
+/// True if all force elements of the model have a potential: the stiffness matrix of the body is then symmetric.
+bool has_potential(const Model& model);
+
+/// A matrix or its transpose.
+enum class Side { plain, transposed };
+
+/// Product of the part of the stiffness that the Hessian lacks, or of its transpose, with a nodal field, 3 x n.
+Eigen::Matrix3Xd unsymmetric_product(const Model& model, const ForceState& at, const Eigen::Matrix3Xd& field,
+                                     Side side);
 
 /// Adds all force elements of the model to `out`.
 void add_force_elements(const Model& model, const ForceState& at, HessianKind kind, InternalEnergy& out);

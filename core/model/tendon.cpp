@@ -5,6 +5,8 @@
 #include <string>
 
 #include "model/command.hpp"
+#include "model/taking_in.hpp"
+#include "model/tendon_path.hpp"
 
 namespace myo::model {
 namespace {
@@ -34,7 +36,11 @@ struct Carrier {
     Eigen::Matrix<double, Eigen::Dynamic, 3> gradient;
     Vector3d fixed_m = Vector3d::Zero();
 
-    Vector3d at(const Matrix3Xd& x) const { return nodes.empty() ? fixed_m : Vector3d(x(Eigen::all, nodes) * weights); }
+    Vector3d at(const Matrix3Xd& x) const { return nodes.empty() ? fixed_m : moved(x); }
+    /// Sum of a nodal field over the carrying nodes; 0 for a fixed guide.
+    Vector3d moved(const Matrix3Xd& dx) const {
+        return nodes.empty() ? Vector3d(Vector3d::Zero()) : Vector3d(dx(Eigen::all, nodes) * weights);
+    }
 };
 
 struct Group {
@@ -49,22 +55,28 @@ void merge(const TendonGuide& guide, std::vector<int>& nodes) {
         if (std::find(nodes.begin(), nodes.end(), node) == nodes.end()) nodes.push_back(node);
 }
 
-/// The path at one configuration: legs between neighbouring guides.
-struct Path {
-    std::vector<Vector3d> direction;  // unit, from the motor to the anchor
-    std::vector<double> length;
-    double total = 0.0;
+/// Law of a thread apart from its guides and its command.
+struct Thread {
+    std::optional<double> stiffness_N_m;  // empty: prescribed tension
+    double slack_m = 0.0;
+    double friction = 0.0;
+};
+
+/// Change of a tendon: motion of the guides, their shift through the body at rest, and changes of its numbers.
+struct TendonChange {
+    std::vector<Vector3d> dp, d_rest;
+    double command = 0.0, stiffness = 0.0, friction = 0.0;
 };
 
 class Tendon : public ForceElement {
 public:
-    Tendon(std::vector<TendonGuide> guides, std::size_t first_coupling, fibre::Signal command,
-           std::optional<double> stiffness_N_m, double slack_m, VectorXd shifts)
+    Tendon(std::vector<TendonGuide> guides, std::size_t first_coupling, fibre::Signal command, const Thread& thread,
+           VectorXd shifts)
         : guides_(std::move(guides)),
           first_coupling_(first_coupling),
           command_(std::move(command)),
-          stiffness_(stiffness_N_m),
-          slack_m_(slack_m),
+          sense_(command_),
+          thread_(thread),
           shifts_(std::move(shifts)) {
         Index row = 0;
         for (const TendonGuide& guide : guides_) {
@@ -82,32 +94,61 @@ public:
             carriers_.push_back(std::move(carrier));
         }
         make_groups();
-        rest_length_ = path_of(rest_).total;
+        rest_path_ = tendon_path(rest_);
     }
 
     void add(const Body& body, const ForceState& at, HessianKind kind, InternalEnergy& out) const override {
-        const Path path = path_at(at.x);
-        const double T = tension(path, at);
-        if (stiffness_)
-            out.energy += *stiffness_ * taut(path, at).potential;
+        const Tensions now = tensions(at);
+        if (thread_.stiffness_N_m)
+            out.energy += *thread_.stiffness_N_m * taut(now.path, at).potential;
         else
-            out.energy += T * (path.total - rest_length_);
-        if (T == 0.0) return;
-        add_pulls(path, T, out.gradient);
+            out.energy += now.legs.dot(now.path.length - rest_path_.length);
+        if (now.motor == 0.0) return;
+        add_at_nodes(pulls_on_guides(now.path, now.legs), out.gradient);
         if (kind == HessianKind::none) return;
-        // Positive semidefinite, because the tension is positive.
-        for (std::size_t g = 0; g < groups_.size(); ++g) add_hessian(body, path, T, at, g, out.hessian);
+        // Positive semidefinite, because tensions are positive.
+        for (std::size_t g = 0; g < groups_.size(); ++g) add_hessian(body, now, at, g, out.hessian);
+    }
+
+    bool has_potential() const override { return thread_.friction == 0.0; }
+    void add_unsymmetric_tangent(const Body&, const ForceState& at, const Matrix3Xd& dx,
+                                 Matrix3Xd& gradient) const override {
+        if (has_potential()) return;
+        const Tensions now = tensions(at);
+        TendonChange change{{}, std::vector<Vector3d>(guides_.size(), Vector3d::Zero())};
+        for (const Carrier& carrier : carriers_) change.dp.push_back(carrier.moved(dx));
+        VectorXd beyond = tension_changes(now, at, change);
+        // The Hessian already has the part that is equal in all legs.
+        beyond.array() -= along(now, at) * lengthening(now.path, change.dp).sum();
+        add_at_nodes(pulls_on_guides(now.path, beyond), gradient);
+    }
+    void add_unsymmetric_pull(const Body&, const ForceState& at, const Matrix3Xd& p, Matrix3Xd& by_x) const override {
+        if (has_potential()) return;
+        const Tensions now = tensions(at);
+        std::vector<Vector3d> at_guides;
+        for (const Carrier& carrier : carriers_) at_guides.push_back(carrier.moved(p));
+        const VectorXd by_tension = lengthening(now.path, at_guides);
+        const double total = by_tension.dot(now.factors);
+        VectorXd by_factor = now.motor * by_tension;
+        if (thread_.stiffness_N_m)
+            by_factor -= total * now.motor / now.mean_factor * rest_path_.length / rest_path_.total;
+        std::vector<Vector3d> by_position = pulls_on_guides(
+            now.path, VectorXd::Constant(by_tension.size(), along(now, at) * (total - by_tension.sum())));
+        pull_by_capstan(now.path, now.friction, now.factors, by_factor, by_position);
+        add_at_nodes(by_position, by_x);
     }
 
     const fibre::Signal* command() const override { return &command_; }
-    ForceElementPointer with_command(fibre::Signal command) const override {
-        return std::make_shared<Tendon>(guides_, first_coupling_, std::move(command), stiffness_, slack_m_, shifts_);
+    ForceElementPointer with_command(const fibre::Signal& command) const override {
+        return std::make_shared<Tendon>(guides_, first_coupling_, command, thread_, shifts_);
     }
 
     std::vector<ForceParameter> parameters() const override {
-        std::vector<ForceParameter> list = stiffness_ ? command_parameters(command_, "shortening_m", 1e-3)
-                                                      : command_parameters(command_, "tension_N", 1.0);
-        if (stiffness_) list.push_back({"stiffness_N_m", *stiffness_, *stiffness_});
+        const std::optional<double>& stiffness = thread_.stiffness_N_m;
+        std::vector<ForceParameter> list = stiffness ? command_parameters(command_, "shortening_m", 1e-3)
+                                                     : command_parameters(command_, "tension_N", 1.0);
+        if (stiffness) list.push_back({"stiffness_N_m", *stiffness, *stiffness});
+        list.push_back({"friction", thread_.friction, 0.1});
         Index row = 0;
         for (std::size_t i = 0; i < guides_.size(); ++i)
             for (int axis = 0; guides_[i].on_body && axis < 3; ++axis)
@@ -115,54 +156,69 @@ public:
         return list;
     }
     ForceElementPointer changed(const VectorXd& values) const override {
-        const std::optional<double> stiffness = stiffness_ ? std::optional(values(knots())) : std::nullopt;
-        return std::make_shared<Tendon>(guides_, first_coupling_, with_values(command_, values), stiffness, slack_m_,
+        Thread thread = thread_;
+        if (thread.stiffness_N_m) thread.stiffness_N_m = values(knots());
+        thread.friction = values(friction_index());
+        return std::make_shared<Tendon>(guides_, first_coupling_, with_values(command_, values), thread,
                                         values.tail(shifts_.size()));
     }
 
     void add_tangent(const Body&, const ForceState& at, const VectorXd& change, Matrix3Xd& gradient) const override {
-        const Path path = path_at(at.x);
-        const double T = tension(path, at);
+        const Tensions now = tensions(at);
         const VectorXd shift = change.tail(shifts_.size());
-        // Motion of the guides through the body, and change of the rest length.
-        std::vector<Vector3d> dp(guides_.size(), Vector3d::Zero()), d_rest = dp;
+        const std::vector<Vector3d> still(guides_.size(), Vector3d::Zero());
+        TendonChange d{still, still, command_change(command_, at, change), 0.0, change(friction_index())};
+        if (thread_.stiffness_N_m) d.stiffness = change(knots());
         for_each_carried([&](std::size_t i, Index row) {
-            d_rest[i] = shift.segment<3>(row);
-            dp[i] = at.x(Eigen::all, carriers_[i].nodes) * (carriers_[i].gradient * d_rest[i]);
+            d.d_rest[i] = shift.segment<3>(row);
+            d.dp[i] = at.x(Eigen::all, carriers_[i].nodes) * (carriers_[i].gradient * d.d_rest[i]);
         });
-        double dT = command_change(command_, at, change);
-        if (stiffness_) {
-            const Tautness r = taut(path, at);
-            dT = *stiffness_ * r.derivative * (dT + lengthening(path, dp) - lengthening(path_of(rest_), d_rest)) +
-                 change(knots()) * r.value;
+        std::vector<Vector3d> changes = pulls_on_guides(now.path, tension_changes(now, at, d));
+        for (std::size_t leg = 0; leg < now.path.legs(); ++leg) {
+            const Vector3d turned = now.legs(static_cast<Index>(leg)) *
+                                    (turning(now.path, leg) * (d.dp[leg + 1] - d.dp[leg]));
+            changes[leg] -= turned;
+            changes[leg + 1] += turned;
         }
-        add_pulls(path, dT, gradient);
-        if (T == 0.0) return;
-        const std::vector<Vector3d> pulls = pulls_on_guides(path, T);
-        std::vector<Vector3d> d_pulls(guides_.size(), Vector3d::Zero());
-        for (std::size_t leg = 0; leg < path.length.size(); ++leg) {
-            const Vector3d turned = T * (across(path, leg) * (dp[leg + 1] - dp[leg]));
-            d_pulls[leg] -= turned;
-            d_pulls[leg + 1] += turned;
-        }
+        add_at_nodes(changes, gradient);
+        // A shifted guide hangs on its nodes with other weights.
+        const std::vector<Vector3d> pulls = pulls_on_guides(now.path, now.legs);
         for_each_carried([&](std::size_t i, Index) {
-            const VectorXd d_weights = carriers_[i].gradient * d_rest[i];
+            const VectorXd d_weights = carriers_[i].gradient * d.d_rest[i];
             for (std::size_t a = 0; a < carriers_[i].nodes.size(); ++a)
-                gradient.col(carriers_[i].nodes[a]) += carriers_[i].weights(static_cast<Index>(a)) * d_pulls[i] +
-                                                       d_weights(static_cast<Index>(a)) * pulls[i];
+                gradient.col(carriers_[i].nodes[a]) += d_weights(static_cast<Index>(a)) * pulls[i];
         });
     }
 
-    bool steady(double from_s, double to_s) const override { return constant_between(command_, from_s, to_s); }
-    std::vector<double> jumps() const override { return command_.jumps(); }
+    bool steady(double from_s, double to_s) const override {
+        return has_potential() && constant_between(command_, from_s, to_s);
+    }
+    std::vector<double> jumps() const override {
+        std::vector<double> times = command_.jumps();
+        if (has_potential()) return times;
+        const std::vector<double> turns = sense_.turns();
+        times.insert(times.end(), turns.begin(), turns.end());
+        return times;
+    }
 
     TendonState state(const ForceState& at) const {
-        const Path path = path_at(at.x);
-        return {tension(path, at), rest_length_ - path.total};
+        const Tensions now = tensions(at);
+        return {now.motor, rest_path_.total - now.path.total};
     }
 
 private:
+    /// The path and its tensions at one configuration.
+    struct Tensions {
+        TendonPath path;
+        double friction = 0.0;  // with the sign of the sense
+        VectorXd factors;       // tension of each leg over that at the motor
+        double mean_factor = 1.0;
+        double motor = 0.0;  // [N]
+        VectorXd legs;       // [N]
+    };
+
     Index knots() const { return static_cast<Index>(command_.times_s.size()); }
+    Index friction_index() const { return knots() + (thread_.stiffness_N_m ? 1 : 0); }
 
     template <class Visit>
     void for_each_carried(const Visit& visit) const {
@@ -175,10 +231,10 @@ private:
     }
 
     void make_groups() {
-        const std::vector<std::vector<int>> couplings = tendon_couplings(guides_, stiffness_.has_value());
+        const std::vector<std::vector<int>> couplings = tendon_couplings(guides_, thread_.stiffness_N_m.has_value());
         for (std::size_t g = 0; g < couplings.size(); ++g) {
             Group group{couplings[g], {}, {}};
-            if (stiffness_)
+            if (thread_.stiffness_N_m)
                 for (std::size_t leg = 0; leg + 1 < guides_.size(); ++leg) group.legs.push_back(leg);
             else
                 group.legs = {g};
@@ -194,84 +250,73 @@ private:
         }
     }
 
-    static Path path_of(const std::vector<Vector3d>& points) {
-        Path path;
-        for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-            const Vector3d leg = points[i + 1] - points[i];
-            path.length.push_back(leg.norm());
-            path.direction.push_back(leg / path.length.back());
-            path.total += path.length.back();
-        }
-        return path;
+    Tautness taut(const TendonPath& path, const ForceState& at) const {
+        return tautness(path.total - rest_path_.total + command_value(command_, at), thread_.slack_m);
     }
-    Path path_at(const Matrix3Xd& x) const {
+
+    Tensions tensions(const ForceState& at) const {
+        Tensions now;
         std::vector<Vector3d> points;
-        for (const Carrier& carrier : carriers_) points.push_back(carrier.at(x));
-        return path_of(points);
+        for (const Carrier& carrier : carriers_) points.push_back(carrier.at(at.x));
+        now.path = tendon_path(points);
+        now.friction = thread_.friction * sense_.at(at.time_s, at.before_jump);
+        now.factors = capstan_factors(now.path, now.friction);
+        now.mean_factor = now.factors.dot(rest_path_.length) / rest_path_.total;
+        now.motor = thread_.stiffness_N_m ? *thread_.stiffness_N_m * taut(now.path, at).value / now.mean_factor
+                                          : std::max(0.0, command_value(command_, at));
+        now.legs = now.motor * now.factors;
+        return now;
     }
 
-    Tautness taut(const Path& path, const ForceState& at) const {
-        return tautness(path.total - rest_length_ + command_value(command_, at), slack_m_);
-    }
-    double tension(const Path& path, const ForceState& at) const {
-        return stiffness_ ? *stiffness_ * taut(path, at).value : std::max(0.0, command_value(command_, at));
+    /// Derivative of the motor's tension by the length of the path [N/m].
+    double along(const Tensions& now, const ForceState& at) const {
+        return thread_.stiffness_N_m ? *thread_.stiffness_N_m * taut(now.path, at).derivative / now.mean_factor : 0.0;
     }
 
-    /// Derivative of the length along motions of the guides.
-    static double lengthening(const Path& path, const std::vector<Vector3d>& dp) {
-        double sum = 0.0;
-        for (std::size_t leg = 0; leg < path.length.size(); ++leg)
-            sum += path.direction[leg].dot(dp[leg + 1] - dp[leg]);
-        return sum;
-    }
-    /// Derivative of the direction of a leg by the vector between its ends.
-    static Matrix3d across(const Path& path, std::size_t leg) {
-        const Vector3d& t = path.direction[leg];
-        return (Matrix3d::Identity() - t * t.transpose()) / path.length[leg];
-    }
-
-    /// Derivative of the potential by the positions of the guides.
-    static std::vector<Vector3d> pulls_on_guides(const Path& path, double T) {
-        std::vector<Vector3d> pulls(path.length.size() + 1, Vector3d::Zero());
-        for (std::size_t leg = 0; leg < path.length.size(); ++leg) {
-            pulls[leg] -= T * path.direction[leg];
-            pulls[leg + 1] += T * path.direction[leg];
+    /// Derivatives of the legs' tensions.
+    VectorXd tension_changes(const Tensions& now, const ForceState& at, const TendonChange& d) const {
+        const double sense = sense_.at(at.time_s, at.before_jump);
+        const VectorXd d_factors = capstan_changes(now.path, now.friction, now.factors, d.dp, sense * d.friction);
+        double d_motor = d.command;
+        if (thread_.stiffness_N_m) {
+            const VectorXd d_rest = lengthening(rest_path_, d.d_rest);
+            const double d_total = d_rest.sum();
+            const double d_mean = (d_factors.dot(rest_path_.length) + now.factors.dot(d_rest) -
+                                   now.mean_factor * d_total) /
+                                  rest_path_.total;
+            d_motor = along(now, at) * (d.command + lengthening(now.path, d.dp).sum() - d_total) +
+                      (d.stiffness * taut(now.path, at).value - now.motor * d_mean) / now.mean_factor;
         }
-        return pulls;
+        return d_motor * now.factors + now.motor * d_factors;
     }
-    void add_pulls(const Path& path, double T, Matrix3Xd& gradient) const {
-        const std::vector<Vector3d> pulls = pulls_on_guides(path, T);
+
+    void add_at_nodes(const std::vector<Vector3d>& at_guides, Matrix3Xd& gradient) const {
         for (std::size_t i = 0; i < carriers_.size(); ++i)
             for (std::size_t a = 0; a < carriers_[i].nodes.size(); ++a)
-                gradient.col(carriers_[i].nodes[a]) += carriers_[i].weights(static_cast<Index>(a)) * pulls[i];
+                gradient.col(carriers_[i].nodes[a]) += carriers_[i].weights(static_cast<Index>(a)) * at_guides[i];
     }
 
-    void add_hessian(const Body& body, const Path& path, double T, const ForceState& at, std::size_t g,
+    void add_hessian(const Body& body, const Tensions& now, const ForceState& at, std::size_t g,
                      solver::SymmetricSparse& hessian) const {
         const Group& group = groups_[g];
         const std::size_t coupling = first_coupling_ + g, count = group.nodes.size();
         assert(coupling < body.couplings.size() && body.couplings[coupling] == group.nodes);
         MatrixXd legs(static_cast<Index>(count), static_cast<Index>(group.legs.size()));  // weight in the leg's vector
+        Matrix3Xd by_node = Matrix3Xd::Zero(3, static_cast<Index>(count));                // derivative of the length
         std::vector<Matrix3d> stiffness;
         for (std::size_t k = 0; k < group.legs.size(); ++k) {
             const auto leg = static_cast<Index>(group.legs[k]);
             legs.col(static_cast<Index>(k)) = group.spread.col(leg + 1) - group.spread.col(leg);
-            stiffness.push_back(T * across(path, group.legs[k]));
+            by_node += now.path.direction[group.legs[k]] * legs.col(static_cast<Index>(k)).transpose();
+            stiffness.push_back(now.legs(leg) * turning(now.path, group.legs[k]));
         }
-        Matrix3Xd by_node;  // derivative of the length
-        const double along = stiffness_ ? *stiffness_ * taut(path, at).derivative : 0.0;
-        if (stiffness_) {
-            by_node = Matrix3Xd::Zero(3, static_cast<Index>(count));
-            for (std::size_t k = 0; k < group.legs.size(); ++k)
-                by_node += path.direction[group.legs[k]] * legs.col(static_cast<Index>(k)).transpose();
-        }
+        const double k_along = along(now, at);
         for (std::size_t b = 0; b < count; ++b)
             for (std::size_t a = 0; a < count; ++a) {
                 const auto i = static_cast<Index>(a), j = static_cast<Index>(b);
-                Matrix3d block = Matrix3d::Zero();
+                Matrix3d block = k_along * by_node.col(i) * by_node.col(j).transpose();
                 for (std::size_t k = 0; k < group.legs.size(); ++k)
                     block += legs(i, static_cast<Index>(k)) * legs(j, static_cast<Index>(k)) * stiffness[k];
-                if (stiffness_) block += along * by_node.col(i) * by_node.col(j).transpose();
                 body.pattern.add_coupled(hessian, group.nodes, coupling, a, b, block);
             }
     }
@@ -279,13 +324,13 @@ private:
     std::vector<TendonGuide> guides_;
     std::size_t first_coupling_;
     fibre::Signal command_;
-    std::optional<double> stiffness_;  // empty: prescribed tension
-    double slack_m_;
+    TakingIn sense_;
+    Thread thread_;
     VectorXd shifts_;                // of the guides on the body, three each [m]
     std::vector<Carrier> carriers_;  // per guide
     std::vector<Vector3d> rest_;     // guides at rest [m]
+    TendonPath rest_path_;
     std::vector<Group> groups_;
-    double rest_length_ = 0.0;
 };
 
 VectorXd no_shifts(const std::vector<TendonGuide>& guides) {
@@ -307,15 +352,17 @@ std::vector<std::vector<int>> tendon_couplings(const std::vector<TendonGuide>& g
 }
 
 ForceElementPointer tendon_of_tension(const std::vector<TendonGuide>& guides, std::size_t first_coupling,
-                                      fibre::Signal tension_N) {
-    return std::make_shared<Tendon>(guides, first_coupling, std::move(tension_N), std::nullopt, 0.0, no_shifts(guides));
+                                      fibre::Signal tension_N, double friction) {
+    return std::make_shared<Tendon>(guides, first_coupling, std::move(tension_N), Thread{std::nullopt, 0.0, friction},
+                                    no_shifts(guides));
 }
 
 ForceElementPointer tendon_of_shortening(const std::vector<TendonGuide>& guides, std::size_t first_coupling,
-                                         fibre::Signal shortening_m, double stiffness_N_m, double slack_m) {
+                                         fibre::Signal shortening_m, double stiffness_N_m, double slack_m,
+                                         double friction) {
     assert(stiffness_N_m > 0.0 && slack_m > 0.0);
-    return std::make_shared<Tendon>(guides, first_coupling, std::move(shortening_m), stiffness_N_m, slack_m,
-                                    no_shifts(guides));
+    return std::make_shared<Tendon>(guides, first_coupling, std::move(shortening_m),
+                                    Thread{stiffness_N_m, slack_m, friction}, no_shifts(guides));
 }
 
 TendonState tendon_state(const ForceElement& tendon, const ForceState& at) {

@@ -22,27 +22,30 @@ struct TendonGuide {
 /// prescribed shortening, whose tension depends on the whole length.
 std::vector<std::vector<int>> tendon_couplings(const std::vector<TendonGuide>& guides, bool by_shortening);
 
-/// Thread under the prescribed tension T(t) [N] through guides, straight between them, without friction. Potential T L
-/// with the length L of the path.
+/// Thread under the prescribed tension T(t) [N] at the motor, through guides, straight between them. Without friction
+/// it has the potential T L with the length L of the path.
 ///
 /// @param first_coupling  index in Body::couplings of the first of tendon_couplings()
-/// Parameters: the knots of the command, then the places of the guides on the body at rest, to first order in their
-/// shift.
-/// Source: Camarillo et al. 2008 (tension along the path).
+/// @param friction        capstan coefficient >= 0, see capstan_factors(). The thread takes in while the command grows
+///                        and pays out while it falls; a constant command leaves it as it was, at first taking in
+/// Parameters: the knots of the command, the friction, then the places of the guides on the body at rest, to first
+/// order in their shift. Source: Camarillo et al. 2008 (tension along the path).
 ForceElementPointer tendon_of_tension(const std::vector<TendonGuide>& guides, std::size_t first_coupling,
-                                      fibre::Signal tension_N);
+                                      fibre::Signal tension_N, double friction = 0.0);
 
 /// Elastic thread of which the motor takes in the length s(t) [m]: tension k (L - L0 + s), L0 the length at rest. A
 /// slack thread has no tension; over `slack_m` beyond the onset of tension the stiffness grows linearly from 0, so that
 /// the tension has a continuous derivative.
 ///
-/// @param stiffness_N_m  k of the whole thread, > 0, parameter between the knots and the guides
+/// With friction k times the stretch is the mean tension over the thread, weighed with the legs' lengths at rest.
+/// @param stiffness_N_m  k of the whole thread, > 0, parameter after the knots
 ForceElementPointer tendon_of_shortening(const std::vector<TendonGuide>& guides, std::size_t first_coupling,
-                                         fibre::Signal shortening_m, double stiffness_N_m, double slack_m);
+                                         fibre::Signal shortening_m, double stiffness_N_m, double slack_m,
+                                         double friction = 0.0);
 
 /// What a sensor at the motor sees.
 struct TendonState {
-    double tension_N = 0.0;
+    double tension_N = 0.0;     // at the motor
     double shortening_m = 0.0;  // of the path between the guides, from its rest length
 };
 /// State of a tendon at node positions x; asserts that the element is a tendon.

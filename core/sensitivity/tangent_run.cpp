@@ -69,7 +69,7 @@ public:
         const MatrixXd held = explicit_.residuals(solver, stage, state.x, state.rate, strain_[rate_field],
                                                   nodal_[v_field]);
         nodal_[force_field] = scatter_columns(
-            pattern, -solver::symmetric_product(K, gather_columns(pattern, nodal_[x_field])) - held);
+            pattern, -solver.stiffness_product(K, stage, state.x, gather_columns(pattern, nodal_[x_field])) - held);
         const double lambda = model_.velocity_force_1_s;
         if (lambda == 0.0) return;
         nodal_[force_field] += lambda * mass_times(nodal_[v_field], solver.mass(t));

@@ -58,6 +58,26 @@ TEST(Tendon, BendsASlenderBeamToACircle) {
     }
 }
 
+/// With capstan friction the curvature falls along the beam with the tension: theta' = k0 exp(-f theta), so that
+/// exp(f theta) = 1 + f k0 s.
+TEST(Tendon, BendsLessBeyondEachBendByFriction) {
+    SlenderBeam beam = slender_beam(fem::ElementKind::hex8, {40, 2, 2});
+    const double EI = beam.spec.youngs_modulus_Pa * test::second_moment(beam.spec);
+    const double k0 = 3.0, friction = 0.5;
+    test::pull_by_tension(beam.path, fibre::Signal::constant(EI * k0 / beam.off_m), beam.model, friction);
+    const Vector3d tip = test::tip_at_equilibrium(beam.model, beam.spec);
+    double drop = 0.0, without = 0.0;  // of the axis, by the midpoint rule
+    const int parts = 1000;
+    for (int i = 0; i < parts; ++i) {
+        const double s = (i + 0.5) * beam.spec.size(0) / parts;
+        drop -= std::sin(std::log(1.0 + friction * k0 * s) / friction) * beam.spec.size(0) / parts;
+        without -= std::sin(k0 * s) * beam.spec.size(0) / parts;
+    }
+    EXPECT_GT(drop / without, 0.8);
+    EXPECT_LT(drop / without, 0.95);
+    EXPECT_NEAR(tip(2) / drop, 1.0, 0.015);
+}
+
 /// The thread that takes in a length pulls as hard as the one of that tension.
 TEST(Tendon, ShortensAsItsTensionDoes) {
     SlenderBeam pulled = slender_beam(fem::ElementKind::hex8, {40, 2, 2}), taken_in = pulled;

@@ -55,6 +55,9 @@ Model model_with(const ForceCase& c) {
     const std::vector<Vector3d> path{
         {-0.01, 0.004, 0.002}, {0.02, 0.004, 0.003}, {0.043, 0.005, 0.026}, {0.058, 0.027, 0.02}};
     if (element == "tension") test::pull_by_tension(path, fibre::Signal{{0.0, 1.0}, {2.0, 3.0}}, model);
+    if (element == "capstan") test::pull_by_tension(path, fibre::Signal{{0.0, 1.0}, {3.0, 2.0}}, model, 0.3);
+    if (element == "capstan_shortening")
+        test::pull_by_shortening(path, fibre::Signal{{0.0, 1.0}, {2e-3, 3e-3}}, 900.0, model, 0.3);
     if (element == "shortening") test::pull_by_shortening(path, fibre::Signal{{0.0, 1.0}, {2e-3, 3e-3}}, 900.0, model);
     if (element == "pressure")
         model.force_elements = {
@@ -90,11 +93,21 @@ TEST_P(ForceElements, HaveTheGradientOfTheirPotentialAndItsHessian) {
                          down = at(x - step * d, HessianKind::none);
     const double slope = here.gradient.cwiseProduct(d).sum();
     EXPECT_NE(slope, 0.0);
-    EXPECT_NEAR((up.energy - down.energy) / (2.0 * step) / slope, 1.0, 1e-6);
-    const VectorXd product = here.hessian.selfadjointView<Eigen::Lower>() * gather(model.body->pattern, d);
+    if (has_potential(model)) {
+        EXPECT_NEAR((up.energy - down.energy) / (2.0 * step) / slope, 1.0, 1e-6);
+    }
+    const Matrix3Xd v = factor * x + v_history;
+    const ForceState state{x, &v, factor, time_s};
+    const Matrix3Xd rest = unsymmetric_product(model, state, d, Side::plain);
+    const VectorXd product = here.hessian.selfadjointView<Eigen::Lower>() * gather(model.body->pattern, d) +
+                             gather(model.body->pattern, rest);
     const VectorXd difference = gather(model.body->pattern, (up.gradient - down.gradient) / (2.0 * step));
     EXPECT_GT(difference.norm(), 0.0);
     EXPECT_LT((product - difference).norm(), 1e-6 * difference.norm());
+    const Matrix3Xd p = test::rough_field(X.cols(), 3.0);
+    EXPECT_EQ(rest.isZero(0.0), has_potential(model));
+    EXPECT_NEAR(unsymmetric_product(model, state, p, Side::transposed).cwiseProduct(d).sum(),
+                rest.cwiseProduct(p).sum(), 1e-12 * rest.norm() * p.norm());
 }
 
 TEST_P(ForceElements, KnowTheirDerivativesByParametersAndVelocity) {
@@ -139,7 +152,8 @@ INSTANTIATE_TEST_SUITE_P(
                     ForceCase{"pressure", fem::ElementKind::hex8}, ForceCase{"pressure", fem::ElementKind::tet4},
                     ForceCase{"pressure", fem::ElementKind::tet10}, ForceCase{"tension", fem::ElementKind::hex8},
                     ForceCase{"tension", fem::ElementKind::tet10}, ForceCase{"shortening", fem::ElementKind::hex8},
-                    ForceCase{"shortening", fem::ElementKind::tet10}),
+                    ForceCase{"shortening", fem::ElementKind::tet10}, ForceCase{"capstan", fem::ElementKind::hex8},
+                    ForceCase{"capstan_shortening", fem::ElementKind::tet10}),
     [](const auto& c) { return std::string(c.param.element) + "_" + to_string(c.param.kind); });
 
 TEST(CavityPressure, PushesNothingAwayAndTurnsWithTheBody) {

@@ -42,12 +42,9 @@ TEST_P(ForceElementGradient, EqualsCentralDifferences) {
     test::record("worst_error", check.worst_error());
 }
 
-TEST_P(ForceElementGradient, EqualsTheTangents) {
-    const auto [kind, scheme, start] = GetParam();
-    const model::Model model = blown_block(kind);
-    dynamics::SimulationOptions options = short_run(scheme, start);
-    options.solver.tangent_tolerance = 1e-12;
-    const LossOfMotion loss = rough_loss(model);
+/// The gradient along each parameter of the force elements is that of the tangents.
+void expect_tangents_equal_gradient(const model::Model& model, const dynamics::SimulationOptions& options,
+                                    const LossOfMotion& loss) {
     AdjointOptions adjoint;
     adjoint.tolerance = 1e-12;
     const GradientRun run = simulate_with_gradient(model, options, loss, adjoint);
@@ -71,6 +68,14 @@ TEST_P(ForceElementGradient, EqualsTheTangents) {
     }
 }
 
+TEST_P(ForceElementGradient, EqualsTheTangents) {
+    const auto [kind, scheme, start] = GetParam();
+    const model::Model model = blown_block(kind);
+    dynamics::SimulationOptions options = short_run(scheme, start);
+    options.solver.tangent_tolerance = 1e-12;
+    expect_tangents_equal_gradient(model, options, rough_loss(model));
+}
+
 INSTANTIATE_TEST_SUITE_P(
     All, ForceElementGradient,
     testing::Values(
@@ -87,26 +92,47 @@ INSTANTIATE_TEST_SUITE_P(
                (c.param.start == dynamics::StartKind::equilibrium ? "_equilibrium" : "");
     });
 
-/// A block under a tendon whose tension is prescribed and one that takes in a length and becomes taut on the way.
-TEST(TendonGradient, EqualsCentralDifferences) {
+struct TendonCase {
+    double friction;
+    dynamics::StartKind start;
+};
+
+/// A block under a tendon whose tension is prescribed and one that takes in a length.
+model::Model pulled_block(double friction) {
     model::Model model = test::hollow_block(fem::ElementKind::hex8);
     model.damping_s = 0.002;
     test::pull_by_tension({{-0.01, 0.004, 0.002}, {0.02, 0.004, 0.003}, {0.043, 0.005, 0.026}},
-                          fibre::Signal{{0.0, 0.0125, 0.0125, 0.03}, {2.0, 4.0, 1.0, 3.0}}, model);
+                          fibre::Signal{{0.0, 0.0125, 0.0125, 0.03}, {2.0, 4.0, 1.0, 3.0}}, model, friction);
     test::pull_by_shortening({{-0.01, 0.02, 0.026}, {0.03, 0.025, 0.027}, {0.058, 0.026, 0.02}},
-                             fibre::Signal{{0.0, 0.03}, {-1e-4, 2e-3}}, 900.0, model);
-    const dynamics::SimulationOptions options = short_run(dynamics::Integrator::tr_bdf2, dynamics::StartKind::straight);
-    const GradientCheck check = check_gradient(model, options, rough_loss(model), checked_parameters(model, options));
+                             fibre::Signal{{0.0, 0.03}, {1e-4, 2e-3}}, 900.0, model, friction);
+    return model;
+}
+
+class TendonGradient : public testing::TestWithParam<TendonCase> {};
+
+TEST_P(TendonGradient, EqualsCentralDifferencesAndTangents) {
+    const auto [friction, start] = GetParam();
+    const model::Model model = pulled_block(friction);
+    dynamics::SimulationOptions options = short_run(dynamics::Integrator::tr_bdf2, start);
+    options.solver.tangent_tolerance = 1e-12;
+    const LossOfMotion loss = rough_loss(model);
+    std::vector<CheckedParameter> checked;  // those of the tendons
+    for (CheckedParameter& parameter : checked_parameters(model, options))
+        if (parameter.name.starts_with("force element")) checked.push_back(std::move(parameter));
+    EXPECT_EQ(checked.size(), 4u + 1u + 6u + 2u + 2u + 6u);  // knots, friction, guides; knots, two numbers, guides
+    const GradientCheck check = check_gradient(model, options, loss, checked);
     ASSERT_TRUE(check.complete()) << check.message;
-    int of_elements = 0;
-    for (const GradientCheckRow& row : check.rows) {
+    for (const GradientCheckRow& row : check.rows)
         EXPECT_LT(row.relative_error, 1e-5)
             << row.name << ": adjoint " << row.adjoint << ", difference " << row.difference;
-        of_elements += row.name.starts_with("force element") ? 1 : 0;
-    }
-    EXPECT_EQ(of_elements, 4 + 6 + 2 + 1 + 6);  // knots and guides; knots, stiffness and guides
     EXPECT_LT(check.median_error(), 1e-6);
+    expect_tangents_equal_gradient(model, options, loss);
 }
+
+INSTANTIATE_TEST_SUITE_P(All, TendonGradient,
+                         testing::Values(TendonCase{0.0, dynamics::StartKind::straight},
+                                         TendonCase{0.4, dynamics::StartKind::equilibrium}),
+                         [](const auto& c) { return c.param.friction > 0.0 ? "capstan" : "frictionless"; });
 
 }  // namespace
 }  // namespace myo::sensitivity
