@@ -32,9 +32,19 @@ struct BoxGeometry {
 /// Closed triangle surface, kind = "stl": an STL, OBJ, PLY or VTP file; vertices are scaled first, then rotated.
 struct StlGeometry {
     std::filesystem::path file;                              // absolute, or relative to the folder of the experiment
-    double metres_per_unit = 1.0;                            // 1 (unit "m") or 1e-3 (unit "mm")
+    double metres_per_unit = 1.0;                            // length of the file's unit [m], see length_units()
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  // file axes to mesh frame, orthogonal
 };
+
+/// Volume mesh whose cells are used as they are, kind = "volume"; nodes are scaled first, then rotated.
+struct VolumeGeometry {
+    std::filesystem::path file;                              // VTU, VTK, Gmsh MSH, TetGen node/ele; resolved
+    double metres_per_unit = 1.0;                            // length of the file's unit [m], see length_units()
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  // file axes to mesh frame, orthogonal
+};
+
+/// Shape of the body.
+using Geometry = std::variant<BoxGeometry, StlGeometry, VolumeGeometry>;
 
 /// Homogeneous material of the whole body and which of its parameters may be fitted.
 struct MaterialDeclaration {
@@ -144,6 +154,7 @@ struct ActuationStep {
 struct ConstantCommand {
     std::string actuator;  // name of a muscle, chamber or tendon
     double value = 0.0;    // activation a, pressure [Pa], tension [N] or shortening [m]
+    std::string key = {};  // table of the trial that holds it: activation, pressure_Pa, tension_N or shortening_m
 };
 
 /// One recorded run: its files, its time window, its actuation and its loads.
@@ -172,8 +183,8 @@ struct Experiment {
     std::filesystem::path folder;  // the directory of experiment.toml
     std::string name;
     std::string description;
-    std::variant<BoxGeometry, StlGeometry> geometry;
-    Box clamp_box_m;  // nodes inside are held [m]
+    Geometry geometry;
+    Box clamp_box_m;  // nodes inside are held [m]; without [clamp] it holds no point, see has_clamp()
     MaterialDeclaration material;
     Eigen::Vector3d gravity_m_s2{0.0, 0.0, -9.81};  // mesh frame
     std::vector<MuscleDeclaration> muscles;
@@ -191,5 +202,10 @@ struct Experiment {
     std::map<std::string, std::string>
         key_locations;  // "trial[2].load[0].box_m" -> "folder/experiment.toml:41", or "--set"
 };
+
+/// True if a clamp holds the body; otherwise only obstacles bear it, and the clamp box has its corners exchanged.
+inline bool has_clamp(const Experiment& experiment) {
+    return (experiment.clamp_box_m.lowest.array() <= experiment.clamp_box_m.highest.array()).all();
+}
 
 }  // namespace myo::experiment

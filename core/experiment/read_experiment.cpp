@@ -14,6 +14,14 @@ namespace fs = std::filesystem;
 
 const std::string current_schema = "experiment/1";
 
+// A body that obstacles bear needs no clamp; the box then holds no point.
+Box read_clamp(const toml::TomlReader& document) {
+    if (document.has("clamp")) return document.table("clamp", {"box_m"}).box("box_m");
+    if (!document.has("obstacle"))
+        document.fail("clamp", "is missing: a [clamp] holds the body, or an [[obstacle]] bears it");
+    return {Eigen::Vector3d::Ones(), -Eigen::Vector3d::Ones()};
+}
+
 Experiment read_document(const toml::TomlValue& root, const fs::path& folder) {
     // A file of another schema version has other keys, so the version is reported before unknown keys.
     if (const toml::TomlValue* schema = root.find("schema");
@@ -22,9 +30,10 @@ Experiment read_document(const toml::TomlValue& root, const fs::path& folder) {
             Error{"schema: unknown schema \"" + schema->text + "\"; this program reads \"" + current_schema + "\"",
                   schema->where}};
     // Unknown keys are errors: a misspelt key would otherwise silently select a default.
-    const toml::TomlReader document(root, "",
-                                    {"schema", "name", "description", "geometry", "clamp", "material", "environment",
-                                     "muscle", "registration", "markers", "trial", "effect"});
+    const toml::TomlReader document(
+        root, "",
+        {"schema", "name", "description", "geometry", "clamp", "material", "environment", "muscle", "chamber", "tendon",
+         "part", "mount", "obstacle", "sensor", "registration", "markers", "trial", "effect"});
     document.text("schema");
 
     Experiment experiment;
@@ -35,13 +44,19 @@ Experiment read_document(const toml::TomlValue& root, const fs::path& folder) {
     if (experiment.name.find_first_not_of(" \t\r\n") == std::string::npos) document.fail("name", "must not be empty");
     experiment.description = document.text_or("description", "");
     experiment.geometry = read_geometry(document, folder);
-    experiment.clamp_box_m = document.table("clamp", {"box_m"}).box("box_m");
+    experiment.clamp_box_m = read_clamp(document);
     experiment.material = read_material(document);
     if (document.has("environment")) {
         const toml::TomlReader environment = document.table("environment", {"gravity_m_s2"});
         if (environment.has("gravity_m_s2")) experiment.gravity_m_s2 = environment.vector3("gravity_m_s2");
     }
     experiment.muscles = read_muscles(document, folder);
+    experiment.chambers = read_chambers(document);
+    experiment.tendons = read_tendons(document);
+    experiment.parts = read_parts(document, folder, experiment.material);
+    experiment.mount = read_mount(document);
+    experiment.obstacles = read_obstacles(document);
+    experiment.sensors = read_sensors(document);
     experiment.registration = read_registration(document, experiment.warnings);
     experiment.markers = read_markers(document);
     experiment.trials = read_trials(document, folder);

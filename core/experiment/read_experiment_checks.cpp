@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "effect/catalogue.hpp"
+#include "experiment/actuators.hpp"
 #include "experiment/read_experiment.hpp"
 #include "experiment/read_experiment_tables.hpp"
 
@@ -48,20 +49,12 @@ void check_marker_names(const Experiment& experiment) {
     check_unique(experiment, labels, label_paths);
 }
 
-// A rigid fit needs three points that are not collinear; otherwise a rotation remains free. The parallelogram spanned
-// by the points is compared with the squared extent, so the test does not depend on the size of the body.
 void check_rest_pose_fit(const Experiment& experiment) {
     if (experiment.registration.known || experiment.registration.method != RegistrationMethod::rest_pose) return;
     std::vector<Eigen::Vector3d> points;
     for (const auto* group : {&experiment.markers.on_body, &experiment.markers.fixed})
         for (const MarkerDeclaration& marker : *group) points.push_back(marker.rest_m);
-    double extent = 0.0, area = 0.0;
-    for (const auto& p : points)
-        for (const auto& q : points) {
-            extent = std::max(extent, (p - points[0]).norm());
-            area = std::max(area, (p - points[0]).cross(q - points[0]).norm());
-        }
-    if (points.size() < 3 || !(area > 1e-6 * extent * extent))
+    if (!fix_a_rigid_motion(points))
         fail(experiment, "registration.method", "a rigid fit needs at least three markers that are not in one line");
 }
 
@@ -114,16 +107,26 @@ void check_columns(const Experiment& experiment, const std::string& trial_path, 
 }
 
 void check_actuation(const Experiment& experiment, const std::string& trial_path, const TrialDeclaration& trial) {
+    const std::vector<Actuator> all = actuators(experiment);
     std::vector<std::string> names;
-    for (const MuscleDeclaration& muscle : experiment.muscles) names.push_back(muscle.name);
+    for (const Actuator& actuator : all) names.push_back(actuator.name);
     if (trial.actuation && names.empty())
-        fail(experiment, trial_path + ".actuation", "there is no [[muscle]] to actuate");
+        fail(experiment, trial_path + ".actuation", "there is no [[muscle]], [[chamber]] or [[tendon]] to actuate");
     for (const ActuationStep& step : trial.actuation_steps) {
         const std::string key = trial_path + ".actuation_step." + step.muscle;
         const auto found = std::find(names.begin(), names.end(), step.muscle);
-        if (found == names.end()) fail(experiment, key, "unknown muscle; " + toml::suggest(step.muscle, names));
-        if (const auto& follows = experiment.muscles[static_cast<std::size_t>(found - names.begin())].follows)
-            fail(experiment, key, "this muscle follows \"" + follows->muscle + "\" and has no actuation of its own");
+        const bool only_muscles = experiment.chambers.empty() && experiment.tendons.empty();
+        if (found == names.end())
+            fail(experiment, key,
+                 std::string("unknown ") + (only_muscles ? "muscle" : "muscle, chamber or tendon") + "; " +
+                     toml::suggest(step.muscle, names));
+        const Actuator& actuator = all[static_cast<std::size_t>(found - names.begin())];
+        if (actuator.kind == ActuatorKind::muscle && experiment.muscles[actuator.index].follows)
+            fail(experiment, key,
+                 "this muscle follows \"" + experiment.muscles[actuator.index].follows->muscle +
+                     "\" and has no actuation of its own");
+        if (actuator.kind == ActuatorKind::tendon_tension && step.level && *step.level < 0.0)
+            fail(experiment, key, "a tension must not be negative: a tendon never pushes");
         if (!step.level && !contains(experiment.material.calibrate, "actuation_level"))
             fail(experiment, key, "\"free\" needs \"actuation_level\" in material.calibrate");
     }
@@ -218,6 +221,16 @@ void check_effects(const Experiment& experiment) {
 
 }  // namespace
 
+bool fix_a_rigid_motion(const std::vector<Eigen::Vector3d>& points) {
+    double extent = 0.0, area = 0.0;
+    for (const auto& p : points)
+        for (const auto& q : points) {
+            extent = std::max(extent, (p - points[0]).norm());
+            area = std::max(area, (p - points[0]).cross(q - points[0]).norm());
+        }
+    return points.size() >= 3 && area > 1e-6 * extent * extent;
+}
+
 void check_unique(const Experiment& experiment, const std::vector<std::string>& names,
                   const std::vector<std::string>& paths) {
     for (std::size_t i = 0; i < names.size(); ++i)
@@ -230,6 +243,7 @@ void check_declarations(Experiment& experiment) {
     check_muscles(experiment);
     check_marker_names(experiment);
     check_rest_pose_fit(experiment);
+    check_robot_parts(experiment);
     check_trials(experiment);
     check_calibrate(experiment);
     check_effects(experiment);

@@ -9,7 +9,7 @@ namespace {
 
 BoxGeometry read_box(const toml::TomlReader& geometry) {
     for (const char* key : {"file", "unit", "rotation"})
-        geometry.reject(key, "belongs to kind = \"stl\", not to \"box\"");
+        geometry.reject(key, "belongs to kind = \"stl\" or \"volume\", not to \"box\"");
     BoxGeometry box;
     box.size_m = geometry.vector3("size_m");
     if (geometry.has("origin_m")) box.origin_m = geometry.vector3("origin_m");
@@ -35,27 +35,41 @@ Eigen::Matrix3d read_rotation(const toml::TomlReader& geometry) {
     return deviation < 1e-15 ? R : material::polar_rotation(R);
 }
 
-StlGeometry read_stl_declaration(const toml::TomlReader& geometry, const std::filesystem::path& folder) {
-    for (const char* key : {"size_m", "origin_m"}) geometry.reject(key, "belongs to kind = \"box\", not to \"stl\"");
-    StlGeometry stl;
-    // STL files carry no unit; a default could be wrong by a factor of 1000.
+/// File, unit and rotation of a surface or a volume mesh.
+template <class FileGeometry>
+FileGeometry read_file_geometry(const toml::TomlReader& geometry, const std::filesystem::path& folder) {
+    const std::string kind = geometry.text("kind");
+    for (const char* key : {"size_m", "origin_m"})
+        geometry.reject(key, "belongs to kind = \"box\", not to \"" + kind + "\"");
+    FileGeometry declared;
+    // The files carry no unit; a default could be wrong by a factor of 1000.
     if (!geometry.has("unit"))
-        geometry.fail("unit", "required for kind = \"stl\": \"m\" or \"mm\"; there is no default");
-    stl.metres_per_unit = geometry.choice<double>("unit", {{"m", 1.0}, {"mm", 1e-3}});
-    stl.file = geometry.file("file", folder);
-    if (geometry.has("rotation")) stl.rotation = read_rotation(geometry);
-    return stl;
+        geometry.fail("unit", "required for kind = \"" + kind +
+                                  "\": \"m\", \"dm\", \"cm\", \"mm\" or \"um\"; there is no default");
+    declared.metres_per_unit = geometry.choice<double>("unit", length_units());
+    declared.file = geometry.file("file", folder);
+    if (geometry.has("rotation")) declared.rotation = read_rotation(geometry);
+    return declared;
 }
 
 }  // namespace
 
-std::variant<BoxGeometry, StlGeometry> read_geometry(const toml::TomlReader& document,
-                                                     const std::filesystem::path& folder) {
+const std::vector<std::pair<std::string, double>>& length_units() {
+    static const std::vector<std::pair<std::string, double>> units{
+        {"m", 1.0}, {"dm", 1e-1}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}};
+    return units;
+}
+
+Geometry read_geometry(const toml::TomlReader& document, const std::filesystem::path& folder) {
+    enum class Kind { box, stl, volume };
     const toml::TomlReader geometry = document.table("geometry",
                                                      {"kind", "size_m", "origin_m", "file", "unit", "rotation"});
-    const bool is_box = geometry.choice<bool>("kind", {{"box", true}, {"stl", false}});
-    if (is_box) return read_box(geometry);
-    return read_stl_declaration(geometry, folder);
+    switch (geometry.choice<Kind>("kind", {{"box", Kind::box}, {"stl", Kind::stl}, {"volume", Kind::volume}})) {
+        case Kind::stl: return read_file_geometry<StlGeometry>(geometry, folder);
+        case Kind::volume: return read_file_geometry<VolumeGeometry>(geometry, folder);
+        case Kind::box: break;
+    }
+    return read_box(geometry);
 }
 
 }  // namespace myo::experiment

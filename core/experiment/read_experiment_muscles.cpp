@@ -16,6 +16,13 @@ Eigen::Vector3d unit_direction(const toml::TomlReader& table, const std::string&
     return direction / length;
 }
 
+std::string read_actuator_name(const toml::TomlReader& table) {
+    std::string name = table.name("name");
+    if (name.find(',') != std::string::npos || name == "time_s")
+        table.fail("name", "heads a column of the actuation file, so it must not hold a comma or be time_s");
+    return name;
+}
+
 namespace {
 
 MuscleLine read_line(const toml::TomlReader& table) {
@@ -67,9 +74,7 @@ std::vector<MuscleDeclaration> read_muscles(const toml::TomlReader& document, co
     for (const toml::TomlReader& table : document.tables(
              "muscle", {"name", "box_m", "mask", "line_m", "radius_m", "fibre", "stiffness_Pa", "follows", "signal"})) {
         MuscleDeclaration muscle;
-        muscle.name = table.name("name");
-        if (muscle.name.find(',') != std::string::npos || muscle.name == "time_s")
-            table.fail("name", "heads a column of the actuation file, so it must not hold a comma or be time_s");
+        muscle.name = read_actuator_name(table);
         muscle.part = read_part(table, folder);
         muscle.stiffness_Pa = table.number("stiffness_Pa", toml::positive());
         if (table.has("follows")) {

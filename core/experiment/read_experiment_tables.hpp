@@ -2,7 +2,7 @@
 
 #include <filesystem>
 #include <string>
-#include <variant>
+#include <utility>
 #include <vector>
 
 #include "experiment/experiment.hpp"
@@ -14,13 +14,31 @@ namespace myo::experiment {
 // toml::TomlFailure (key, sentence, line) on the first error. Conditions on two tables are checked by
 // check_declarations() after all tables have been read.
 
-/// [geometry]: a box or a surface file; the file is not opened.
-std::variant<BoxGeometry, StlGeometry> read_geometry(const toml::TomlReader& document,
-                                                     const std::filesystem::path& folder);
+/// Words for the unit of a file with the length of the unit [m]: m, dm, cm, mm, um.
+const std::vector<std::pair<std::string, double>>& length_units();
+/// [geometry]: a box, a surface file or a volume mesh; the file is not opened.
+Geometry read_geometry(const toml::TomlReader& document, const std::filesystem::path& folder);
 /// [material]: constitutive law, moduli and the parameters to fit.
 MaterialDeclaration read_material(const toml::TomlReader& document);
 /// [[muscle]]: signal files are read here, masks are not.
 std::vector<MuscleDeclaration> read_muscles(const toml::TomlReader& document, const std::filesystem::path& folder);
+/// Name of a muscle, chamber or tendon, which heads a column of the actuation file.
+std::string read_actuator_name(const toml::TomlReader& table);
+/// [[chamber]]: whether the point lies in a cavity is checked by check_on_body().
+std::vector<ChamberDeclaration> read_chambers(const toml::TomlReader& document);
+/// [[tendon]]: path, drive, stiffness and friction.
+std::vector<TendonDeclaration> read_tendons(const toml::TomlReader& document);
+/// [[part]]: surface files are not opened.
+///
+/// @param material  values of keys that a part leaves out
+std::vector<PartDeclaration> read_parts(const toml::TomlReader& document, const std::filesystem::path& folder,
+                                        const MaterialDeclaration& material);
+/// [mount]; without this table the clamped region stands still.
+MountMotion read_mount(const toml::TomlReader& document);
+/// [[obstacle]]: planes, spheres and boxes.
+std::vector<ObstacleDeclaration> read_obstacles(const toml::TomlReader& document);
+/// [[sensor]]: what it measures is resolved by check_declarations().
+std::vector<SensorDeclaration> read_sensors(const toml::TomlReader& document);
 /// [registration]; without this table the registration is known.
 ///
 /// @param warnings  receives a sentence for each limit that is ignored
@@ -29,6 +47,10 @@ RegistrationDeclaration read_registration(const toml::TomlReader& document, std:
 MarkersDeclaration read_markers(const toml::TomlReader& document);
 /// [[trial]]: at least one; the traces are not opened.
 std::vector<TrialDeclaration> read_trials(const toml::TomlReader& document, const std::filesystem::path& folder);
+/// Start and commands of a trial: hold, start, actuation, actuation_step, constants per actuator, sensors.
+void read_commands(const toml::TomlReader& trial, const std::filesystem::path& folder, TrialDeclaration& declared);
+/// Keys of a trial that read_commands() reads.
+std::vector<std::string> command_keys();
 /// [trial.columns]: layout of a text file without a header.
 measurement::ColumnLayout read_columns_declaration(const toml::TomlReader& trial);
 /// [[trial.load]]: masses and forces of one trial.
@@ -40,6 +62,15 @@ std::vector<effect::EffectDeclaration> read_effects(const toml::TomlReader& docu
 ///
 /// @param experiment  column labels are replaced by marker names; warnings are appended
 void check_declarations(Experiment& experiment);
+
+/// The part of check_declarations() for chambers, tendons, parts, mount, obstacles, sensors and constant commands.
+///
+/// @param experiment  readings of sensors get the names of their columns
+void check_robot_parts(Experiment& experiment);
+
+/// True if a rigid motion can be found from the points: there are three that are not collinear, else a rotation remains
+/// free. The parallelogram that they span is compared with the squared extent, whatever the size of the body.
+bool fix_a_rigid_motion(const std::vector<Eigen::Vector3d>& points);
 
 /// Fails if a name in `names` occurs twice; `paths[i]` is the key of names[i].
 void check_unique(const Experiment& experiment, const std::vector<std::string>& names,

@@ -6,24 +6,6 @@
 namespace myo::experiment {
 namespace {
 
-/// Levels after a step at t = 0: a number, or "free" for a fitted one.
-std::vector<ActuationStep> read_steps(const toml::TomlReader& trial) {
-    std::vector<ActuationStep> steps;
-    const toml::TomlReader table = trial.table_of_names("actuation_step");
-    for (const std::string& muscle : table.keys()) {
-        ActuationStep step;
-        step.muscle = muscle;
-        if (table.is_text(muscle)) {
-            if (table.text(muscle) != "free")
-                table.fail(muscle, "must be a number or \"free\", not \"" + table.text(muscle) + "\"");
-        } else {
-            step.level = table.number(muscle);
-        }
-        steps.push_back(step);
-    }
-    return steps;
-}
-
 std::string read_trial_name(const toml::TomlReader& table) {
     std::string name = table.name("name");
     // Results are written to <trial>.csv.
@@ -46,11 +28,8 @@ TrialDeclaration read_trial(const toml::TomlReader& table, const std::filesystem
     } else {
         table.reject("columns", "belongs to format = \"columns\" only");
     }
-    trial.start = table.choice<StartState>(
-        "start", {{"straight", StartState::straight}, {"equilibrium", StartState::equilibrium}});
+    read_commands(table, folder, trial);
     trial.session_time_s = table.number_or("session_time_s", 0.0);
-    if (table.has("actuation")) trial.actuation = table.file("actuation", folder);
-    if (table.has("actuation_step")) trial.actuation_steps = read_steps(table);
     trial.start_s = table.optional_number("start_s");
     trial.end_s = table.optional_number("end_s");
     // Only the order is checked here; whether the window meets the recording is known after reading the trace.
@@ -91,10 +70,10 @@ std::vector<TrialDeclaration> read_trials(const toml::TomlReader& document, cons
     std::vector<TrialDeclaration> trials;
     if (!document.has("trial"))
         document.fail("trial", "required key is missing: at least one [[trial]] with role \"fit\"");
-    for (const toml::TomlReader& table :
-         document.tables("trial", {"name", "role", "trace", "format", "columns", "start", "session_time_s", "actuation",
-                                   "actuation_step", "start_s", "end_s", "condition", "load"}))
-        trials.push_back(read_trial(table, folder));
+    std::vector<std::string> keys{"name",           "role",    "trace", "format",    "columns",
+                                  "session_time_s", "start_s", "end_s", "condition", "load"};
+    for (const std::string& key : command_keys()) keys.push_back(key);
+    for (const toml::TomlReader& table : document.tables("trial", keys)) trials.push_back(read_trial(table, folder));
     if (trials.empty()) document.fail("trial", "at least one [[trial]] with role \"fit\" is needed");
     return trials;
 }

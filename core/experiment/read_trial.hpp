@@ -31,13 +31,14 @@ Result<TrialRecording> read_trial(const Experiment& experiment, const TrialDecla
 /// read_trial() without the warnings. Errors: those of read_trial().
 Result<measurement::Recording> read_trial_recording(const Experiment& experiment, const TrialDeclaration& trial);
 
-/// Recorded actuation of a trial.
+/// Recorded and constant commands of a trial.
 ///
-/// @return   values muscles x times [-], rows in the order of declaration; a follower's row is computed from its
-///           leader's. Rows of muscles with an actuation_step or their own signal, and all rows if there is no file,
-///           are 1 (passive): prepare_setup() adds these because the levels of steps may be unknown
-/// Errors: those of the reader, a column that is no declared muscle or one that follows or is stepped, a muscle
-/// missing.
+/// @return   values actuators x times, rows in the order of actuators(): activations [-], pressures [Pa], tensions [N],
+///           shortenings [m]. A follower's row is computed from its leader's. Rows of actuators with an actuation_step
+///           or their own signal are at rest (muscle 1, else 0): prepare_setup() adds these because the levels of steps
+///           may be unknown. Actuators without a command are at rest
+/// Errors: those of the reader; a column of no actuator, of one that follows, is stepped or has a constant; a muscle
+/// missing; a negative tension (place: line of the file).
 Result<measurement::ActuationTable> read_trial_actuation(const Experiment& experiment, const TrialDeclaration& trial);
 
 /// End of a chain of followers: a - 1 of a muscle is `factor` times (a - 1) of muscles[leader].

@@ -138,9 +138,14 @@ std::vector<fs::path> files_read(const fs::path& declared, const experiment::Exp
     std::vector<fs::path> files{fs::is_directory(declared, code) ? declared / "experiment.toml" : declared};
     if (const auto* surface = std::get_if<experiment::StlGeometry>(&experiment.geometry))
         files.push_back(surface->file);
+    if (const auto* volume = std::get_if<experiment::VolumeGeometry>(&experiment.geometry))
+        files.push_back(volume->file);
+    for (const experiment::PartDeclaration& part : experiment.parts)
+        if (const auto* file = std::get_if<fs::path>(&part.place)) files.push_back(*file);
     for (const experiment::TrialDeclaration& trial : experiment.trials) {
         files.push_back(trial.trace);
         if (trial.actuation) files.push_back(*trial.actuation);
+        if (trial.sensors) files.push_back(*trial.sensors);
     }
     for (const experiment::MuscleDeclaration& muscle : experiment.muscles) {
         if (muscle.signal_file) files.push_back(*muscle.signal_file);

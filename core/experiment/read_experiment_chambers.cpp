@@ -1,0 +1,12 @@
+#include "experiment/read_experiment_tables.hpp"
+
+namespace myo::experiment {
+
+std::vector<ChamberDeclaration> read_chambers(const toml::TomlReader& document) {
+    std::vector<ChamberDeclaration> chambers;
+    for (const toml::TomlReader& table : document.tables("chamber", {"name", "inside_m"}))
+        chambers.push_back({read_actuator_name(table), table.vector3("inside_m")});
+    return chambers;
+}
+
+}  // namespace myo::experiment

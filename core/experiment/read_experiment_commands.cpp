@@ -1,0 +1,75 @@
+#include <algorithm>
+
+#include "experiment/read_experiment_tables.hpp"
+
+namespace myo::experiment {
+namespace {
+
+/// Levels after a step at t = 0: a number, or "free" for a fitted one.
+std::vector<ActuationStep> read_steps(const toml::TomlReader& trial) {
+    std::vector<ActuationStep> steps;
+    const toml::TomlReader table = trial.table_of_names("actuation_step");
+    for (const std::string& name : table.keys()) {
+        ActuationStep step;
+        step.muscle = name;
+        if (table.is_text(name)) {
+            if (table.text(name) != "free")
+                table.fail(name, "must be a number or \"free\", not \"" + table.text(name) + "\"");
+        } else {
+            step.level = table.number(name);
+        }
+        steps.push_back(step);
+    }
+    return steps;
+}
+
+/// Constants of one unit; a name stands in one table only.
+void read_constants(const toml::TomlReader& trial, const std::string& key, const toml::NumberRange& range,
+                    std::vector<ConstantCommand>& commands) {
+    if (!trial.has(key)) return;
+    const toml::TomlReader table = trial.table_of_names(key);
+    for (const std::string& name : table.keys()) {
+        for (const ConstantCommand& other : commands)
+            if (other.actuator == name) table.fail(name, "has a value in " + other.key + " already");
+        commands.push_back({name, table.number(name, range), key});
+    }
+}
+
+/// Readings of sensors: a file, or numbers of a hold.
+void read_readings(const toml::TomlReader& trial, const std::filesystem::path& folder, TrialDeclaration& declared) {
+    if (trial.has("sensors")) declared.sensors = trial.file("sensors", folder);
+    if (!trial.has("sensor")) return;
+    if (!declared.hold) trial.fail("sensor", "belongs to a trial with hold = true; others have sensors = \"file.csv\"");
+    if (declared.sensors) trial.fail("sensor", "cannot be combined with sensors; give the file or the numbers");
+    const toml::TomlReader table = trial.table_of_names("sensor");
+    for (const std::string& name : table.keys()) declared.sensor_values[name] = table.number(name);
+}
+
+}  // namespace
+
+std::vector<std::string> command_keys() {
+    return {"hold",        "start",     "actuation",    "actuation_step", "activation",
+            "pressure_Pa", "tension_N", "shortening_m", "sensors",        "sensor"};
+}
+
+void read_commands(const toml::TomlReader& trial, const std::filesystem::path& folder, TrialDeclaration& declared) {
+    declared.hold = trial.boolean_or("hold", false);
+    if (declared.hold) {
+        trial.reject("start", "cannot be combined with hold: the body is at rest all along");
+        for (const char* key : {"actuation", "actuation_step"})
+            trial.reject(key, "cannot be combined with hold: its commands are constant");
+        declared.start = StartState::equilibrium;
+    } else {
+        declared.start = trial.choice<StartState>(
+            "start", {{"straight", StartState::straight}, {"equilibrium", StartState::equilibrium}});
+    }
+    if (trial.has("actuation")) declared.actuation = trial.file("actuation", folder);
+    if (trial.has("actuation_step")) declared.actuation_steps = read_steps(trial);
+    read_constants(trial, "activation", toml::positive(), declared.constant_commands);
+    read_constants(trial, "pressure_Pa", toml::any_number(), declared.constant_commands);
+    read_constants(trial, "tension_N", toml::not_negative(), declared.constant_commands);
+    read_constants(trial, "shortening_m", toml::any_number(), declared.constant_commands);
+    read_readings(trial, folder, declared);
+}
+
+}  // namespace myo::experiment
