@@ -18,6 +18,7 @@
 #include "setup/mesh_suitability.hpp"
 #include "setup/muscle_groups.hpp"
 #include "setup/recording_frame.hpp"
+#include "setup/refuse_unsupported.hpp"
 
 namespace myo::setup {
 namespace {
@@ -341,6 +342,7 @@ Result<Setup> prepare_setup(const experiment::Experiment& experiment, const Setu
     setup.experiment = experiment;
     setup.settings = settings;
     setup.warnings = experiment.warnings;
+    if (const Result<void> supported = refuse_unsupported(experiment); !supported) return supported.error();
     Result<mesh::SurfaceMesh> surface = experiment::read_body_surface(experiment);
     if (!surface) return surface.error();
     setup.surface = std::move(*surface);
