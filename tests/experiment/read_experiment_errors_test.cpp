@@ -67,7 +67,7 @@ const std::vector<Mutation> mutations = {
     {"size_m =", "size =", "size =", "geometry.size: unknown key", "\"size_m\""},
     {"origin_m = [0.0, 0.0, 0.0]", "unit = \"m\"", "unit", "geometry.unit: ", "stl"},
     {box_kind, "kind = \"stl\"\nfile = \"body.stl\"", "[geometry]", "geometry.unit: ", "no default"},
-    {box_kind, "kind = \"stl\"\nfile = \"body.stl\"\nunit = \"in\"", "unit", "geometry.unit: ", "\"um\""},
+    {box_kind, "kind = \"stl\"\nfile = \"body.stl\"\nunit = \"in\"", "unit", "geometry.unit: ", "mm, um"},
     {box_kind, "kind = \"stl\"\nunit = \"mm\"", "[geometry]", "geometry.file: ", "missing"},
     {box_kind, "kind = \"stl\"\nunit = \"mm\"\nfile = \"nobody.stl\"", "file =", "geometry.file: ", "nobody.stl"},
     {box_kind, "kind = \"stl\"\nunit = \"mm\"\nfile = \"\"", "file =", "geometry.file: ", "file name"},

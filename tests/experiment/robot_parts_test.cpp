@@ -271,7 +271,7 @@ const std::string stl = "kind = \"stl\"\nfile = \"body.stl\"\nunit = \"cm\"";
 INSTANTIATE_TEST_SUITE_P(
     RobotParts, SpoiledRobot,
     testing::Values(
-        Spoiled{"unit = \"cm\"", "unit = \"inch\"", "unit", "geometry.unit: ", "\"um\""},
+        Spoiled{"unit = \"cm\"", "unit = \"inch\"", "unit", "geometry.unit: ", "mm, um"},
         Spoiled{stl, "kind = \"box\"\nsize_m = [0.1, 0.03, 0.03]", "[[chamber]]", "chamber[0]: ", "no cavity"},
         Spoiled{"inside_m", "inside", "inside =", "chamber[0].inside: unknown key", "\"inside_m\""},
         Spoiled{"[0.03, 0.015, 0.015]", "[0.05, 0.015, 0.015]", "inside_m", "chamber[0].inside_m: ", "in the material"},
