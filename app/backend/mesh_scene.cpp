@@ -11,6 +11,7 @@
 #include "effect/catalogue.hpp"
 #include "material/catalogue.hpp"
 #include "mesh/region.hpp"
+#include "setup/actuator_signals.hpp"
 #include "setup/muscle_groups.hpp"
 #include "setup/setup.hpp"
 
@@ -66,7 +67,7 @@ effect::TrialContext site_of(const experiment::Experiment& experiment, const mod
     effect::TrialContext context;
     context.body = body;
     context.held = experiment.clamp_box_m;
-    for (const experiment::MuscleDeclaration& muscle : experiment.muscles) context.muscle_names.push_back(muscle.name);
+    context.actuator_names = setup::actuator_names(experiment);
     context.trial = mesh_scene_trial().name;
     context.end_s = release_s;
     return context;

@@ -5,6 +5,7 @@
 
 #include "base/stopwatch.hpp"
 #include "prediction/trial_target.hpp"
+#include "setup/actuator_signals.hpp"
 
 namespace myo::calibration {
 namespace {
@@ -70,9 +71,12 @@ TrialGradientCheck gradcheck(const setup::Setup& setup, std::size_t index, int s
     const Stopwatch watch;
     const setup::PreparedTrial& trial = setup.trials[index];
     model::Model model = trial.model;
-    // Free levels are not passive here, so that their muscles act.
-    for (const std::size_t muscle : trial.free_levels)
-        model.activation = setup::with_level(setup.experiment, model.activation, muscle, 1.05);
+    // Free levels are not passive here, so that their actuators act: half a scale, which is 1.05 of a muscle.
+    for (const std::size_t actuator : trial.free_levels)
+        setup::set_level(setup.experiment, actuator,
+                         setup::passive_level(setup.experiment, actuator) +
+                             0.5 * setup::level_bounds(setup.experiment, actuator).scale,
+                         model);
     dynamics::SimulationOptions options = trial.options;
     options.end_s = steps * options.h_s;
     options.initial.velocities = kick(setup.mesh.mesh);

@@ -42,11 +42,12 @@ std::optional<double> slowest(const model::Model& model, double share, double ti
 }  // namespace
 
 /// A standing column loses stiffness in proportion to its load and buckles when none is left; a lying beam does not.
-/// The critical load factor follows from a linear extrapolation of omega^2 to zero. Muscles are passive here.
+/// The critical load factor follows from a linear extrapolation of omega^2 to zero. Actuators are passive here.
 std::vector<Finding> check_pose(const CheckedJob& job) {
     const setup::PreparedTrial& trial = job.setup.trials.front();
     model::Model model = prediction::trial_model(job.setup, 0, prediction::declared_values(job.setup));
     model.activation.assign(model.activation.size(), fibre::Signal::constant(1.0));
+    model = model::with_constant_commands(model, 0.0, 0.0);
     const std::optional<double> free = slowest(model, 0.0, 0.0), loaded = slowest(model, pose_policy.load_share, 0.0);
     // Without modes or equilibrium the check does not apply; the support check reports a free body.
     if (!free || !loaded || !(*free > 0.0)) return {};

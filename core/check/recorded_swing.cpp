@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/force_element.hpp"
+
 namespace myo::check {
 namespace {
 
@@ -33,6 +35,8 @@ double last_change_s(const model::Model& model) {
     double last = 0.0;
     for (const double jump : model::jump_times(model)) last = std::max(last, jump);
     for (const fibre::Signal& signal : model.activation) last = std::max(last, last_change_s(signal));
+    for (const model::ForceElementPointer& element : model.force_elements)
+        if (element->command() != nullptr) last = std::max(last, last_change_s(*element->command()));
     return last;
 }
 

@@ -66,13 +66,14 @@ Finding of_swing(const setup::PreparedTrial& trial, double swing_Hz, double firs
     return finding;
 }
 
-/// False if muscles are declared without any changing signal: then the motion is driven by signals yet to be found.
+/// False if actuators are declared without any changing signal: then the motion is driven by signals yet to be found.
 bool signals_are_known(const setup::PreparedTrial& trial) {
     const auto changes = [](const fibre::Signal& signal) {
         return std::any_of(signal.values.begin(), signal.values.end(),
                            [&](double value) { return value != signal.values.front(); });
     };
-    const std::vector<fibre::Signal>& signals = trial.model.activation;
+    std::vector<fibre::Signal> signals = trial.model.activation;
+    signals.insert(signals.end(), trial.recorded_commands.begin(), trial.recorded_commands.end());
     return signals.empty() || !trial.free_levels.empty() || std::any_of(signals.begin(), signals.end(), changes);
 }
 

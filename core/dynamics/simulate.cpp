@@ -19,9 +19,10 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
-std::string where_it_failed(double t, double h, const std::string& reason) {
-    return "at t = " + std::to_string(t) + " s (h = " + std::to_string(h) + " s) " + reason + "; " +
-           smaller_step_advice;
+/// @param commands  of the force elements then, in words; empty: none
+std::string where_it_failed(double t, double h, const std::string& commands, const std::string& reason) {
+    return "at t = " + std::to_string(t) + " s (h = " + std::to_string(h) + " s" +
+           (commands.empty() ? "" : ", " + commands) + ") " + reason + "; " + smaller_step_advice;
 }
 
 struct SimulatePolicy {
@@ -88,9 +89,10 @@ public:
                     continue;
                 }
                 if (!step.taken)
-                    return ended(RunStatus::failed, where_it_failed(point_.time_s, h,
-                                                                    step.last.ok() ? "the motion is no longer finite"
-                                                                                   : step.last.message));
+                    return ended(
+                        RunStatus::failed,
+                        where_it_failed(point_.time_s, h, model::command_words(model(), goals.back(), true),
+                                        step.last.ok() ? "the motion is no longer finite" : step.last.message));
                 goals.pop_back();
                 advance_to(step, goals.empty());
                 progress.report({"simulate", point_.time_s, options_.end_s, "s", {}});

@@ -20,6 +20,7 @@ public:
     explicit StageSolver(const model::Model& model, SolverOptions options = {});
 
     const model::Model& model() const { return *constants_.model; }
+    const SolverOptions& options() const { return options_; }
     /// Mass matrix at an instant [s].
     const model::MassMatrix& mass(double at_s) const {
         return constants_.masses[model::span_at(constants_.masses, at_s)].mass;

@@ -1,5 +1,6 @@
 #include "dynamics/statics.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -7,6 +8,7 @@
 #include "dynamics/softening.hpp"
 #include "dynamics/undeformed.hpp"
 #include "material/moduli.hpp"
+#include "model/force_element.hpp"
 
 namespace myo::dynamics {
 
@@ -37,12 +39,70 @@ std::string failure_words(const StageSolver& solver, const StageReport& report) 
            "), of density, gravity and loads; smaller loads or a finer mesh may help";
 }
 
+struct LoadSteppingPolicy {
+    double first_step = 0.25;   // of the commands
+    double least_step = 0.005;  // of the commands; the pressure at which no equilibrium was found is as exact
+};
+constexpr LoadSteppingPolicy load_stepping_policy;
+
+/// Outcome of load stepping.
+struct LoadSteps {
+    bool complete = false;
+    std::string message;  // why it is not complete
+};
+
+/// Follows the equilibrium while the commands of the force elements grow from zero to their values.
+///
+/// @param x  in: guess; out: equilibrium under the last commands that have one. 3 x n [m]
+LoadSteps step_commands(const StageSolver& solver, double time_s, Eigen::Matrix3Xd& x) {
+    double reached = 0.0, step = load_stepping_policy.first_step;
+    const auto solve_at = [&](double factor) {
+        const model::Model model = model::with_constant_commands(solver.model(), factor, time_s);
+        StageSolver loaded(model, solver.options());
+        if (model.softening) loaded.soften(solver.softening());
+        Eigen::Matrix3Xd found = x;
+        if (!loaded.solve(static_stage(*model.body, time_s), found).ok() || !found.allFinite()) return false;
+        x = found;
+        return true;
+    };
+    // Without commands the body may have no equilibrium for other reasons, which the caller reports.
+    if (!solve_at(0.0)) return {};
+    while (reached < 1.0) {
+        const double next = std::min(1.0, reached + step);
+        if (solve_at(next)) {
+            reached = next;
+            continue;
+        }
+        step *= 0.5;
+        if (step < load_stepping_policy.least_step)
+            return {false, "no equilibrium was found under " +
+                               model::command_words(model::with_constant_commands(solver.model(), next, time_s), 0.0) +
+                               (next < 1.0 ? ", less than the " + model::command_words(solver.model(), time_s, true) +
+                                                 " of the start"
+                                           : "") +
+                               ": beyond it the inflation runs away; check the pressure and the modulus (" +
+                               modulus_words(solver.model()) + ")"};
+    }
+    return {true, {}};
+}
+
 /// Equilibrium for the current (softened) stiffness of the solver.
 StageReport find_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3Xd& x) {
     Stage stage = static_stage(*solver.model().body, time_s);
     Eigen::Matrix3Xd start = x;
     StageReport report = solver.solve(stage, x);
     if (report.ok()) return report;
+
+    LoadSteps stepped;
+    if (model::has_commands(solver.model(), time_s)) {
+        Eigen::Matrix3Xd loaded = undeformed_near(*solver.model().body, start);
+        stepped = step_commands(solver, time_s, loaded);
+        if (stepped.complete) {
+            report = solver.solve(stage, loaded);
+            x = loaded;
+            if (report.ok()) return report;
+        }
+    }
 
     // If forces at the guess are not finite, no iteration can start there: use the undeformed body.
     if (!solver.total_forces(stage, start).allFinite()) start = undeformed_near(*solver.model().body, start);
@@ -60,7 +120,7 @@ StageReport find_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3X
         x = undeformed_near(*solver.model().body, start);
         report = solver.solve(static_stage(*solver.model().body, time_s), x);
     }
-    if (!report.ok()) report.message = failure_words(solver, report);
+    if (!report.ok()) report.message = stepped.message.empty() ? failure_words(solver, report) : stepped.message;
     return report;
 }
 

@@ -10,15 +10,15 @@ namespace actuation_delay_parts {
 constexpr const char* delay_s = "delay_s";
 
 /// a(t) -> a(t - delay), smoothed so that the run depends smoothly on the delay.
-void apply(const TrialContext&, const EffectParameters& parameters, Affected& affected) {
+void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
     const double delay = number(parameters, delay_s);
     if (!(delay > 0.0)) return;
-    for (fibre::Signal& signal : affected.model.activation) {
-        if (signal.times_s.size() < 2) continue;
+    change_signals(context, parameters, affected.model, [&](fibre::Signal& signal, double) {
+        if (signal.times_s.size() < 2) return;
         // The value at the start extends to all earlier times; the motion of the file begins at t = 0.
         for (double& time : signal.times_s) time += delay;
         signal = with_bends_between_steps(signal, affected.options.h_s, affected.options.end_s);
-    }
+    });
 }
 
 /// Two orders of magnitude, because the response of a long delay is not proportional to that of a short one.
@@ -35,8 +35,8 @@ Effect actuation_delay() {
     using namespace actuation_delay_parts;
     return {.id = "actuation_delay",
             .kind = EffectKind::actuation,
-            .summary = "the muscle follows its signal after a dead time",
-            .parameters = {fitted_number(delay_s, 0.0, 100.0, 0.02, true)},
+            .summary = "the actuator follows its signal after a dead time",
+            .parameters = {fitted_number(delay_s, 0.0, 100.0, 0.02, true), signal_parameter()},
             .apply = apply,
             .probes = probes,
             .draw = {.needs = {.muscles = true}, .amount = delay_s, .lowest = 5e-3, .highest = 0.2}};

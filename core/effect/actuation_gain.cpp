@@ -6,20 +6,18 @@ namespace actuation_gain_parts {
 
 constexpr const char* change = "relative_change";
 
-/// a - 1 -> (1 + change) (a - 1): the passive state a = 1 stays.
-void apply(const TrialContext&, const EffectParameters& parameters, Affected& affected) {
+/// u -> (1 + change) u, a - 1 of a muscle: the passive state stays.
+void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
     const double factor = 1.0 + number(parameters, change);
-    for (fibre::Signal& signal : affected.model.activation)
-        for (double& value : signal.values) value = 1.0 + factor * (value - 1.0);
+    change_signals(context, parameters, affected.model, [&](fibre::Signal& signal, double passive) {
+        for (double& value : signal.values) value = passive + factor * (value - passive);
+    });
 }
 
-/// Observable only if some muscle leaves its passive state.
+/// Observable only if some actuator leaves its passive state.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
-    for (const model::Model& model : search.models)
-        for (const fibre::Signal& signal : model.activation)
-            for (const double value : signal.values)
-                if (value != 1.0) return {probe({{change, 0.02}}, change)};
-    return {};
+    if (!any_signal(acts, search)) return {};
+    return {probe({{change, 0.02}}, change)};
 }
 
 }  // namespace actuation_gain_parts
@@ -29,8 +27,8 @@ Effect actuation_gain() {
     using namespace actuation_gain_parts;
     return {.id = "actuation_gain",
             .kind = EffectKind::actuation,
-            .summary = "the muscle moves by a constant factor more than its signal",
-            .parameters = {fitted_number(change, -1.0, 20.0, 0.2)},
+            .summary = "the actuator moves by a constant factor more than its signal",
+            .parameters = {fitted_number(change, -1.0, 20.0, 0.2), signal_parameter()},
             .apply = apply,
             .probes = probes,
             .draw = {.needs = {.muscles = true}, .amount = change, .lowest = 0.02, .highest = 0.5, .has_sign = true}};

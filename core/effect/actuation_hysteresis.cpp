@@ -11,7 +11,7 @@ namespace actuation_hysteresis_parts {
 ///
 /// Within a sample interval the equation for z is linear, and its exponential solution is exact. z is 0 at u = 0 and
 /// has followed u from there to its value before the start: a constant input is not reached in full.
-void apply(const TrialContext&, const EffectParameters& parameters, Affected& affected) {
+void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
     const double h = number(parameters, "fraction"), width = number(parameters, "width");
     const auto moved = [width](double z, double du) {
         if (du == 0.0) return z;
@@ -26,7 +26,7 @@ void apply(const TrialContext&, const EffectParameters& parameters, Affected& af
         return z + (left > 0.0 ? (direction * width - z) * (1.0 - std::exp(-left / width)) : 0.0);
     };
     respond_to_signals(
-        acts,
+        context, parameters, acts,
         [=](const std::vector<double>&, const std::vector<double>& u) {
             double z = moved(0.0, u.front());
             std::vector<double> x{(1.0 - h) * u.front() + h * z};
@@ -41,10 +41,7 @@ void apply(const TrialContext&, const EffectParameters& parameters, Affected& af
 
 /// The width is relative to the largest input: hysteresis that saturates early, and one that does not.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
-    double largest = 0.0;
-    for (const model::Model& model : search.models)
-        for (const fibre::Signal& signal : model.activation)
-            for (const double value : signal.values) largest = std::max(largest, std::abs(value - 1.0));
+    const double largest = largest_input(search);
     std::vector<EffectProbe> list;
     if (any_signal(acts, search))
         for (const double part : {0.1, 0.5})
@@ -54,6 +51,12 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 
 EffectParameters drawn(const DrawContext&, RandomStream& random) { return {{"width", random.log_uniform(0.02, 0.12)}}; }
 
+EffectParameterEntry width_parameter() {
+    EffectParameterEntry width = fitted_number("width", 1e-4, 10.0, 0.05, true);
+    width.of_signal = true;
+    return width;
+}
+
 }  // namespace actuation_hysteresis_parts
 
 Effect actuation_hysteresis() {
@@ -61,8 +64,8 @@ Effect actuation_hysteresis() {
     return {
         .id = "actuation_hysteresis",
         .kind = EffectKind::actuation,
-        .summary = "the muscle's way back differs from its way there (Bouc-Wen)",
-        .parameters = {fitted_number("fraction", 0.0, 1.0, 0.2), fitted_number("width", 1e-4, 10.0, 0.05, true)},
+        .summary = "the actuator's way back differs from its way there (Bouc-Wen)",
+        .parameters = {fitted_number("fraction", 0.0, 1.0, 0.2), width_parameter(), signal_parameter()},
         .apply = apply,
         .probes = probes,
         .draw = {.needs = {.muscles = true}, .amount = "fraction", .lowest = 0.05, .highest = 0.9, .others = drawn}};

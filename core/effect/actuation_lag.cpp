@@ -9,11 +9,11 @@ namespace actuation_lag_parts {
 constexpr const char* tau_s = "time_constant_s";
 
 /// tau x' = u - x, integrated exactly for u linear between samples. x is continuous across jumps of u.
-void apply(const TrialContext&, const EffectParameters& parameters, Affected& affected) {
+void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
     const double tau = number(parameters, tau_s);
     if (!(tau > 0.0)) return;
     respond_to_signals(
-        moves,
+        context, parameters, moves,
         [tau](const std::vector<double>& times, const std::vector<double>& u) {
             std::vector<double> x{u.front()};
             for (std::size_t k = 1; k < u.size(); ++k) {
@@ -41,8 +41,8 @@ Effect actuation_lag() {
     using namespace actuation_lag_parts;
     return {.id = "actuation_lag",
             .kind = EffectKind::actuation,
-            .summary = "the muscle follows its signal with a first-order lag",
-            .parameters = {fitted_number(tau_s, 0.0, 100.0, 0.02, true)},
+            .summary = "the actuator follows its signal with a first-order lag",
+            .parameters = {fitted_number(tau_s, 0.0, 100.0, 0.02, true), signal_parameter()},
             .apply = apply,
             .probes = probes,
             .draw = {.needs = {.muscles = true}, .amount = tau_s, .lowest = 5e-3, .highest = 0.3}};

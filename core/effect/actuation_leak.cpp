@@ -12,10 +12,10 @@ constexpr const char* tau_s = "time_constant_s";
 ///
 /// The input held before the start has not leaked: the trial begins as declared, and the leak begins at t = 0, for
 /// constant signals as well.
-void apply(const TrialContext&, const EffectParameters& parameters, Affected& affected) {
+void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
     const double tau = number(parameters, tau_s);
     respond_to_signals(
-        acts,
+        context, parameters, acts,
         [tau](const std::vector<double>& times, const std::vector<double>& u) {
             std::vector<double> x{u.front()};
             for (std::size_t k = 1; k < u.size(); ++k) {
@@ -43,7 +43,7 @@ Effect actuation_leak() {
     return {.id = "actuation_leak",
             .kind = EffectKind::actuation,
             .summary = "a held actuation bleeds off",
-            .parameters = {fitted_number(tau_s, 1e-3, 1e5, 0.1, true)},
+            .parameters = {fitted_number(tau_s, 1e-3, 1e5, 0.1, true), signal_parameter()},
             .apply = apply,
             .probes = probes,
             .draw = {.needs = {.muscles = true}, .amount = tau_s, .lowest = 0.1, .highest = 30.0, .grows = false}};

@@ -30,6 +30,7 @@ enum class EffectParameterKind {
     marker,
     marker_pair,
     trial,
+    actuator,  // name of a muscle, chamber or tendon
 };
 
 /// Declaration of a parameter: type, range and how it is fitted.
@@ -41,6 +42,8 @@ struct EffectParameterEntry {
     double highest = std::numeric_limits<double>::max();
     double scale = 0.0;         // a change of this size matters: width of the prior; 0: not fitted
     bool over_decades = false;  // positive with unknown order of magnitude: ln(1 + value / scale) is fitted
+    /// In the unit of the signals that it acts on: range and scale are those for muscles, whose unit is 1.
+    bool of_signal = false;
 };
 
 /// Data of the trial on which an effect acts.
@@ -50,7 +53,7 @@ struct TrialContext {
     std::vector<std::string> marker_names;
     std::vector<Eigen::Vector3d> marker_rest_m;       // rest positions [m], mesh frame
     std::vector<measurement::MarkerBinding> markers;  // bound to the cells of the body
-    std::vector<std::string> muscle_names;
+    std::vector<std::string> actuator_names;          // muscles, chambers, tendons
     std::string trial;
     double session_time_s = 0.0;  // time of the trial within the session
     dynamics::StartKind start = dynamics::StartKind::straight;

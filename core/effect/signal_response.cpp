@@ -3,15 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/force_element.hpp"
+
 namespace myo::effect {
 
-bool moves(const fibre::Signal& signal) {
+bool moves(const fibre::Signal& signal, double) {
     return std::any_of(signal.values.begin(), signal.values.end(),
                        [&](double value) { return value != signal.values.front(); });
 }
 
-bool acts(const fibre::Signal& signal) {
-    return std::any_of(signal.values.begin(), signal.values.end(), [](double value) { return value != 1.0; });
+bool acts(const fibre::Signal& signal, double passive) {
+    return std::any_of(signal.values.begin(), signal.values.end(), [&](double value) { return value != passive; });
 }
 
 namespace {
@@ -43,22 +45,67 @@ fibre::Signal sampled(const fibre::Signal& signal, double spacing, double end_s)
 
 }  // namespace
 
-void respond_to_signals(SignalKind kind, const Response& respond, Affected& affected) {
-    for (fibre::Signal& signal : affected.model.activation) {
-        if (!kind(signal)) continue;
-        fibre::Signal samples = sampled(signal, 0.25 * affected.options.h_s, affected.options.end_s);
-        for (double& value : samples.values) value -= 1.0;
-        signal.values = respond(samples.times_s, samples.values);
-        for (double& value : signal.values) value += 1.0;
-        signal.times_s = std::move(samples.times_s);
+EffectParameterEntry signal_parameter() {
+    return {.name = "signal", .kind = EffectParameterKind::actuator, .optional = true};
+}
+
+void change_signals(const TrialContext& context, const EffectParameters& parameters, model::Model& model,
+                    const std::function<void(fibre::Signal&, double passive)>& change) {
+    const std::string only = has(parameters, "signal") ? text(parameters, "signal") : "";
+    // Actuators are named in the order of their signals: muscles first, then force elements.
+    std::size_t number = 0;
+    const auto chosen = [&]() {
+        const std::size_t i = number++;
+        return only.empty() || (i < context.actuator_names.size() && context.actuator_names[i] == only);
+    };
+    for (fibre::Signal& signal : model.activation)
+        if (chosen()) change(signal, 1.0);
+    for (model::ForceElementPointer& element : model.force_elements) {
+        if (element->command() == nullptr || !chosen()) continue;
+        fibre::Signal command = *element->command();
+        change(command, 0.0);
+        element = element->with_command(std::move(command));
     }
 }
 
+void respond_to_signals(const TrialContext& context, const EffectParameters& parameters, SignalKind kind,
+                        const Response& respond, Affected& affected) {
+    change_signals(context, parameters, affected.model, [&](fibre::Signal& signal, double passive) {
+        if (!kind(signal, passive)) return;
+        fibre::Signal samples = sampled(signal, 0.25 * affected.options.h_s, affected.options.end_s);
+        for (double& value : samples.values) value -= passive;
+        signal.values = respond(samples.times_s, samples.values);
+        for (double& value : signal.values) value += passive;
+        signal.times_s = std::move(samples.times_s);
+    });
+}
+
+namespace {
+
+/// Calls visit(signal, passive) for every signal of every model.
+template <class Visit>
+void for_each_signal(const EffectSearch& search, const Visit& visit) {
+    for (const model::Model& model : search.models) {
+        for (const fibre::Signal& signal : model.activation) visit(signal, 1.0);
+        for (const model::ForceElementPointer& element : model.force_elements)
+            if (element->command() != nullptr) visit(*element->command(), 0.0);
+    }
+}
+
+}  // namespace
+
 bool any_signal(SignalKind kind, const EffectSearch& search) {
-    for (const model::Model& model : search.models)
-        for (const fibre::Signal& signal : model.activation)
-            if (kind(signal)) return true;
-    return false;
+    bool any = false;
+    for_each_signal(search, [&](const fibre::Signal& signal, double passive) { any = any || kind(signal, passive); });
+    return any;
+}
+
+double largest_input(const EffectSearch& search) {
+    double largest = 0.0;
+    for_each_signal(search, [&](const fibre::Signal& signal, double passive) {
+        for (const double value : signal.values) largest = std::max(largest, std::abs(value - passive));
+    });
+    return largest;
 }
 
 }  // namespace myo::effect

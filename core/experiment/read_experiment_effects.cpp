@@ -36,6 +36,7 @@ effect::EffectParameter read_parameter(const toml::TomlReader& effect, const eff
             return axis;
         }
         case effect::EffectParameterKind::marker:
+        case effect::EffectParameterKind::actuator:
         case effect::EffectParameterKind::trial: return effect.name(key);
         case effect::EffectParameterKind::marker_pair: {
             const std::vector<std::string> pair = effect.texts(key);

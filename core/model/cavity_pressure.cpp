@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/cross_matrix.hpp"
+#include "base/text.hpp"
 #include "mesh/face_quadrature.hpp"
 #include "mesh/face_shape.hpp"
 #include "model/command.hpp"
@@ -57,11 +58,12 @@ WallVolume wall_volume(const Matrix3Xd& x, bool with_hessian) {
 
 class CavityPressure : public ForceElement {
 public:
-    CavityPressure(std::shared_ptr<const std::vector<LoadedFace>> walls, fibre::Signal pressure)
-        : walls_(std::move(walls)), pressure_(std::move(pressure)) {}
+    CavityPressure(std::shared_ptr<const std::vector<LoadedFace>> walls, fibre::Signal pressure, std::string words,
+                   double factor)
+        : walls_(std::move(walls)), pressure_(std::move(pressure)), words_(std::move(words)), factor_(factor) {}
 
     void add(const Body& body, const ForceState& at, HessianKind kind, InternalEnergy& out) const override {
-        const double p = command_value(pressure_, at);
+        const double p = factor_ * command_value(pressure_, at);
         if (p == 0.0) return;
         for (const LoadedFace& wall : *walls_) {
             const WallVolume V = wall_volume(at.x(Eigen::all, wall.nodes), kind == HessianKind::exact);
@@ -78,22 +80,25 @@ public:
 
     const fibre::Signal* command() const override { return &pressure_; }
     ForceElementPointer with_command(const fibre::Signal& pressure_Pa) const override {
-        return std::make_shared<CavityPressure>(walls_, pressure_Pa);
+        return std::make_shared<CavityPressure>(walls_, pressure_Pa, words_, factor_);
+    }
+    std::string command_words(double time_s, bool before) const override {
+        return format_number(before ? pressure_.value_before(time_s) : pressure_.value(time_s), 4) + " Pa in " + words_;
     }
 
     std::vector<ForceParameter> parameters() const override {
         return command_parameters(pressure_, "pressure_Pa", 1e3);
     }
     ForceElementPointer changed(const VectorXd& values) const override {
-        return std::make_shared<CavityPressure>(walls_, with_values(pressure_, values));
+        return with_command(with_values(pressure_, values));
     }
     void add_tangent(const Body&, const ForceState& at, const VectorXd& change, Matrix3Xd& gradient) const override {
         const double dp = command_change(pressure_, at, change);
-        if (dp != 0.0) add_unit_pressure(at.x, dp, gradient);
+        if (dp != 0.0) add_unit_pressure(at.x, factor_ * dp, gradient);
     }
     void add_work(const Body&, const ForceState& at, const Matrix3Xd& p, VectorXd& by_parameter) const override {
         Matrix3Xd unit = Matrix3Xd::Zero(3, p.cols());
-        add_unit_pressure(at.x, 1.0, unit);
+        add_unit_pressure(at.x, factor_, unit);
         add_command_work(pressure_, at, unit.cwiseProduct(p).sum(), by_parameter);
     }
 
@@ -111,6 +116,8 @@ private:
 
     std::shared_ptr<const std::vector<LoadedFace>> walls_;
     fibre::Signal pressure_;
+    std::string words_;  // for messages
+    double factor_;      // of the pressure on the walls
 };
 
 /// Corners of a face in cyclic order: 3 for straight and curved triangles, otherwise 4.
@@ -129,9 +136,10 @@ void for_each_edge(const Body& body, int face, const Visit& visit) {
 
 }  // namespace
 
-ForceElementPointer cavity_pressure(const Body& body, const std::vector<int>& faces, fibre::Signal pressure_Pa) {
+ForceElementPointer cavity_pressure(const Body& body, const std::vector<int>& faces, fibre::Signal pressure_Pa,
+                                    std::string words, double factor) {
     return std::make_shared<CavityPressure>(std::make_shared<const std::vector<LoadedFace>>(loaded_faces(body, faces)),
-                                            std::move(pressure_Pa));
+                                            std::move(pressure_Pa), std::move(words), factor);
 }
 
 double cavity_volume(const Body& body, const std::vector<int>& faces, const Matrix3Xd& x) {
@@ -139,6 +147,20 @@ double cavity_volume(const Body& body, const std::vector<int>& faces, const Matr
     for (const LoadedFace& wall : loaded_faces(body, faces))
         volume += wall_volume(x(Eigen::all, wall.nodes), false).value;
     return volume;
+}
+
+double wall_area(const Body& body, const std::vector<int>& faces, const Matrix3Xd& x) {
+    double area = 0.0;
+    for (const int face : faces) {
+        const Matrix3Xd at = x(Eigen::all, body.boundary.nodes.col(face));
+        const int count = static_cast<int>(at.cols());
+        for (const mesh::FacePoint& point : mesh::face_quadrature(count)) {
+            const Eigen::MatrixX2d D = mesh::face_shape_gradient(count, point.uv);
+            const Vector3d u = at * D.col(0), v = at * D.col(1);
+            area += point.weight * u.cross(v).norm();
+        }
+    }
+    return area;
 }
 
 int open_edges(const Body& body, const std::vector<int>& faces) {

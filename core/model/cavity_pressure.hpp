@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "fibre/signal.hpp"
@@ -12,11 +13,18 @@ namespace myo::model {
 /// @param faces        boundary faces of the walls. They must close the cavity, or leave it open at clamped nodes only:
 ///                     then the force on the free nodes has a potential and a symmetric tangent
 /// @param pressure_Pa  p(t); its knots [Pa] are the parameters
+/// @param words        what it is, for messages: "chamber upper"
+/// @param factor       the pressure on the walls is this factor times p(t): corrects walls that enclose another volume
+///                     than the true cavity does
 /// Source: Bonet & Wood 2008, sec. 8.5 (pressure on an enclosed boundary).
-ForceElementPointer cavity_pressure(const Body& body, const std::vector<int>& faces, fibre::Signal pressure_Pa);
+ForceElementPointer cavity_pressure(const Body& body, const std::vector<int>& faces, fibre::Signal pressure_Pa,
+                                    std::string words = "the cavity", double factor = 1.0);
 
 /// Volume enclosed by the walls at positions x (3 x n [m]) [m3]; up to a constant if the walls are open.
 double cavity_volume(const Body& body, const std::vector<int>& faces, const Eigen::Matrix3Xd& x);
+
+/// Area of the walls at positions x (3 x n [m]) [m2].
+double wall_area(const Body& body, const std::vector<int>& faces, const Eigen::Matrix3Xd& x);
 
 /// Number of open edges of the walls.
 ///

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/text.hpp"
+
 namespace myo::model {
 
 using Eigen::Matrix3Xd;
@@ -42,6 +44,30 @@ Matrix3Xd unsymmetric_product(const Model& model, const ForceState& at, const Ma
         else
             element->add_unsymmetric_pull(*model.body, at, field, result);
     return result;
+}
+
+std::string command_words(const Model& model, double time_s, bool before) {
+    std::vector<std::string> words;
+    for (const ForceElementPointer& element : model.force_elements) {
+        const fibre::Signal* const command = element->command();
+        if (command && (before ? command->value_before(time_s) : command->value(time_s)) != 0.0)
+            words.push_back(element->command_words(time_s, before));
+    }
+    return join(words, " and ");
+}
+
+Model with_constant_commands(const Model& model, double factor, double time_s) {
+    Model result = model;
+    for (ForceElementPointer& element : result.force_elements)
+        if (const fibre::Signal* const command = element->command())
+            element = element->with_command(fibre::Signal::constant(factor * command->value_before(time_s)));
+    return result;
+}
+
+bool has_commands(const Model& model, double time_s) {
+    return std::any_of(model.force_elements.begin(), model.force_elements.end(), [&](const ForceElementPointer& e) {
+        return e->command() && e->command()->value_before(time_s) != 0.0;
+    });
 }
 
 void add_force_elements(const Model& model, const ForceState& at, HessianKind kind, InternalEnergy& out) {

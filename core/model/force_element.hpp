@@ -62,6 +62,8 @@ public:
     virtual const fibre::Signal* command() const { return nullptr; }
     /// Copy with another command; null if the element has none.
     virtual std::shared_ptr<const ForceElement> with_command(const fibre::Signal&) const { return nullptr; }
+    /// The command at an instant in words, for messages: "12000 Pa in chamber upper"; empty if there is none.
+    virtual std::string command_words(double, bool) const { return {}; }
 
     /// Parameters in the order of changed() and add_tangent().
     virtual std::vector<ForceParameter> parameters() const = 0;
@@ -95,6 +97,17 @@ enum class Side { plain, transposed };
 /// Product of the part of the stiffness that the Hessian lacks, or of its transpose, with a nodal field, 3 x n.
 Eigen::Matrix3Xd unsymmetric_product(const Model& model, const ForceState& at, const Eigen::Matrix3Xd& field,
                                      Side side);
+
+/// Commands of all force elements at an instant in words, those at zero left out: "12000 Pa in chamber upper".
+///
+/// @param before  left limit at a discontinuity
+std::string command_words(const Model& model, double time_s, bool before = false);
+
+/// Copy of the model in which every command is constant: `factor` times its value just before `time_s`.
+Model with_constant_commands(const Model& model, double factor, double time_s);
+
+/// True if any command differs from zero just before `time_s`.
+bool has_commands(const Model& model, double time_s);
 
 /// Adds all force elements of the model to `out`.
 void add_force_elements(const Model& model, const ForceState& at, HessianKind kind, InternalEnergy& out);

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "prediction/prediction.hpp"
+#include "setup/actuator_signals.hpp"
 
 namespace myo::prediction {
 namespace {
@@ -64,7 +65,7 @@ void add_registration(const setup::Setup& setup, ParameterList& list) {
     }
 }
 
-/// Start of the motion and levels of the muscles, of each trial.
+/// Start of the motion and levels of the actuators, of each trial.
 void add_trial_unknowns(const setup::Setup& setup, ParameterList& list) {
     for (std::size_t t = 0; t < setup.trials.size(); ++t) {
         const setup::PreparedTrial& trial = setup.trials[t];
@@ -74,10 +75,12 @@ void add_trial_unknowns(const setup::Setup& setup, ParameterList& list) {
         if (trial.start_found)
             list.add(Kind::start_shift, t, 0, "start_shift_s." + trial.name, -3.0 * interval, 3.0 * interval, interval,
                      "s");
-        for (const std::size_t muscle : trial.free_levels)
-            list.add(Kind::level, t, muscle,
-                     "actuation_level." + trial.name + "." + setup.experiment.muscles[muscle].name, 0.05, 10.0, 0.1,
-                     "");
+        const std::vector<std::string> names = setup::actuator_names(setup.experiment);
+        for (const std::size_t actuator : trial.free_levels) {
+            const setup::LevelBounds bounds = setup::level_bounds(setup.experiment, actuator);
+            list.add(Kind::level, t, actuator, "actuation_level." + trial.name + "." + names[actuator], bounds.lower,
+                     bounds.upper, bounds.scale, setup::signal_unit(setup.experiment, actuator));
+        }
     }
 }
 
@@ -90,7 +93,7 @@ std::vector<ModelParameter> free_parameters(const setup::Setup& setup, const std
     add_trial_unknowns(setup, list);
     for (std::size_t e = 0; e < list.start.effects.size(); ++e)
         if (list.start.effects[e].calibrate)
-            for (ModelParameter& parameter : effect_parameters(list.start.effects[e], e))
+            for (ModelParameter& parameter : effect_parameters(setup, list.start.effects[e], e))
                 list.parameters.push_back(std::move(parameter));
     return list.parameters;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "effect/affected_tangent.hpp"
+#include "setup/actuator_signals.hpp"
 #include "setup/trial_effects.hpp"
 
 namespace myo::prediction {
@@ -63,9 +64,7 @@ std::optional<sensitivity::ModelTangent> parameter_tangent(const setup::Setup& s
         return sensitivity::youngs_modulus_tangent(trial_model(setup, trial, values), values.youngs_modulus_Pa);
     if (parameter.kind == Kind::damping) return sensitivity::damping_tangent();
     if (parameter.kind == Kind::law) return sensitivity::law_tangent(parameter.index);
-    sensitivity::ModelTangent tangent;
-    tangent.activation = setup::level_tangent(setup.experiment, parameter.index);
-    return tangent;
+    return setup::level_model_tangent(setup.experiment, parameter.index, setup.trials[trial].model);
 }
 
 double difference_step(const ModelParameter& p, double value, double part) {

@@ -7,6 +7,7 @@
 #include "effect/catalogue.hpp"
 #include "measurement/rigid_motion.hpp"
 #include "prediction/parameter_tangent.hpp"
+#include "setup/actuator_signals.hpp"
 
 namespace myo::prediction {
 namespace {
@@ -26,16 +27,18 @@ ParameterValues declared_values(const setup::Setup& setup) {
     values.start_shift_s.assign(setup.trials.size(), 0.0);
     for (const setup::PreparedTrial& trial : setup.trials) {
         std::map<std::size_t, double> levels;
-        for (const std::size_t muscle : trial.free_levels) levels[muscle] = 1.0;
+        for (const std::size_t actuator : trial.free_levels)
+            levels[actuator] = setup::passive_level(setup.experiment, actuator);
         values.levels.push_back(std::move(levels));
     }
     values.effects = setup.experiment.effects;
     return values;
 }
 
-std::vector<ModelParameter> effect_parameters(const effect::EffectDeclaration& effect, std::size_t index) {
+std::vector<ModelParameter> effect_parameters(const setup::Setup& setup, const effect::EffectDeclaration& effect,
+                                              std::size_t index) {
     std::vector<ModelParameter> list;
-    for (const setup::EffectNumber& n : setup::effect_numbers(effect)) {
+    for (const setup::EffectNumber& n : setup::effect_numbers(effect, setup::signal_size(setup, effect))) {
         inverse::Parameter parameter{n.name,  setup::effect_number(effect, n.parameter, n.component, n.base),
                                      n.lower, n.upper,
                                      n.scale, n.over_decades};
@@ -80,8 +83,8 @@ model::Model trial_model(const setup::Setup& setup, std::size_t trial, const Par
                                          setup.experiment.material.poissons_ratio);
     model.damping_s = values.damping_s;
     if (!values.law.empty()) model.material = model.material->with_values(values.law);
-    for (const auto& [muscle, level] : values.levels[trial])
-        model.activation = setup::with_level(setup.experiment, model.activation, muscle, level);
+    for (const auto& [actuator, level] : values.levels[trial])
+        setup::set_level(setup.experiment, actuator, level, model);
     return model;
 }
 

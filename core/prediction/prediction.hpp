@@ -20,10 +20,10 @@ struct ParameterValues {
     Eigen::Vector3d translation_m = Eigen::Vector3d::Zero();  // camera = rotation(rotation_rad) mesh + translation
     Eigen::Vector3d rotation_rad = Eigen::Vector3d::Zero();   // rotation vector about the mesh origin
     std::vector<double> start_shift_s;                        // per trial: t = 0 is this much later than start_s
-    std::vector<std::map<std::size_t, double>> levels;        // per trial: muscle -> level of its step
+    std::vector<std::map<std::size_t, double>> levels;        // per trial: actuator -> level of its step
     std::vector<effect::EffectDeclaration> effects;           // with their current parameters
 };
-/// Initial values: what the experiment declares, shifts 0, free levels 1 (passive).
+/// Initial values: what the experiment declares, shifts 0, free levels passive.
 ParameterValues declared_values(const setup::Setup& setup);
 
 /// One scalar of ParameterValues: name, initial value, bounds and scale, and where it is stored.
@@ -31,7 +31,7 @@ struct ModelParameter {
     enum class Kind { youngs_modulus, damping, law, translation, rotation, start_shift, level, effect };
     Kind kind = Kind::youngs_modulus;
     std::size_t trial = 0;  // start_shift, level
-    std::size_t index = 0;  // parameter of the law, axis (0 ... 2), muscle, or effect
+    std::size_t index = 0;  // parameter of the law, axis (0 ... 2), actuator, or effect
     inverse::Parameter parameter;
     std::string unit;                                // for messages and files
     std::string of_effect{};                         // effect: key of its parameter
@@ -44,7 +44,8 @@ struct ModelParameter {
 /// Parameters of one effect for a fit.
 ///
 /// @param index  position of the effect in ParameterValues::effects
-std::vector<ModelParameter> effect_parameters(const effect::EffectDeclaration& effect, std::size_t index);
+std::vector<ModelParameter> effect_parameters(const setup::Setup& setup, const effect::EffectDeclaration& effect,
+                                              std::size_t index);
 
 /// All unknowns of the experiment: material.calibrate, limited registration, detected starts of fit trials, free levels
 /// of fit trials, effects with calibrate = true.

@@ -7,6 +7,7 @@
 #include "base/stopwatch.hpp"
 #include "prediction/level_curve.hpp"
 #include "prediction/predict_trials.hpp"
+#include "setup/actuator_signals.hpp"
 
 namespace myo::prediction {
 namespace {
@@ -105,25 +106,25 @@ SetupRun run_trials(const setup::Setup& setup, const ParameterValues& values, co
 ParameterValues with_predicted_levels(const setup::Setup& setup, ParameterValues values) {
     for (std::size_t v = 0; v < setup.trials.size(); ++v) {
         if (setup.trials[v].role == experiment::TrialRole::fit) continue;
-        for (auto& [muscle, level] : values.levels[v]) {
+        for (auto& [actuator, level] : values.levels[v]) {
             std::vector<std::size_t> sources;
             double mean = 0.0;
             for (const std::size_t t : trials_with_role(setup, experiment::TrialRole::fit))
-                if (values.levels[t].count(muscle) > 0) {
+                if (values.levels[t].count(actuator) > 0) {
                     sources.push_back(t);
-                    mean += values.levels[t].at(muscle);
+                    mean += values.levels[t].at(actuator);
                 }
             if (sources.empty()) continue;
             // Fallback if no shared condition exists: the mean level.
             level = mean / static_cast<double>(sources.size());
             const std::optional<std::string> condition = telling_condition(setup, v, sources);
             if (!condition) continue;
-            // Repeated conditions are averaged: the interpolation needs distinct abscissae. Its value at 0 is passive
-            // (1).
+            // Repeated conditions are averaged: the interpolation needs distinct abscissae. Its value at 0 is
+            // passive.
             std::map<double, std::pair<double, int>> points;  // condition -> sum of levels, count
             for (const std::size_t t : sources) {
                 auto& [sum, count] = points[setup.experiment.trials[t].condition.at(*condition)];
-                sum += values.levels[t].at(muscle);
+                sum += values.levels[t].at(actuator);
                 ++count;
             }
             std::vector<double> x, y;
@@ -131,7 +132,8 @@ ParameterValues with_predicted_levels(const setup::Setup& setup, ParameterValues
                 x.push_back(at);
                 y.push_back(point.first / point.second);
             }
-            level = curve_through(x, y, setup.experiment.trials[v].condition.at(*condition), 1.0);
+            level = curve_through(x, y, setup.experiment.trials[v].condition.at(*condition),
+                                  setup::passive_level(setup.experiment, actuator));
         }
     }
     return values;

@@ -10,6 +10,7 @@
 #include "results/calibration_report_parts.hpp"
 #include "results/output_json.hpp"
 #include "results/output_motion.hpp"
+#include "setup/actuator_signals.hpp"
 
 namespace myo::results {
 namespace {
@@ -65,6 +66,12 @@ chart::Chart MarkerFigure::chart(std::size_t marker) const {
     return chart;
 }
 
+/// Unit after the value of a level: " Pa"; empty for muscles.
+std::string level_unit(const setup::Setup& setup, std::size_t actuator) {
+    const std::string unit = setup::signal_unit(setup.experiment, actuator);
+    return unit.empty() ? "" : " " + unit;
+}
+
 /// Start, registration, occlusion and levels of a trial in words.
 std::string start_paragraph(const setup::Setup& setup, const calibration::Calibration& calibration, std::size_t index) {
     const setup::PreparedTrial& trial = setup.trials[index];
@@ -78,8 +85,9 @@ std::string start_paragraph(const setup::Setup& setup, const calibration::Calibr
         if (trial.occluded_fraction[m] > 0.005)
             text += " " + setup.marker_names[m] + " was hidden in " +
                     readable_number(100.0 * trial.occluded_fraction[m], 2) + " % of the samples.";
-    for (const auto& [muscle, level] : calibration.after.values.levels[index])
-        text += " Level of " + setup.experiment.muscles[muscle].name + ": " + readable_number(level, 4) +
+    for (const auto& [actuator, level] : calibration.after.values.levels[index])
+        text += " Level of " + setup::actuator_names(setup.experiment)[actuator] + ": " + readable_number(level, 4) +
+                level_unit(setup, actuator) +
                 (trial.role == experiment::TrialRole::fit ? ", fitted." : ", predicted from the fit trials.");
     return text;
 }

@@ -6,6 +6,7 @@
 #include "calibration/values_at_bounds.hpp"
 #include "prediction/predict_trials.hpp"
 #include "results/finding_output.hpp"
+#include "setup/actuator_signals.hpp"
 #include "setup/mesh_suitability.hpp"
 
 namespace myo::results {
@@ -97,8 +98,28 @@ report::Json trial_facts(const setup::Setup& setup, std::size_t index) {
 /// Actuation levels of a trial, if it has free ones.
 void add_levels(const setup::Setup& setup, std::size_t trial, const prediction::ParameterValues& values,
                 report::Json& json) {
-    for (const auto& [muscle, level] : values.levels[trial])
-        json["actuation_level"][setup.experiment.muscles[muscle].name] = level;
+    for (const auto& [actuator, level] : values.levels[trial])
+        json["actuation_level"][setup::actuator_names(setup.experiment)[actuator]] = level;
+}
+
+/// Volume and wall area of every chamber at rest.
+report::Json chambers_json(const setup::Setup& setup) {
+    report::Json chambers = report::Json::array();
+    for (const setup::Chamber& chamber : setup.chambers)
+        chambers.push_back({{"name", chamber.name},
+                            {"volume_m3", report::json_number(chamber.volume_m3)},
+                            {"wall_area_m2", report::json_number(chamber.wall_area_m2)}});
+    return chambers;
+}
+
+/// Volume of every chamber after each step of a run.
+void add_chamber_volumes(const setup::Setup& setup, const dynamics::Trace& trace, report::Json& json) {
+    for (const setup::Chamber& chamber : setup.chambers) {
+        report::Json& volumes = json["chamber_volume_m3"][chamber.name] = report::Json::array();
+        for (const Eigen::Matrix3Xd& x : trace.positions)
+            volumes.push_back(report::json_number(setup::chamber_volume(*setup.body, chamber, x)));
+    }
+    if (!setup.chambers.empty()) json["chamber_volume_times_s"] = trace.times_s;
 }
 
 /// Null if the trial did not complete.
@@ -252,6 +273,7 @@ report::Json simulate_json(const setup::Setup& setup, const prediction::SetupRun
         trial["steps"] = trace.times_s.size() - 1;
         trial["newton_iterations"] = trace.newton_iterations;
         add_levels(setup, t, run.values, trial);
+        add_chamber_volumes(setup, trace, trial);
         trial["rms_m"] = report::json_number(score->rms_m);
         trial["markers"] = markers_json(*score);
         trials.push_back(std::move(trial));
@@ -265,6 +287,7 @@ report::Json simulate_json(const setup::Setup& setup, const prediction::SetupRun
     if (!run.ok()) json["failure"] = run.failure;
     json["warnings"] = setup.warnings;
     add_facts(facts, json);
+    if (!setup.chambers.empty()) json["chambers"] = chambers_json(setup);
     json["trials"] = std::move(trials);
     return json;
 }

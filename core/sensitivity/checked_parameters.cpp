@@ -103,6 +103,11 @@ void add_loads(const model::Model& model, std::vector<CheckedParameter>& list) {
                         [k](const ModelGradient& g) { return g.directional_masses[k]; }});
 }
 
+/// Whether a knot influences a run: of those before t = 0 only the last one does, and none after the end.
+bool acts(const fibre::Signal& signal, std::size_t knot, double end_s) {
+    return (knot + 1 == signal.values.size() || signal.times_s[knot + 1] >= 0.0) && signal.times_s[knot] <= end_s;
+}
+
 /// Fibre stiffness, directions and the knots of the signals.
 void add_fibres(const model::Model& model, const dynamics::SimulationOptions& options,
                 std::vector<CheckedParameter>& list) {
@@ -123,10 +128,7 @@ void add_fibres(const model::Model& model, const dynamics::SimulationOptions& op
                         }});
         const fibre::Signal& signal = model.activation[g];
         for (std::size_t k = 0; k < signal.values.size(); ++k) {
-            // Of the knots before t = 0 only the last one influences the run.
-            // Knots after the end of the run do not influence it either.
-            const bool acts = k + 1 == signal.values.size() || signal.times_s[k + 1] >= 0.0;
-            if (acts && signal.times_s[k] <= options.end_s)
+            if (acts(signal, k, options.end_s))
                 list.push_back({"activation of " + name + ", knot " + std::to_string(k), 1e-3,
                                 [g, k](model::Model& m, dynamics::SimulationOptions&, double by) {
                                     m.activation[g].values[k] += by;
@@ -137,10 +139,14 @@ void add_fibres(const model::Model& model, const dynamics::SimulationOptions& op
 }
 
 /// Parameters of the force elements, with 1e-3 of their own scale as step.
-void add_force_elements(const model::Model& model, std::vector<CheckedParameter>& list) {
+void add_force_elements(const model::Model& model, const dynamics::SimulationOptions& options,
+                        std::vector<CheckedParameter>& list) {
     for (std::size_t e = 0; e < model.force_elements.size(); ++e) {
         const std::vector<model::ForceParameter> parameters = model.force_elements[e]->parameters();
+        const fibre::Signal* const command = model.force_elements[e]->command();
         for (std::size_t k = 0; k < parameters.size(); ++k) {
+            // The first parameters are the knots of the command.
+            if (command && k < command->values.size() && !acts(*command, k, options.end_s)) continue;
             const auto index = static_cast<Eigen::Index>(k);
             list.push_back({"force element " + std::to_string(e) + ", " + parameters[k].name,
                             1e-3 * parameters[k].scale,
@@ -183,7 +189,7 @@ std::vector<CheckedParameter> checked_parameters(const model::Model& model,
     add_material(model, list);
     add_loads(model, list);
     add_fibres(model, options, list);
-    add_force_elements(model, list);
+    add_force_elements(model, options, list);
     add_start(model, options, list);
     return list;
 }

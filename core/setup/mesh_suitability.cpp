@@ -160,6 +160,20 @@ std::optional<std::string> effect_too_small(const MeshFacts& facts) {
     return std::nullopt;
 }
 
+std::optional<std::string> chamber_badly_filled(const MeshFacts& facts) {
+    if (facts.chambers == nullptr) return std::nullopt;
+    for (const Chamber& chamber : *facts.chambers) {
+        const double free = 1.0 / chamber.volume_factor;
+        if (std::abs(free - 1.0) <= suitability_policy.max_chamber_change) continue;
+        return "chamber " + chamber.name + ": edges of " + in_mm(facts.mesh.resolution_m) + " leave it " +
+               format_number(100.0 * free, 3) +
+               " % of its volume, with walls too thick or too thin for that: it may move tens of percent too little or "
+               "too far; choose shorter edges (" +
+               edge_setting + ") or tetrahedra, which meet its walls";
+    }
+    return std::nullopt;
+}
+
 WallLayers wall_layers(const MeshFacts& facts) {
     if (has_hexahedra(facts) && is_rectilinear(facts.surface))
         if (const std::optional<Layers> fewest = fewest_layers(facts, false))

@@ -7,6 +7,7 @@
 
 #include "effect/effect.hpp"
 #include "setup/body_mesh.hpp"
+#include "setup/chambers.hpp"
 
 namespace myo::setup {
 
@@ -22,6 +23,7 @@ struct SuitabilityPolicy {
     double max_aspect = 10.0;                           // of a cell before it counts as flat
     double min_flat_share = 0.05;                       // of the cells that must be flat for a warning
     double min_cells_per_length = 1.0;                  // that an effect declares
+    double max_chamber_change = 0.1;                    // of the volume of a chamber, relative
 };
 inline constexpr SuitabilityPolicy suitability_policy;
 
@@ -30,6 +32,7 @@ struct MeshFacts {
     const mesh::SurfaceMesh& surface;
     const BodyMesh& mesh;
     const std::vector<effect::EffectDeclaration>& effects;
+    const std::vector<Chamber>* chambers = nullptr;  // null: none
 };
 
 /// A check returns one sentence with measured value, threshold and remedy; empty if the mesh is suitable.
@@ -43,6 +46,8 @@ std::optional<std::string> too_few_cells_to_twist(const MeshFacts& body);
 std::optional<std::string> cells_too_flat(const MeshFacts& body);
 /// Resolution of an effect: a length that it declares, such as the radius of a patch, is shorter than a cell.
 std::optional<std::string> effect_too_small(const MeshFacts& body);
+/// Chambers: the cells leave another volume free than the declared cavity has.
+std::optional<std::string> chamber_badly_filled(const MeshFacts& body);
 
 /// Number of cells across the thinnest wall of a body.
 struct WallLayers {
@@ -53,8 +58,8 @@ struct WallLayers {
 WallLayers wall_layers(const MeshFacts& body);
 
 /// All checks, in the order of their messages. Missing volume is reported by mesh_quality().
-inline constexpr std::array<MeshCheck, 4> mesh_checks{too_few_layers, too_few_cells_to_twist, cells_too_flat,
-                                                      effect_too_small};
+inline constexpr std::array<MeshCheck, 5> mesh_checks{too_few_layers, too_few_cells_to_twist, cells_too_flat,
+                                                      effect_too_small, chamber_badly_filled};
 
 /// Messages of all checks that fail.
 std::vector<std::string> unsuitable(const MeshFacts& body);

@@ -13,6 +13,7 @@
 #include "material/catalogue.hpp"
 #include "mesh/region.hpp"
 #include "setup/activation_range.hpp"
+#include "setup/actuator_signals.hpp"
 #include "setup/first_vibration.hpp"
 #include "setup/marker_noise.hpp"
 #include "setup/mesh_suitability.hpp"
@@ -53,29 +54,44 @@ Result<void> add_loads(const Setup& setup, const experiment::TrialDeclaration& t
     return {};
 }
 
-// Order: recorded rows, then steps, then the muscles' own signals, which take precedence over both.
-Result<void> add_activation(const Setup& setup, const experiment::TrialDeclaration& declaration, PreparedTrial& trial) {
+/// Recorded signal of an actuator; passive if nothing was recorded.
+fibre::Signal recorded_signal(const experiment::Experiment& experiment, const measurement::ActuationTable& table,
+                              std::size_t actuator) {
+    fibre::Signal signal = fibre::Signal::constant(passive_level(experiment, actuator));
+    const auto row_number = static_cast<Eigen::Index>(actuator);
+    if (table.time_s.size() == 0 || row_number >= table.values.rows()) return signal;
+    signal.times_s.assign(table.time_s.begin(), table.time_s.end());
+    const Eigen::VectorXd row = table.values.row(row_number).transpose();
+    signal.values.assign(row.begin(), row.end());
+    return signal;
+}
+
+// Order: recorded rows, then constants and steps, then the muscles' own signals, which take precedence over them.
+Result<void> add_actuation(const Setup& setup, const experiment::TrialDeclaration& declaration, PreparedTrial& trial) {
     const experiment::Experiment& experiment = setup.experiment;
     const Result<measurement::ActuationTable> table = experiment::read_trial_actuation(experiment, declaration);
     if (!table) return table.error();
     if (!setup.settings.as_published)
         if (const Result<void> positive = check_recorded_activation(experiment, declaration, *table); !positive)
             return positive.error();
-    for (std::size_t m = 0; m < experiment.muscles.size(); ++m) {
-        fibre::Signal signal = fibre::Signal::constant(1.0);
-        if (table->time_s.size() > 0) {
-            signal.times_s.assign(table->time_s.begin(), table->time_s.end());
-            const Eigen::VectorXd row = table->values.row(static_cast<Eigen::Index>(m)).transpose();
-            signal.values.assign(row.begin(), row.end());
-        }
-        trial.model.activation.push_back(std::move(signal));
+    const std::size_t muscles = experiment.muscles.size();
+    for (std::size_t m = 0; m < muscles; ++m) trial.model.activation.push_back(recorded_signal(experiment, *table, m));
+    // Force elements of actuators are the first of the model, see actuator_signals.hpp.
+    for (std::size_t c = 0; c < setup.chambers.size(); ++c)
+        trial.model.force_elements.push_back(
+            chamber_pressure(*setup.body, setup.chambers[c], recorded_signal(experiment, *table, muscles + c)));
+    const auto own_signal = [&](std::size_t actuator) {
+        return actuator < muscles && experiment.muscles[actuator].signal;
+    };
+    for (const experiment::ConstantCommand& command : declaration.constant_commands)
+        if (const auto actuator = find_actuator(experiment, command.actuator); actuator && !own_signal(*actuator))
+            set_constant(experiment, *actuator, command.value, trial.model);
+    for (const experiment::ActuationStep& step : declaration.actuation_steps) {
+        const std::optional<std::size_t> actuator = find_actuator(experiment, step.muscle);
+        if (!actuator || own_signal(*actuator)) continue;
+        set_level(experiment, *actuator, step.level.value_or(passive_level(experiment, *actuator)), trial.model);
+        if (!step.level) trial.free_levels.push_back(*actuator);
     }
-    for (const experiment::ActuationStep& step : declaration.actuation_steps)
-        for (std::size_t m = 0; m < experiment.muscles.size(); ++m) {
-            if (experiment.muscles[m].name != step.muscle || experiment.muscles[m].signal) continue;
-            trial.model.activation = with_level(experiment, trial.model.activation, m, step.level.value_or(1.0));
-            if (!step.level) trial.free_levels.push_back(m);
-        }
     declare_activation(experiment, trial.model.activation);
     return {};
 }
@@ -90,6 +106,8 @@ void set_time_integration(const Setup& setup, experiment::StartState start, Prep
     const Eigen::VectorXd& times = trial.measured.time_s;
     const double interval = sampling_interval_s(trial);
     trial.recorded_activation = trial.model.activation;
+    for (const model::ForceElementPointer& element : trial.model.force_elements)
+        trial.recorded_commands.push_back(*element->command());
     set_step(trial, setup.settings.h_s.value_or(0.5 * interval));
     // Beyond the last sample, so that a start found a little later still has simulated data under every sample.
     trial.options.end_s = std::max(times(times.size() - 1), interval) + 3.0 * interval;
@@ -104,7 +122,7 @@ Result<PreparedTrial> prepare_trial(const Setup& setup, const model::Model& mode
     trial.role = declaration.role;
     trial.model = model;
     if (const Result<void> loads = add_loads(setup, declaration, trial.model); !loads) return loads.error();
-    if (const Result<void> activation = add_activation(setup, declaration, trial); !activation)
+    if (const Result<void> activation = add_actuation(setup, declaration, trial); !activation)
         return activation.error();
 
     // Model first, then data: a trial with an impossible load is rejected before its trace is read.
@@ -199,15 +217,18 @@ Result<void> add_body(Setup& setup, const BodyMesh* meshed, const Progress& prog
     if (!mesh) return mesh.error();
     setup.mesh = std::move(*mesh);
     setup.warnings.insert(setup.warnings.end(), setup.mesh.warnings.begin(), setup.mesh.warnings.end());
-    // An unsuitable mesh is a warning, not an error: the user may have chosen it on purpose.
-    const std::vector<std::string> unfit = unsuitable({setup.surface, setup.mesh, experiment.effects});
-    setup.warnings.insert(setup.warnings.end(), unfit.begin(), unfit.end());
     const Result<std::vector<int>> clamped = clamped_nodes(experiment, setup.mesh, held);
     if (!clamped) return clamped.error();
     // Effects that vary within a cell need an element that resolves them.
     const bool fine = setup.settings.fine_element || effect::any_varies_within_cells(experiment.effects);
     setup.body = model::make_body(setup.mesh.mesh, fine ? fem::fine_element(setup.mesh.element) : setup.mesh.element,
                                   *clamped);
+    Result<std::vector<Chamber>> chambers = find_chambers(experiment, setup.surface, setup.mesh, *setup.body);
+    if (!chambers) return chambers.error();
+    setup.chambers = std::move(*chambers);
+    // An unsuitable mesh is a warning, not an error: the user may have chosen it on purpose.
+    const std::vector<std::string> unfit = unsuitable({setup.surface, setup.mesh, experiment.effects, &setup.chambers});
+    setup.warnings.insert(setup.warnings.end(), unfit.begin(), unfit.end());
     // Markers are bound to the surface of the mesh, which may differ slightly from the declared surface.
     std::vector<Eigen::Vector3d> rest;
     for (const experiment::MarkerDeclaration& marker : experiment.markers.on_body) {
@@ -252,10 +273,10 @@ Result<void> add_trials(Setup& setup, const model::Model& model, const Progress&
         setup.trials.push_back(std::move(*trial));
     }
     if (const Result<void> seen = check_seen(setup); !seen) return seen.error();
-    // An effect on the actuation of a body without muscles is declared in vain.
+    // An effect on the actuation of a body without actuators is declared in vain.
     for (const effect::EffectDeclaration& effect : experiment.effects)
-        if (experiment.muscles.empty() && effect::find_effect(effect.id)->kind == effect::EffectKind::actuation)
-            setup.warnings.push_back("effect " + effect.id + ": there is no muscle, so it does nothing");
+        if (actuator_names(experiment).empty() && effect::find_effect(effect.id)->kind == effect::EffectKind::actuation)
+            setup.warnings.push_back("effect " + effect.id + ": there is no actuator, so it does nothing");
     set_noise(recordings, setup);
     return {};
 }
@@ -311,6 +332,10 @@ void set_step(PreparedTrial& trial, double h_s) {
     trial.model.activation.clear();
     for (const fibre::Signal& signal : trial.recorded_activation)
         trial.model.activation.push_back(fibre::with_switches_as_jumps(signal, h_s));
+    for (std::size_t e = 0; e < trial.recorded_commands.size(); ++e) {
+        model::ForceElementPointer& element = trial.model.force_elements[e];
+        element = element->with_command(fibre::with_switches_as_jumps(trial.recorded_commands[e], h_s));
+    }
 }
 
 double mean_noise(const Setup& setup) {

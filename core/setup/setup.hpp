@@ -15,6 +15,7 @@
 #include "measurement/rigid_motion.hpp"
 #include "model/model.hpp"
 #include "setup/body_mesh.hpp"
+#include "setup/chambers.hpp"
 #include "setup/integration_check.hpp"
 #include "setup/trial_step.hpp"
 
@@ -49,8 +50,9 @@ SetupSettings published_settings();
 struct PreparedTrial {
     std::string name;
     experiment::TrialRole role = experiment::TrialRole::fit;
-    model::Model model;                              // declared constants; free levels at 1
+    model::Model model;                              // declared constants; free levels passive
     std::vector<fibre::Signal> recorded_activation;  // before set_step() turns switches within a step into jumps
+    std::vector<fibre::Signal> recorded_commands;    // of chambers and tendons, likewise
     dynamics::SimulationOptions options;
     /// Markers on the body in the order of declaration, mesh frame [m]; t = 0 at the start [s].
     measurement::Recording measured;
@@ -60,7 +62,7 @@ struct PreparedTrial {
     std::string start_message;                 // how the start was determined
     std::vector<Eigen::Vector3d> reference_m;  // displacement comparison: mean before the start [m], mesh frame
     std::optional<double> registration_rms_m;  // residual of rest-pose registration [m]
-    std::vector<std::size_t> free_levels;      // muscles with an unknown step level
+    std::vector<std::size_t> free_levels;      // actuators with an unknown step level, see actuator_signals.hpp
     std::vector<double> occluded_fraction;     // per marker, 0 ... 1
     double rounding_m = 0.0;                   // increment of the numbers in the file [m], 0 if none is detected
 };
@@ -72,6 +74,7 @@ struct Setup {
     mesh::SurfaceMesh surface;
     BodyMesh mesh;
     model::BodyPointer body;         // shared by the models of all trials
+    std::vector<Chamber> chambers;   // in the order of declaration
     measurement::MarkerSet markers;  // interpolation from nodes to the markers on the body
     std::vector<std::string> marker_names;
     Eigen::VectorXd noise_m;  // per marker, 1 sigma per coordinate [m]

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "setup/actuator_signals.hpp"
 #include "setup/recording_frame.hpp"
 
 namespace myo::setup {
@@ -54,27 +55,29 @@ std::string advice(const PreparedTrial& trial, const MissedSignal& missed) {
 std::vector<MissedSignal> missed_signals(const Setup& setup, const SignalSpanPolicy& policy) {
     std::vector<MissedSignal> found;
     const std::vector<experiment::MuscleDeclaration>& muscles = setup.experiment.muscles;
+    const std::vector<std::string> names = actuator_names(setup.experiment);
+    const std::size_t driven = muscles.size() + setup.chambers.size();
     for (std::size_t t = 0; t < setup.trials.size(); ++t) {
         const PreparedTrial& trial = setup.trials[t];
         const double end_s = trial.measured.time_s.tail(1)(0);
         const std::size_t first_of_trial = found.size();
-        for (std::size_t m = 0; m < muscles.size(); ++m) {
-            const fibre::Signal& signal = trial.model.activation[m];
-            if (muscles[m].follows || meets(signal, end_s, policy)) continue;
+        for (std::size_t m = 0; m < driven; ++m) {
+            const fibre::Signal& signal = actuator_signal(setup.experiment, trial.model, m);
+            const bool muscle = m < muscles.size();
+            if ((muscle && muscles[m].follows) || meets(signal, end_s, policy)) continue;
             const double first = signal.times_s.front(), last = signal.times_s.back();
-            const std::string key = muscles[m].signal ? "muscle[" + std::to_string(m) + "].signal"
-                                                      : "trial[" + std::to_string(t) + "].actuation";
-            // Muscles of one file share its rows; they are reported in one sentence.
+            const std::string key = muscle && muscles[m].signal ? "muscle[" + std::to_string(m) + "].signal"
+                                                                : "trial[" + std::to_string(t) + "].actuation";
+            // Actuators of one file share its rows; they are reported in one sentence.
             const auto same = std::find_if(found.begin() + static_cast<std::ptrdiff_t>(first_of_trial), found.end(),
                                            [&](const MissedSignal& other) {
                                                return other.key == key && other.first_s == first &&
                                                       other.last_s == last;
                                            });
             if (same != found.end())
-                same->muscles.push_back(muscles[m].name);
+                same->actuators.push_back(names[m]);
             else
-                found.push_back(
-                    {t, key, {muscles[m].name}, first, last, end_s, clock_of(signal, trial, end_s, policy)});
+                found.push_back({t, key, {names[m]}, first, last, end_s, clock_of(signal, trial, end_s, policy)});
         }
     }
     return found;
@@ -82,12 +85,17 @@ std::vector<MissedSignal> missed_signals(const Setup& setup, const SignalSpanPol
 
 std::string missed_signal_sentence(const Setup& setup, const MissedSignal& missed) {
     const PreparedTrial& trial = setup.trials[missed.trial];
-    const bool many = missed.muscles.size() > 1;
-    return missed.key + ": the rows of " + join(missed.muscles) + " run from " +
+    const bool all_muscles = std::none_of(
+        missed.actuators.begin(), missed.actuators.end(), [&](const std::string& name) {
+            return find_actuator(setup.experiment, name).value_or(0) >= setup.experiment.muscles.size();
+        });
+    const std::string words = all_muscles ? "muscle" : "actuator";
+    const bool many = missed.actuators.size() > 1;
+    return missed.key + ": the rows of " + join(missed.actuators) + " run from " +
            format_number(missed.first_s, recording_frame_policy.clock_digits) + " s to " +
            format_number(missed.last_s, recording_frame_policy.clock_digits) + " s and miss trial " + trial.name +
            ", which runs from 0 s to " + format_number(missed.end_s) + " s: the " +
-           (many ? "muscles do" : "muscle does") + " not move in it. Signals count from the trial's t = 0; " +
+           (many ? words + "s do" : words + " does") + " not move in it. Signals count from the trial's t = 0; " +
            advice(trial, missed);
 }
 

@@ -7,7 +7,7 @@
 
 namespace myo::setup {
 
-/// Threshold below which the signal of a muscle is considered to miss its trial.
+/// Threshold below which the signal of an actuator is considered to miss its trial.
 struct SignalSpanPolicy {
     /// Smallest change over the trial, relative to the range of the signal. With times in ms a trial covers a
     /// thousandth of a ramp, with times of another clock nothing; the motion due to a hundredth of a ramp is below
@@ -22,7 +22,7 @@ enum class SignalClock { unknown, of_the_recording, milliseconds };
 struct MissedSignal {
     std::size_t trial = 0;               // index into Setup::trials
     std::string key;                     // of the signal: "trial[0].actuation", "muscle[1].signal"
-    std::vector<std::string> muscles;    // names; same times, same key
+    std::vector<std::string> actuators;  // names; same times, same key
     double first_s = 0.0, last_s = 0.0;  // first and last row of the signal; they count from the trial's t = 0
     double end_s = 0.0;                  // last sample of the trial
     SignalClock clock = SignalClock::unknown;

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "effect/catalogue.hpp"
 #include "effect/direction.hpp"
+#include "setup/actuator_signals.hpp"
 
 namespace myo::setup {
 
@@ -19,7 +21,7 @@ effect::TrialContext trial_context(const Setup& setup, std::size_t index) {
     for (const experiment::MarkerDeclaration& marker : experiment.markers.on_body)
         context.marker_rest_m.push_back(marker.rest_m);
     context.markers = setup.markers.bindings;
-    for (const experiment::MuscleDeclaration& muscle : experiment.muscles) context.muscle_names.push_back(muscle.name);
+    context.actuator_names = actuator_names(experiment);
     context.trial = trial.name;
     context.session_time_s = experiment.trials[index].session_time_s;
     context.start = trial.options.start;
@@ -45,7 +47,7 @@ bool changes_observation_only(const effect::EffectDeclaration& effect) {
     return entry != nullptr && entry->kind == effect::EffectKind::measurement;
 }
 
-std::vector<EffectNumber> effect_numbers(const effect::EffectDeclaration& effect) {
+std::vector<EffectNumber> effect_numbers(const effect::EffectDeclaration& effect, double signal_size) {
     const effect::Effect* const entry = effect::find_effect(effect.id);
     assert(entry != nullptr);
     std::vector<EffectNumber> numbers;
@@ -56,8 +58,9 @@ std::vector<EffectNumber> effect_numbers(const effect::EffectDeclaration& effect
         const std::string name = "effect." + effect.id + "." + parameter.name;
         const auto* const v = std::get_if<Eigen::VectorXd>(&found->second);
         if (v == nullptr) {
-            numbers.push_back({parameter.name, -1, name, parameter.lowest, parameter.highest, parameter.scale,
-                               parameter.over_decades});
+            const double unit = parameter.of_signal ? signal_size : 1.0;
+            numbers.push_back({parameter.name, -1, name, unit * parameter.lowest, unit * parameter.highest,
+                               unit * parameter.scale, parameter.over_decades});
             continue;
         }
         // A unit vector has two degrees of freedom: two rotation angles about the current direction, free of a
@@ -74,6 +77,18 @@ std::vector<EffectNumber> effect_numbers(const effect::EffectDeclaration& effect
                                parameter.scale, false});
     }
     return numbers;
+}
+
+double signal_size(const Setup& setup, const effect::EffectDeclaration& effect) {
+    const std::string only = effect::has(effect.parameters, "signal") ? effect::text(effect.parameters, "signal") : "";
+    const std::vector<std::string> names = actuator_names(setup.experiment);
+    double largest = 0.0;
+    for (const PreparedTrial& trial : setup.trials)
+        for (std::size_t c = 0; c < trial.recorded_commands.size(); ++c) {
+            if (!only.empty() && names[setup.experiment.muscles.size() + c] != only) continue;
+            for (const double value : trial.recorded_commands[c].values) largest = std::max(largest, std::abs(value));
+        }
+    return largest > 0.0 ? largest : 1.0;
 }
 
 double effect_number(const effect::EffectDeclaration& effect, const std::string& parameter, int component,

@@ -7,7 +7,7 @@
 
 namespace myo::setup {
 
-/// Context of a trial that effects may read: body, clamp, markers, muscles, times.
+/// Context of a trial that effects may read: body, clamp, markers, actuators, times.
 ///
 /// @param trial  index into Setup::trials
 effect::TrialContext trial_context(const Setup& setup, std::size_t trial);
@@ -35,7 +35,12 @@ struct EffectNumber {
     Eigen::Vector3d base = Eigen::Vector3d::Zero();
 };
 /// All degrees of freedom of an effect; parameters without a scale in the catalogue are fixed.
-std::vector<EffectNumber> effect_numbers(const effect::EffectDeclaration& effect);
+///
+/// @param signal_size  see signal_size(): multiplies range and scale of parameters in the unit of the signal
+std::vector<EffectNumber> effect_numbers(const effect::EffectDeclaration& effect, double signal_size = 1.0);
+/// Size of the signals that an effect on the actuation acts on, in their unit: 1 if they are all muscles', otherwise
+/// the largest pressure, tension or shortening of the trials.
+double signal_size(const Setup& setup, const effect::EffectDeclaration& effect);
 /// Current value of one degree of freedom.
 ///
 /// @param component, base  as in EffectNumber

@@ -40,7 +40,7 @@ TEST(SignalSpan, FindsSignalsBeforeAfterAndInMilliseconds) {
         ASSERT_EQ(missed.size(), 1u) << signal;
         EXPECT_EQ(missed[0].trial, 0u);
         EXPECT_EQ(missed[0].key, "trial[0].actuation");
-        EXPECT_EQ(missed[0].muscles, std::vector<std::string>{"up"});
+        EXPECT_EQ(missed[0].actuators, std::vector<std::string>{"up"});
         EXPECT_NEAR(missed[0].end_s, 1.0, 1e-9);
     }
     EXPECT_EQ(missed_with("0,1\n200,1\n400,0.8\n800,0.8\n")[0].clock, SignalClock::milliseconds);

@@ -186,7 +186,7 @@ std::vector<prediction::ModelParameter> joint_parameters(const setup::Setup& set
                                                          const DeclaredFitPolicy& policy, EffectFreedom freedom) {
     std::vector<prediction::ModelParameter> parameters = prediction::free_parameters(setup);
     for (std::size_t e = setup.experiment.effects.size(); e < start.effects.size(); ++e) {
-        std::vector<prediction::ModelParameter> own = prediction::effect_parameters(start.effects[e], e);
+        std::vector<prediction::ModelParameter> own = prediction::effect_parameters(setup, start.effects[e], e);
         if (freedom == EffectFreedom::amount && !own.empty())
             std::erase_if(own, [amount = own.front().of_effect](const prediction::ModelParameter& p) {
                 return p.of_effect != amount;

@@ -29,6 +29,10 @@ std::uint64_t setup_fingerprint(const setup::Setup& setup) {
         }
         for (const fibre::Signal& signal : trial.model.activation)
             print.add(signal.values.data(), static_cast<std::ptrdiff_t>(signal.values.size()));
+        for (const fibre::Signal& signal : trial.recorded_commands) {
+            print.add(signal.times_s.data(), static_cast<std::ptrdiff_t>(signal.times_s.size()));
+            print.add(signal.values.data(), static_cast<std::ptrdiff_t>(signal.values.size()));
+        }
     }
     return print.value();
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "model/internal_forces.hpp"
+#include "setup/actuator_signals.hpp"
 
 namespace myo::diagnosis {
 namespace {
@@ -79,12 +80,17 @@ std::vector<statistics::Correlate> course_correlates(const setup::Setup& setup, 
         {"acceleration", rate(v, dt)},
         {"strain rate", rate(elastic_course(trial.model, trace, mode.pattern, at, policy), dt)},
         {"time", at}};
-    const std::size_t groups = std::min(trial.model.activation.size(), setup.experiment.muscles.size());
-    for (std::size_t g = 0; g < groups; ++g) {
-        VectorXd activation(policy.curve_points);
-        for (Index k = 0; k < policy.curve_points; ++k) activation(k) = trial.model.activation[g].value(at(k)) - 1.0;
-        if (activation.maxCoeff() > activation.minCoeff())
-            regressors.push_back({"activation of " + setup.experiment.muscles[g].name, activation});
+    const experiment::Experiment& experiment = setup.experiment;
+    const std::vector<std::string> names = setup::actuator_names(experiment);
+    // Tendons have no signals as long as they are not in the model.
+    const std::size_t driven = experiment.muscles.size() + setup.chambers.size();
+    for (std::size_t a = 0; a < driven; ++a) {
+        const fibre::Signal& signal = setup::actuator_signal(experiment, trial.model, a);
+        VectorXd input(policy.curve_points);
+        for (Index k = 0; k < policy.curve_points; ++k)
+            input(k) = signal.value(at(k)) - setup::passive_level(experiment, a);
+        const char* const what = a < experiment.muscles.size() ? "activation of " : "pressure of ";
+        if (input.maxCoeff() > input.minCoeff()) regressors.push_back({what + names[a], input});
     }
     return statistics::correlates(amplitude, regressors);
 }

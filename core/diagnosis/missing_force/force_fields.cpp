@@ -42,12 +42,15 @@ double mean_value(const fibre::Signal& signal, double end_s, int samples) {
     return sum / samples;
 }
 
-/// The trial at equilibrium under constant loads: activations at their mean, forces that act at the middle of the
-/// trial.
+/// The trial at equilibrium under constant loads: activations and commands at their mean, forces that act at the middle
+/// of the trial.
 effect::Affected at_mean_state(effect::Affected trial, const MissingForcePolicy& policy) {
     const double end = trial.options.end_s;
     for (fibre::Signal& signal : trial.model.activation)
         signal = fibre::Signal::constant(mean_value(signal, end, policy.path_samples));
+    for (model::ForceElementPointer& element : trial.model.force_elements)
+        if (const fibre::Signal* const command = element->command())
+            element = element->with_command(fibre::Signal::constant(mean_value(*command, end, policy.path_samples)));
     std::vector<model::DeadForce> steady;
     for (model::DeadForce force : trial.model.forces)
         if (force.active(0.5 * end)) {
@@ -64,6 +67,7 @@ effect::Affected at_mean_state(effect::Affected trial, const MissingForcePolicy&
 /// The trial in its rest shape without loads, for trials that have no such equilibrium.
 effect::Affected at_rest(effect::Affected trial) {
     for (fibre::Signal& signal : trial.model.activation) signal = fibre::Signal::constant(1.0);
+    trial.model = model::with_constant_commands(trial.model, 0.0, 0.0);
     trial.model.forces.clear();
     trial.model.gravity_m_s2.setZero();
     trial.options.initial = {};

@@ -1,0 +1,114 @@
+#include "setup/actuator_signals.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "experiment/read_trial.hpp"
+#include "model/force_element.hpp"
+#include "setup/setup.hpp"
+
+namespace myo::setup {
+namespace {
+
+struct LevelPolicy {
+    LevelBounds muscle{0.05, 10.0, 0.1};
+    double vacuum_Pa = -101325.0;  // lowest gauge pressure
+    /// Pressure and tension over the modulus of the body, and shortening in m: beyond the largest the body would be
+    /// torn.
+    double largest_pressure_share = 10.0, pressure_scale_share = 0.02;
+    LevelBounds tension_N{0.0, 1e4, 1.0};
+    LevelBounds shortening_m{0.0, 10.0, 0.005};
+};
+const LevelPolicy level_policy;
+
+const experiment::TendonDeclaration* tendon_of(const experiment::Experiment& experiment, std::size_t actuator) {
+    const std::size_t first = experiment.muscles.size() + experiment.chambers.size();
+    return actuator < first ? nullptr : &experiment.tendons[actuator - first];
+}
+
+}  // namespace
+
+std::vector<std::string> actuator_names(const experiment::Experiment& experiment) {
+    std::vector<std::string> names;
+    for (const auto& muscle : experiment.muscles) names.push_back(muscle.name);
+    for (const auto& chamber : experiment.chambers) names.push_back(chamber.name);
+    for (const auto& tendon : experiment.tendons) names.push_back(tendon.name);
+    return names;
+}
+
+std::optional<std::size_t> find_actuator(const experiment::Experiment& experiment, const std::string& name) {
+    const std::vector<std::string> names = actuator_names(experiment);
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - names.begin());
+}
+
+std::optional<std::size_t> actuator_element(const experiment::Experiment& experiment, std::size_t actuator) {
+    if (actuator < experiment.muscles.size()) return std::nullopt;
+    return actuator - experiment.muscles.size();
+}
+
+const fibre::Signal& actuator_signal(const experiment::Experiment& experiment, const model::Model& model,
+                                     std::size_t actuator) {
+    const std::optional<std::size_t> element = actuator_element(experiment, actuator);
+    if (!element) return model.activation[actuator];
+    assert(*element < model.force_elements.size() && model.force_elements[*element]->command() != nullptr);
+    return *model.force_elements[*element]->command();
+}
+
+double passive_level(const experiment::Experiment& experiment, std::size_t actuator) {
+    return actuator < experiment.muscles.size() ? 1.0 : 0.0;
+}
+
+std::string signal_unit(const experiment::Experiment& experiment, std::size_t actuator) {
+    if (actuator < experiment.muscles.size()) return "";
+    const experiment::TendonDeclaration* const tendon = tendon_of(experiment, actuator);
+    if (tendon == nullptr) return "Pa";
+    return tendon->drive == experiment::TendonDrive::tension ? "N" : "m";
+}
+
+void set_level(const experiment::Experiment& experiment, std::size_t actuator, double level, model::Model& model) {
+    if (const std::optional<std::size_t> element = actuator_element(experiment, actuator)) {
+        model::ForceElementPointer& driven = model.force_elements[*element];
+        driven = driven->with_command(fibre::Signal::step(0.0, 0.0, level));
+    } else {
+        model.activation = with_level(experiment, std::move(model.activation), actuator, level);
+    }
+}
+
+void set_constant(const experiment::Experiment& experiment, std::size_t actuator, double value, model::Model& model) {
+    if (const std::optional<std::size_t> element = actuator_element(experiment, actuator)) {
+        model::ForceElementPointer& driven = model.force_elements[*element];
+        driven = driven->with_command(fibre::Signal::constant(value));
+        return;
+    }
+    const std::vector<experiment::MuscleLeader> leaders = experiment::muscle_leaders(experiment);
+    for (std::size_t m = 0; m < leaders.size(); ++m)
+        if (leaders[m].leader == actuator)
+            model.activation[m] = fibre::Signal::constant(1.0 + leaders[m].factor * (value - 1.0));
+}
+
+sensitivity::ModelTangent level_model_tangent(const experiment::Experiment& experiment, std::size_t actuator,
+                                              const model::Model& model) {
+    sensitivity::ModelTangent tangent;
+    const std::optional<std::size_t> element = actuator_element(experiment, actuator);
+    if (!element) {
+        tangent.activation = level_tangent(experiment, actuator);
+        return tangent;
+    }
+    // The knots of the step are the first parameters of the element; the second one is the level.
+    const auto count = static_cast<Eigen::Index>(model.force_elements[*element]->parameters().size());
+    tangent.force_elements.resize(model.force_elements.size());
+    tangent.force_elements[*element] = Eigen::VectorXd::Unit(count, 1);
+    return tangent;
+}
+
+LevelBounds level_bounds(const experiment::Experiment& experiment, std::size_t actuator) {
+    if (actuator < experiment.muscles.size()) return level_policy.muscle;
+    if (const experiment::TendonDeclaration* const tendon = tendon_of(experiment, actuator))
+        return tendon->drive == experiment::TendonDrive::tension ? level_policy.tension_N : level_policy.shortening_m;
+    const double E = experiment.material.youngs_modulus_Pa;
+    return {level_policy.vacuum_Pa, level_policy.largest_pressure_share * E, level_policy.pressure_scale_share * E};
+}
+
+}  // namespace myo::setup
