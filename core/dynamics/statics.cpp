@@ -40,8 +40,9 @@ std::string failure_words(const StageSolver& solver, const StageReport& report) 
 }
 
 struct LoadSteppingPolicy {
-    double first_step = 0.25;   // of the commands
-    double least_step = 0.005;  // of the commands; the pressure at which no equilibrium was found is as exact
+    double first_step = 0.25;  // of the commands
+    double least_step = 0.02;  // of the commands; the pressure at which no equilibrium was found is as exact
+    int max_iterations = 15;   // of a step: a neighbouring equilibrium takes five
 };
 constexpr LoadSteppingPolicy load_stepping_policy;
 
@@ -56,9 +57,12 @@ struct LoadSteps {
 /// @param x  in: guess; out: equilibrium under the last commands that have one. 3 x n [m]
 LoadSteps step_commands(const StageSolver& solver, double time_s, Eigen::Matrix3Xd& x) {
     double reached = 0.0, step = load_stepping_policy.first_step;
+    SolverOptions options = solver.options();
+    options.strategy = Strategy::newton;
+    options.max_newton_iterations = load_stepping_policy.max_iterations;
     const auto solve_at = [&](double factor) {
         const model::Model model = model::with_constant_commands(solver.model(), factor, time_s);
-        StageSolver loaded(model, solver.options());
+        StageSolver loaded(model, options);
         if (model.softening) loaded.soften(solver.softening());
         Eigen::Matrix3Xd found = x;
         if (!loaded.solve(static_stage(*model.body, time_s), found).ok() || !found.allFinite()) return false;
@@ -93,14 +97,17 @@ StageReport find_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3X
     StageReport report = solver.solve(stage, x);
     if (report.ok()) return report;
 
-    LoadSteps stepped;
     if (model::has_commands(solver.model(), time_s)) {
         Eigen::Matrix3Xd loaded = undeformed_near(*solver.model().body, start);
-        stepped = step_commands(solver, time_s, loaded);
+        const LoadSteps stepped = step_commands(solver, time_s, loaded);
         if (stepped.complete) {
             report = solver.solve(stage, loaded);
             x = loaded;
             if (report.ok()) return report;
+        } else if (!stepped.message.empty()) {
+            report.message = stepped.message;
+            x = loaded;
+            return report;
         }
     }
 
@@ -120,7 +127,7 @@ StageReport find_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3X
         x = undeformed_near(*solver.model().body, start);
         report = solver.solve(static_stage(*solver.model().body, time_s), x);
     }
-    if (!report.ok()) report.message = stepped.message.empty() ? failure_words(solver, report) : stepped.message;
+    if (!report.ok()) report.message = failure_words(solver, report);
     return report;
 }
 

@@ -1,5 +1,7 @@
 #include "setup/chambers.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -39,7 +41,18 @@ std::vector<mesh::SurfaceMesh> parts_of(const mesh::SurfaceMesh& surface) {
 struct Cavity {
     std::size_t part = 0;
     double volume_m3 = 0.0;
+    double area_m2 = 0.0;
 };
+
+double area_of(const mesh::SurfaceMesh& surface) {
+    double area = 0.0;
+    for (const auto& corners : surface.triangles.colwise()) {
+        const Eigen::Vector3d a = surface.vertices.col(corners(0)), b = surface.vertices.col(corners(1)),
+                              c = surface.vertices.col(corners(2));
+        area += 0.5 * (b - a).cross(c - a).norm();
+    }
+    return area;
+}
 
 /// The smallest part around the point is the wall of its cavity; an even number of parts around it means a cavity.
 Result<Cavity> declared_cavity(const experiment::Experiment& experiment, const std::string& key,
@@ -52,6 +65,7 @@ Result<Cavity> declared_cavity(const experiment::Experiment& experiment, const s
         const double volume = std::abs(mesh::enclosed_volume(parts[p]));
         if (volume < cavity.volume_m3) cavity = {p, volume};
     }
+    if (around > 0) cavity.area_m2 = area_of(parts[cavity.part]);
     if (around % 2 == 1)
         return experiment::declaration_error(
             experiment, key, "the point lies in the material, not in a cavity; give a point of the chamber's air");
@@ -137,7 +151,8 @@ Result<std::vector<Chamber>> find_chambers(const experiment::Experiment& experim
             return experiment::declaration_error(experiment, key, lost_cavity(surface, parts[cavity->part], mesh));
         Chamber chamber{declared.name, cavities[*found]};
         chamber.volume_m3 = cavity->volume_m3;
-        chamber.wall_area_m2 = model::wall_area(body, chamber.walls, body.mesh.nodes);
+        chamber.wall_area_m2 = cavity->area_m2;
+        chamber.mesh_area_m2 = model::wall_area(body, chamber.walls, body.mesh.nodes);
         const double meshed = model::cavity_volume(body, chamber.walls, body.mesh.nodes);
         // Walls that meet the surface are left as they are, to the last bit.
         if (std::abs(meshed / cavity->volume_m3 - 1.0) > chamber_policy.same_volume)

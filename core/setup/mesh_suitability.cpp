@@ -160,16 +160,15 @@ std::optional<std::string> effect_too_small(const MeshFacts& facts) {
     return std::nullopt;
 }
 
-std::optional<std::string> chamber_badly_filled(const MeshFacts& facts) {
+std::optional<std::string> chamber_of_stairs(const MeshFacts& facts) {
     if (facts.chambers == nullptr) return std::nullopt;
     for (const Chamber& chamber : *facts.chambers) {
-        const double free = 1.0 / chamber.volume_factor;
-        if (std::abs(free - 1.0) <= suitability_policy.max_chamber_change) continue;
-        return "chamber " + chamber.name + ": edges of " + in_mm(facts.mesh.resolution_m) + " leave it " +
-               format_number(100.0 * free, 3) +
-               " % of its volume, with walls too thick or too thin for that: it may move tens of percent too little or "
-               "too far; choose shorter edges (" +
-               edge_setting + ") or tetrahedra, which meet its walls";
+        const double stairs = chamber.mesh_area_m2 / chamber.wall_area_m2;
+        if (stairs <= suitability_policy.max_chamber_area) continue;
+        return "chamber " + chamber.name + ": edges of " + in_mm(facts.mesh.resolution_m) +
+               " make stairs of its walls, whose area is " + format_number(stairs, 2) +
+               " times the declared one: it may move " + format_number(suitability_policy.chamber_error_percent) +
+               " % too far; choose tetrahedra, which meet its walls";
     }
     return std::nullopt;
 }

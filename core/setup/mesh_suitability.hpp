@@ -23,7 +23,8 @@ struct SuitabilityPolicy {
     double max_aspect = 10.0;                           // of a cell before it counts as flat
     double min_flat_share = 0.05;                       // of the cells that must be flat for a warning
     double min_cells_per_length = 1.0;                  // that an effect declares
-    double max_chamber_change = 0.1;                    // of the volume of a chamber, relative
+    double max_chamber_area = 1.1;                      // of walls on the mesh over the declared one
+    double chamber_error_percent = 20.0;  // of voxels: sphere and tube with 2 to 6 cells per wall, 5 to 20
 };
 inline constexpr SuitabilityPolicy suitability_policy;
 
@@ -46,8 +47,8 @@ std::optional<std::string> too_few_cells_to_twist(const MeshFacts& body);
 std::optional<std::string> cells_too_flat(const MeshFacts& body);
 /// Resolution of an effect: a length that it declares, such as the radius of a patch, is shorter than a cell.
 std::optional<std::string> effect_too_small(const MeshFacts& body);
-/// Chambers: the cells leave another volume free than the declared cavity has.
-std::optional<std::string> chamber_badly_filled(const MeshFacts& body);
+/// Chambers: voxels make stairs of walls that are not along the axes.
+std::optional<std::string> chamber_of_stairs(const MeshFacts& body);
 
 /// Number of cells across the thinnest wall of a body.
 struct WallLayers {
@@ -59,7 +60,7 @@ WallLayers wall_layers(const MeshFacts& body);
 
 /// All checks, in the order of their messages. Missing volume is reported by mesh_quality().
 inline constexpr std::array<MeshCheck, 5> mesh_checks{too_few_layers, too_few_cells_to_twist, cells_too_flat,
-                                                      effect_too_small, chamber_badly_filled};
+                                                      effect_too_small, chamber_of_stairs};
 
 /// Messages of all checks that fail.
 std::vector<std::string> unsuitable(const MeshFacts& body);

@@ -1,5 +1,8 @@
 #include "support/hollow.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace myo::test {
 
 mesh::VolumeMesh without(const mesh::VolumeMesh& mesh, const Box& box) {
@@ -34,6 +37,31 @@ model::Model hollow_block(fem::ElementKind kind) {
     model.body = model::make_body(mesh, kind, mesh::nodes_in_box(mesh, {{-1e-6, -1.0, -1.0}, {1e-6, 1.0, 1.0}}));
     model.material = material::find_material("neo_hookean");
     model.moduli = model::uniform_moduli(model.body->cell_count(), 2.6e5, 0.45);
+    model.density_kg_m3 = 1070.0;
+    return model;
+}
+
+model::Model hollow_tube(double a, double b, double half_m, int cells, int along) {
+    // Ends of about one cell's length along, at least two layers.
+    const double layer = 2.0 * half_m / along, thick = b - a;
+    const int layers = std::max(2, static_cast<int>(std::lround(thick / layer)));
+    mesh::VolumeMesh mesh = mesh::box_hex_mesh(
+        {{-1.0, -1.0, -1.0 - 2.0 * layers / along}, {1.0, 1.0, 1.0 + 2.0 * layers / along}},
+        {cells, cells, along + 2 * layers});
+    mesh = without(mesh, {{-1.0 / 3.0, -1.0 / 3.0, -1.0}, {1.0 / 3.0, 1.0 / 3.0, 1.0}});
+    for (Eigen::Index i = 0; i < mesh.node_count(); ++i) {
+        auto at = mesh.nodes.col(i);
+        // Squares become circles; inside the hole's, where only the ends are, in proportion.
+        const double shell = at.head<2>().cwiseAbs().maxCoeff();
+        const double radius = shell < 1.0 / 3.0 ? 3.0 * a * shell : a + thick * (shell - 1.0 / 3.0) * 1.5;
+        if (shell > 0.0) at.head<2>() *= radius / at.head<2>().norm();
+        const double end = std::abs(at.z()) - 1.0;
+        at.z() = std::copysign(end > 0.0 ? half_m + thick * end * along / (2.0 * layers) : half_m * (1.0 + end),
+                               at.z());
+    }
+    model::Model model;
+    model.body = model::make_body(mesh, fem::ElementKind::hex8, {});
+    model.material = material::find_material("neo_hookean");
     model.density_kg_m3 = 1070.0;
     return model;
 }

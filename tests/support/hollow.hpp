@@ -22,4 +22,8 @@ model::Model hollow_block(fem::ElementKind kind);
 /// multiple of three.
 model::Model hollow_sphere(double a, double b, int cells);
 
+/// A free tube of outer radius b along z with a closed hole of radius a and length 2 `half_m` about the origin [m]; its
+/// ends are as thick as its wall. Made from a square prism like hollow_sphere(), with `along` cells per hole.
+model::Model hollow_tube(double a, double b, double half_m, int cells, int along);
+
 }  // namespace myo::test
