@@ -197,6 +197,10 @@ void check_effects(const Experiment& experiment) {
     const std::vector<std::string> markers = marker_names(experiment);
     std::vector<std::string> trials;
     for (const TrialDeclaration& trial : experiment.trials) trials.push_back(trial.name);
+    std::vector<std::string> driven;
+    for (const MuscleDeclaration& muscle : experiment.muscles) driven.push_back(muscle.name);
+    for (const ChamberDeclaration& chamber : experiment.chambers) driven.push_back(chamber.name);
+    for (const TendonDeclaration& tendon : experiment.tendons) driven.push_back(tendon.name);
     for (std::size_t i = 0; i < experiment.effects.size(); ++i) {
         const effect::EffectDeclaration& effect = experiment.effects[i];
         const auto check = [&](const std::string& parameter, const std::string& word,
@@ -210,6 +214,8 @@ void check_effects(const Experiment& experiment) {
             if (found == effect.parameters.end()) continue;
             if (entry.kind == effect::EffectParameterKind::trial)
                 check(entry.name, std::get<std::string>(found->second), trials, "trial");
+            if (entry.kind == effect::EffectParameterKind::actuator)
+                check(entry.name, std::get<std::string>(found->second), driven, "muscle, chamber or tendon");
             if (entry.kind == effect::EffectParameterKind::marker)
                 check(entry.name, std::get<std::string>(found->second), markers, "marker");
             if (entry.kind == effect::EffectParameterKind::marker_pair)

@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "base/text.hpp"
 #include "effect/catalogue.hpp"
 #include "experiment/read_experiment_tables.hpp"
@@ -16,10 +18,17 @@ toml::NumberRange range_of(const effect::EffectParameterEntry& entry) {
 }
 
 /// Value of one parameter, checked against its kind and range in the effect catalogue.
-effect::EffectParameter read_parameter(const toml::TomlReader& effect, const effect::EffectParameterEntry& entry) {
+///
+/// @param muscles_only  no chamber or tendon is declared; otherwise values in the unit of a signal may be large
+effect::EffectParameter read_parameter(const toml::TomlReader& effect, const effect::EffectParameterEntry& entry,
+                                       bool muscles_only) {
     const std::string& key = entry.name;
     switch (entry.kind) {
-        case effect::EffectParameterKind::number: return effect.number(key, range_of(entry));
+        case effect::EffectParameterKind::number: {
+            effect::EffectParameterEntry allowed = entry;
+            if (entry.of_signal && !muscles_only) allowed.highest = std::numeric_limits<double>::max();
+            return effect.number(key, range_of(allowed));
+        }
         case effect::EffectParameterKind::vector3: return Eigen::VectorXd(effect.vector3(key));
         case effect::EffectParameterKind::direction: {
             const Eigen::Vector3d direction = effect.vector3(key);
@@ -52,6 +61,7 @@ effect::EffectParameter read_parameter(const toml::TomlReader& effect, const eff
 // The keys of an [[effect]] table depend on its id, so the id is read before the keys are checked.
 std::vector<effect::EffectDeclaration> read_effects(const toml::TomlReader& document) {
     std::vector<effect::EffectDeclaration> effects;
+    const bool muscles_only = !document.has_entry("chamber") && !document.has_entry("tendon");
     for (const toml::TomlReader& table : document.tables_of_names("effect")) {
         if (!table.has_entry("id")) table.fail("id", "required key is missing");
         effect::EffectDeclaration effect;
@@ -68,7 +78,7 @@ std::vector<effect::EffectDeclaration> read_effects(const toml::TomlReader& docu
         const toml::TomlReader checked = table.with_known_keys(known);
         for (const effect::EffectParameterEntry& parameter : entry->parameters)
             if (!parameter.optional || checked.has(parameter.name))
-                effect.parameters.emplace(parameter.name, read_parameter(checked, parameter));
+                effect.parameters.emplace(parameter.name, read_parameter(checked, parameter, muscles_only));
         effect.calibrate = checked.boolean_or("calibrate", false);
         effects.push_back(effect);
     }

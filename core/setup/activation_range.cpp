@@ -57,12 +57,22 @@ Result<void> check_declared_activation(const experiment::Experiment& experiment)
         return row_error(experiment, "muscle[" + std::to_string(m) + "].signal", muscle.signal_file.value_or(""),
                          file ? file->lines : std::vector<int>{}, row, out_of_range(muscle.name, *low));
     }
-    for (std::size_t t = 0; t < experiment.trials.size(); ++t)
+    // Pressures of chambers may have any sign: below 0 is suction.
+    const auto is_low = [&](const std::string& actuator, double a) {
+        return !(a > 0.0) && std::any_of(experiment.muscles.begin(), experiment.muscles.end(),
+                                         [&](const experiment::MuscleDeclaration& m) { return m.name == actuator; });
+    };
+    for (std::size_t t = 0; t < experiment.trials.size(); ++t) {
+        const std::string key = "trial[" + std::to_string(t) + "].";
         for (const experiment::ActuationStep& step : experiment.trials[t].actuation_steps)
-            if (step.level && !(*step.level > 0.0))
-                return experiment::declaration_error(experiment,
-                                                     "trial[" + std::to_string(t) + "].actuation_step." + step.muscle,
+            if (step.level && is_low(step.muscle, *step.level))
+                return experiment::declaration_error(experiment, key + "actuation_step." + step.muscle,
                                                      out_of_range(step.muscle, *step.level));
+        for (const experiment::ConstantCommand& command : experiment.trials[t].constant_commands)
+            if (is_low(command.actuator, command.value))
+                return experiment::declaration_error(experiment, key + "activation." + command.actuator,
+                                                     out_of_range(command.actuator, command.value));
+    }
     return {};
 }
 

@@ -23,7 +23,7 @@ Result<void> check_recorded_activation(const experiment::Experiment& experiment,
                                        const experiment::TrialDeclaration& trial,
                                        const measurement::ActuationTable& table);
 
-/// Checks that the muscles' own signals and the declared step levels are positive.
+/// Checks that the muscles' own signals, declared step levels and constant activations are positive.
 ///
 /// Errors: the first activation <= 0 (place: line of the signal's file, or the key).
 Result<void> check_declared_activation(const experiment::Experiment& experiment);
