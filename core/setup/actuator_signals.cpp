@@ -1,8 +1,8 @@
 #include "setup/actuator_signals.hpp"
 
-#include <algorithm>
 #include <cassert>
 
+#include "experiment/actuators.hpp"
 #include "experiment/read_trial.hpp"
 #include "model/force_element.hpp"
 #include "setup/setup.hpp"
@@ -21,26 +21,12 @@ struct LevelPolicy {
 };
 const LevelPolicy level_policy;
 
-const experiment::TendonDeclaration* tendon_of(const experiment::Experiment& experiment, std::size_t actuator) {
-    const std::size_t first = experiment.muscles.size() + experiment.chambers.size();
-    return actuator < first ? nullptr : &experiment.tendons[actuator - first];
-}
-
 }  // namespace
 
 std::vector<std::string> actuator_names(const experiment::Experiment& experiment) {
     std::vector<std::string> names;
-    for (const auto& muscle : experiment.muscles) names.push_back(muscle.name);
-    for (const auto& chamber : experiment.chambers) names.push_back(chamber.name);
-    for (const auto& tendon : experiment.tendons) names.push_back(tendon.name);
+    for (const experiment::Actuator& actuator : experiment::actuators(experiment)) names.push_back(actuator.name);
     return names;
-}
-
-std::optional<std::size_t> find_actuator(const experiment::Experiment& experiment, const std::string& name) {
-    const std::vector<std::string> names = actuator_names(experiment);
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end()) return std::nullopt;
-    return static_cast<std::size_t>(found - names.begin());
 }
 
 std::optional<std::size_t> actuator_element(const experiment::Experiment& experiment, std::size_t actuator) {
@@ -61,10 +47,7 @@ double passive_level(const experiment::Experiment& experiment, std::size_t actua
 }
 
 std::string signal_unit(const experiment::Experiment& experiment, std::size_t actuator) {
-    if (actuator < experiment.muscles.size()) return "";
-    const experiment::TendonDeclaration* const tendon = tendon_of(experiment, actuator);
-    if (tendon == nullptr) return "Pa";
-    return tendon->drive == experiment::TendonDrive::tension ? "N" : "m";
+    return experiment::actuators(experiment)[actuator].unit;
 }
 
 void set_level(const experiment::Experiment& experiment, std::size_t actuator, double level, model::Model& model) {
@@ -104,9 +87,12 @@ sensitivity::ModelTangent level_model_tangent(const experiment::Experiment& expe
 }
 
 LevelBounds level_bounds(const experiment::Experiment& experiment, std::size_t actuator) {
-    if (actuator < experiment.muscles.size()) return level_policy.muscle;
-    if (const experiment::TendonDeclaration* const tendon = tendon_of(experiment, actuator))
-        return tendon->drive == experiment::TendonDrive::tension ? level_policy.tension_N : level_policy.shortening_m;
+    switch (experiment::actuators(experiment)[actuator].kind) {
+        case experiment::ActuatorKind::muscle: return level_policy.muscle;
+        case experiment::ActuatorKind::tendon_tension: return level_policy.tension_N;
+        case experiment::ActuatorKind::tendon_shortening: return level_policy.shortening_m;
+        case experiment::ActuatorKind::chamber: break;
+    }
     const double E = experiment.material.youngs_modulus_Pa;
     return {level_policy.vacuum_Pa, level_policy.largest_pressure_share * E, level_policy.pressure_scale_share * E};
 }

@@ -18,9 +18,6 @@ namespace myo::setup {
 /// Names in the order of the numbers.
 std::vector<std::string> actuator_names(const experiment::Experiment& experiment);
 
-/// Number of an actuator; empty if there is none of this name.
-std::optional<std::size_t> find_actuator(const experiment::Experiment& experiment, const std::string& name);
-
 /// Index into Model::force_elements of an actuator; empty for a muscle.
 std::optional<std::size_t> actuator_element(const experiment::Experiment& experiment, std::size_t actuator);
 
@@ -31,7 +28,7 @@ const fibre::Signal& actuator_signal(const experiment::Experiment& experiment, c
 /// Value of a signal at which the actuator does nothing: 1 of a muscle, 0 of a chamber or tendon.
 double passive_level(const experiment::Experiment& experiment, std::size_t actuator);
 
-/// Unit of a signal: "" of a muscle, "Pa" of a chamber, "N" or "m" of a tendon.
+/// Unit of a signal, empty of a muscle; see experiment::Actuator.
 std::string signal_unit(const experiment::Experiment& experiment, std::size_t actuator);
 
 /// Replaces the signal of an actuator, and of the muscles that follow it, by a step at t = 0 from passive to `level`.

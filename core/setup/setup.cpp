@@ -6,6 +6,7 @@
 #include "base/text.hpp"
 #include "effect/catalogue.hpp"
 #include "effect/changed_body.hpp"
+#include "experiment/actuators.hpp"
 #include "experiment/check_body.hpp"
 #include "experiment/read_experiment.hpp"
 #include "experiment/read_trial.hpp"
@@ -84,10 +85,11 @@ Result<void> add_actuation(const Setup& setup, const experiment::TrialDeclaratio
         return actuator < muscles && experiment.muscles[actuator].signal;
     };
     for (const experiment::ConstantCommand& command : declaration.constant_commands)
-        if (const auto actuator = find_actuator(experiment, command.actuator); actuator && !own_signal(*actuator))
+        if (const auto actuator = experiment::find_actuator(experiment, command.actuator);
+            actuator && !own_signal(*actuator))
             set_constant(experiment, *actuator, command.value, trial.model);
     for (const experiment::ActuationStep& step : declaration.actuation_steps) {
-        const std::optional<std::size_t> actuator = find_actuator(experiment, step.muscle);
+        const std::optional<std::size_t> actuator = experiment::find_actuator(experiment, step.muscle);
         if (!actuator || own_signal(*actuator)) continue;
         set_level(experiment, *actuator, step.level.value_or(passive_level(experiment, *actuator)), trial.model);
         if (!step.level) trial.free_levels.push_back(*actuator);

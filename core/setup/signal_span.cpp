@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "experiment/actuators.hpp"
 #include "setup/actuator_signals.hpp"
 #include "setup/recording_frame.hpp"
 
@@ -87,7 +88,7 @@ std::string missed_signal_sentence(const Setup& setup, const MissedSignal& misse
     const PreparedTrial& trial = setup.trials[missed.trial];
     const bool all_muscles = std::none_of(
         missed.actuators.begin(), missed.actuators.end(), [&](const std::string& name) {
-            return find_actuator(setup.experiment, name).value_or(0) >= setup.experiment.muscles.size();
+            return experiment::find_actuator(setup.experiment, name).value_or(0) >= setup.experiment.muscles.size();
         });
     const std::string words = all_muscles ? "muscle" : "actuator";
     const bool many = missed.actuators.size() > 1;
