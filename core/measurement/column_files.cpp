@@ -14,10 +14,12 @@ namespace {
 
 constexpr std::string_view separators = ",;\t ";
 
-/// Whether a field is a number or a mark for a missing value.
+/// Whether a field is a number, with a comma or point, or a mark for a missing value.
 bool is_value(std::string_view field) {
     double value;
-    return field == "NULL" || parse_sample(field, value);
+    std::string with_point(field);
+    std::replace(with_point.begin(), with_point.end(), ',', '.');
+    return field == "NULL" || parse_sample(with_point, value);
 }
 
 /// Source of a table without header: the separator that splits the line into whole markers.
@@ -104,6 +106,7 @@ Result<Recording> read_columns(const std::filesystem::path& path, const ColumnLa
     table.rate_Hz = layout.rate_Hz;
     table.metres_per_unit = layout.metres_per_unit;
     table.separator = layout.separator;
+    table.decimal_comma = layout.separator != ',';
     table.zero_is_occluded = layout.zero_is_occluded;
     table.null_is_occluded = true;
     table.field_count = 3 * layout.labels.size();

@@ -6,7 +6,7 @@
 #include "base/files.hpp"
 #include "base/text.hpp"
 #include "measurement/sample_table.hpp"
-#include "measurement/trace_reader.hpp"
+#include "measurement/units.hpp"
 
 namespace myo::measurement {
 namespace {
@@ -24,7 +24,7 @@ struct QtmHeader {
     int names_line = 0;
     bool has_time = false;
     std::size_t first_row = 0;  // index into the lines
-};                              // index into the lines
+};
 
 /// Whether a line belongs to the data: it starts with a number, NULL or an empty field.
 bool starts_data(std::string_view first_field) {
@@ -113,10 +113,11 @@ Result<void> check_header(const QtmHeader& header, std::size_t rows, const std::
 }
 
 /// Columns of the rows.
-SampleTable qtm_table(const QtmHeader& header) {
+SampleTable qtm_table(const QtmHeader& header, double seconds_per_unit) {
     SampleTable table;
     table.separator = '\t';
     table.metres_per_unit = 1e-3;
+    table.seconds_per_unit = seconds_per_unit;
     table.rate_Hz = header.rate_Hz.value;
     table.zero_is_occluded = true;
     table.null_is_occluded = true;
@@ -138,7 +139,7 @@ SampleTable qtm_table(const QtmHeader& header) {
 
 }  // namespace
 
-Result<Recording> read_qtm_tsv(const std::filesystem::path& path) {
+Result<Recording> read_qtm_tsv(const std::filesystem::path& path, const TraceSource& source) {
     const Result<std::string> content = read_file(path);
     if (!content) return content.error();
     std::vector<TextLine> lines = split_lines(*content);
@@ -147,9 +148,18 @@ Result<Recording> read_qtm_tsv(const std::filesystem::path& path) {
     if (!header) return header.error();
     const std::span<const TextLine> rows = std::span<const TextLine>(lines).subspan(header->first_row);
 
-    const SampleTable table = qtm_table(*header);
+    if (const Result<double> unit = recording_unit("the unit of the format", "mm", source.metres_per_unit,
+                                                   path.string());
+        !unit)
+        return unit.error();
     if (const Result<void> checked = check_header(*header, rows.size(), path); !checked) return checked.error();
-    return read_samples(path, rows, table);
+    Result<Recording> recording = read_samples(path, rows, qtm_table(*header, source.seconds_per_unit.value_or(1.0)));
+    if (!recording || !header->has_time || header->rate_Hz.line == 0) return recording;
+    if (const Result<void> rated = set_rate(*recording, "FREQUENCY", header->rate_Hz.value,
+                                            at_line(path, header->rate_Hz.line), source.seconds_per_unit.has_value());
+        !rated)
+        return rated.error();
+    return recording;
 }
 
 TraceReader qtm_tsv_reader() {
@@ -157,6 +167,7 @@ TraceReader qtm_tsv_reader() {
             .label = "Qualisys TSV",
             .endings = {".tsv"},
             .signature = "begins with NO_OF_FRAMES",
+            .has_times = true,
             .recognise = [](std::string_view content) -> std::optional<TraceSource> {
                 // Exports may begin with any of these header lines.
                 const std::string_view first = first_line(content);
@@ -164,7 +175,8 @@ TraceReader qtm_tsv_reader() {
                     if (first.starts_with(key)) return TraceSource{.format = "qtm_tsv"};
                 return std::nullopt;
             },
-            .read = [](const std::filesystem::path& path, const TraceSource&) { return read_qtm_tsv(path); }};
+            .read = [](const std::filesystem::path& path,
+                       const TraceSource& source) { return read_qtm_tsv(path, source); }};
 }
 
 }  // namespace myo::measurement

@@ -4,6 +4,7 @@
 
 #include "base/result.hpp"
 #include "measurement/recording.hpp"
+#include "measurement/trace_reader.hpp"
 
 namespace myo::measurement {
 
@@ -20,6 +21,6 @@ namespace myo::measurement {
 /// followed by one row per frame.
 /// Errors (file, line, column): MARKER_NAMES or FREQUENCY missing; header counts that differ from the content; rows of
 /// unequal length; fields that are not numbers; times that do not ascend.
-Result<Recording> read_qtm_tsv(const std::filesystem::path& path);
+Result<Recording> read_qtm_tsv(const std::filesystem::path& path, const TraceSource& source = {});
 
 }  // namespace myo::measurement

@@ -15,6 +15,8 @@ struct Recording {
     double rate_Hz = 0.0;                  // nominal frame rate
     /// Reconstruction residual per label, T entries [m], NaN where occluded; empty if the file has none.
     std::vector<Eigen::VectorXd> residual_m;
+    double metres_per_unit = 1.0;         // of the numbers in the file
+    std::vector<std::string> warnings{};  // of reading the file, one sentence each
 
     /// T, occluded samples included.
     Eigen::Index sample_count() const { return time_s.size(); }

@@ -6,9 +6,17 @@
 #include <limits>
 
 #include "base/text.hpp"
+#include "measurement/units.hpp"
 
 namespace myo::measurement {
 namespace {
+
+struct SampleTablePolicy {
+    /// Largest ratio of a stated rate and that of the times for the two to agree: times with three decimals at 240 Hz
+    /// are 4 % off.
+    double same_rate = 1.1;
+};
+constexpr SampleTablePolicy sample_table_policy;
 
 /// Decodes the fields of one row at a time; messages contain line and column.
 class RowReader {
@@ -23,10 +31,19 @@ public:
         // Some exports end every row with a separator.
         if (table_.trailing_separator && fields_.size() == table_.field_count + 1 && fields_.back().empty())
             fields_.pop_back();
+        if (table_.ragged && !trimmed(line.text).empty()) {
+            while (fields_.size() > table_.field_count && fields_.back().empty()) fields_.pop_back();
+            if (fields_.size() < table_.field_count) fields_.resize(table_.field_count);
+        }
         if (fields_.size() == table_.field_count) return {};
         if (trimmed(line.text).empty()) return Error{"is an empty line between rows", at_line(path_, line_)};
+        // Every number takes two fields if the comma is its decimal mark as well.
+        const bool commas = table_.separator == ',' && 2 * fields_.size() > 3 * table_.field_count;
         return Error{
-            "has " + std::to_string(fields_.size()) + " fields, expected " + std::to_string(table_.field_count),
+            "has " + std::to_string(fields_.size()) + " fields, expected " + std::to_string(table_.field_count) +
+                (commas ? ": the comma seems to be the decimal mark and the separator; write decimal points, or "
+                          "separate the columns by ;"
+                        : ""),
             at_line(path_, line_)};
     }
 
@@ -104,6 +121,27 @@ double median_rate(const Eigen::VectorXd& time_s) {
     return parse_number(format_number(1.0 / *middle, 9), rate) ? rate : 1.0 / *middle;
 }
 
+Result<void> set_rate(Recording& recording, const std::string& field, double stated_Hz, const std::string& where,
+                      bool time_unit_is_declared) {
+    recording.rate_Hz = stated_Hz;
+    if (recording.sample_count() < 2) return {};
+    const double own_Hz = median_rate(recording.time_s);
+    const auto agree = [&](double rate_Hz) {
+        return std::abs(std::log(stated_Hz / rate_Hz)) < std::log(sample_table_policy.same_rate);
+    };
+    if (agree(own_Hz)) return {};
+    const std::string differ = field + " says " + format_number(stated_Hz) + " Hz, but the times are " +
+                               format_number(1.0 / own_Hz) + " apart";
+    for (const auto& [unit, seconds] : time_units)
+        if (!time_unit_is_declared && seconds != 1.0 && agree(own_Hz / seconds))
+            return Error{differ + ", as if they were in " + unit + "; state the trial's key time_unit = \"" + unit +
+                             "\", or \"s\" if they are seconds",
+                         where};
+    recording.rate_Hz = own_Hz;
+    recording.warnings.push_back(differ + " s, which is used");
+    return {};
+}
+
 Result<Recording> read_samples(const std::filesystem::path& path, std::span<const TextLine> rows,
                                const SampleTable& table) {
     if (rows.empty()) return Error{"holds no rows of data", path.string()};
@@ -131,6 +169,7 @@ Result<Recording> read_samples(const std::filesystem::path& path, std::span<cons
             recording.tracks[i].col(t) = *position;
         }
     }
+    recording.metres_per_unit = table.metres_per_unit;
     recording.rate_Hz = table.rate_Hz > 0.0 ? table.rate_Hz : median_rate(recording.time_s);
     return recording;
 }

@@ -30,9 +30,10 @@ struct SampleTable {
     std::size_t field_count = 0;  // expected number of fields per row
     char separator = ',';
     bool decimal_comma = false;
-    bool zero_is_occluded = false;          // a marker at exactly 0, 0, 0 is occluded
-    bool null_is_occluded = false;          // the word NULL means occluded
-    bool trailing_separator = false;        // allow one empty field at the end of a row
+    bool zero_is_occluded = false;    // a marker at exactly 0, 0, 0 is occluded
+    bool null_is_occluded = false;    // the word NULL means occluded
+    bool trailing_separator = false;  // allow one empty field at the end of a row
+    bool ragged = false;  // cells missing at the end of a row are gaps, empty ones beyond the last are ignored
     std::vector<std::string> column_names;  // for messages; may be empty
 };
 
@@ -42,6 +43,16 @@ struct SampleTable {
 /// ascend.
 Result<Recording> read_samples(const std::filesystem::path& path, std::span<const TextLine> rows,
                                const SampleTable& table);
+
+/// Sets the rate of a recording to the rate that the file states, or to that of its times if the two differ; the latter
+/// adds a warning.
+///
+/// @param field  name of the stated rate, for messages: "DataRate"
+/// @param where  its place
+/// @param time_unit_is_declared  the unit of the times is not in question
+/// Errors: times in a unit other than seconds, by their ratio to the stated rate; the message names unit and key.
+Result<void> set_rate(Recording& recording, const std::string& field, double stated_Hz, const std::string& where,
+                      bool time_unit_is_declared);
 
 /// Inverse of the median time step [Hz], rounded to nine digits; 100 for fewer than two samples.
 double median_rate(const Eigen::VectorXd& time_s);

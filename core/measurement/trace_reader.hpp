@@ -14,9 +14,11 @@ namespace myo::measurement {
 
 /// How to read a file: its format, and what the file does not say itself.
 struct TraceSource {
-    std::string format;                       // id of a reader
-    std::optional<ColumnLayout> columns{};    // required for the format `columns`
-    std::optional<double> metres_per_unit{};  // for a file that may state no unit
+    std::string format;                     // id of a reader
+    std::optional<ColumnLayout> columns{};  // required for the format `columns`
+    /// Unit of length for a file that names none or an unknown one. A file that names another unit is refused.
+    std::optional<double> metres_per_unit{};
+    std::optional<double> seconds_per_unit{};  // unit of the time column; empty: seconds
 };
 
 /// A file format of motion-capture recordings.
@@ -31,6 +33,8 @@ struct TraceReader {
     bool with_other_markers = false;
     /// A file may state no unit; TraceSource::metres_per_unit then does.
     bool may_lack_unit = false;
+    bool has_times = false;  // its files have a column of times
+    bool is_y_up = false;    // the y axis of its programs points up, unless the export was set otherwise
     /// How to read a file with this content; empty if it has another format.
     std::optional<TraceSource> (*recognise)(std::string_view content);
     Result<Recording> (*read)(const std::filesystem::path& path, const TraceSource& source);

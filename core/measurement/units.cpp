@@ -1,9 +1,9 @@
 #include "measurement/units.hpp"
 
-#include <array>
 #include <cctype>
-#include <string>
-#include <utility>
+#include <cmath>
+
+#include "base/text.hpp"
 
 namespace myo::measurement {
 
@@ -22,6 +22,32 @@ std::optional<double> metres_per_unit(std::string_view name) {
         if (lower == unit) return metres;
     }
     return std::nullopt;
+}
+
+std::string unit_word(double metres, double within) {
+    std::string word;
+    double nearest = std::log(within);
+    for (const auto& [unit, length] : length_units)
+        if (const double off = std::abs(std::log(metres / length)); off <= nearest) word = unit, nearest = off;
+    return word;
+}
+
+Result<double> recording_unit(const std::string& field, const std::string& stated, std::optional<double> declared,
+                              const std::string& where) {
+    const std::optional<double> known = metres_per_unit(stated);
+    if (!known && !declared)
+        return Error{field +
+                         (stated.empty() ? " is missing, so the unit of length is not known"
+                                         : " is '" + stated + "', which is no known unit of length") +
+                         "; state the trial's key unit, for example unit = \"mm\"",
+                     where};
+    if (known && declared && std::abs(*known / *declared - 1.0) > 1e-9) {
+        const std::string word = unit_word(*declared);
+        return Error{"the trial's key unit says " + (word.empty() ? format_number(*declared) + " m" : word) + ", but " +
+                         field + " is '" + stated + "'",
+                     where};
+    }
+    return known ? *known : *declared;
 }
 
 }  // namespace myo::measurement

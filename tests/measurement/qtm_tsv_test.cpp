@@ -12,7 +12,9 @@ using test::TemporaryFile;
 using testing::HasSubstr;
 
 Result<Recording> read_export(const std::string& text) { return read_qtm_tsv(TemporaryFile(text, "take.tsv").path()); }
-std::string export_error(const std::string& text) { return test::error_of_reading(read_qtm_tsv, text, "take.tsv"); }
+std::string export_error(const std::string& text) {
+    return test::error_of_reading([](const auto& path) { return read_qtm_tsv(path); }, text, "take.tsv");
+}
 
 const std::string names = "MARKER_NAMES\ta\tb\n";
 const std::string counts = "NO_OF_FRAMES\t3\nNO_OF_MARKERS\t2\n";

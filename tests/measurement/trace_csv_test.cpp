@@ -12,7 +12,9 @@ using test::TemporaryFile;
 using testing::HasSubstr;
 
 Result<Recording> read_text(const std::string& text) { return read_trace_csv(TemporaryFile(text, "trace.csv").path()); }
-std::string error_of(const std::string& text) { return test::error_of_reading(read_trace_csv, text, "trace.csv"); }
+std::string error_of(const std::string& text) {
+    return test::error_of_reading([](const auto& path) { return read_trace_csv(path); }, text, "trace.csv");
+}
 
 const std::string header = "time_s,a_x_m,a_y_m,a_z_m\n";
 
@@ -69,6 +71,36 @@ TEST(TraceCsv, ALabelThatCannotStandInAHeaderIsRefused) {
     recording.labels[0] = "two\nlines";
     const TemporaryFile file("", "trace.csv");
     EXPECT_FALSE(write_trace_csv(file.path(), recording));
+}
+
+/// Semicolons leave the comma to the numbers.
+TEST(TraceCsv, DecimalCommasBetweenSemicolons) {
+    for (const std::string text : {"time_s;a_x_m;a_y_m;a_z_m\n0;0,5;-1,25;3\n0,01;nan;;3\n",
+                                   "time_s\ta_x_m\ta_y_m\ta_z_m\n0\t0.5\t-1,25\t3\n0,01\tnan\t\t3\n"}) {
+        const Result<Recording> read = read_text(text);
+        ASSERT_TRUE(read) << read.error().text();
+        EXPECT_EQ(read->tracks[0].col(0), Eigen::Vector3d(0.5, -1.25, 3.0));
+        EXPECT_EQ(read->time_s(1), 0.01);
+        EXPECT_TRUE(read->tracks[0].col(1).array().isNaN().all());
+    }
+    EXPECT_THAT(error_of("time_s;a_x_m;a_y_m;a_z_m\n0;1.000,5;1;3\n"), HasSubstr("column 2 (a_x_m) is '1.000,5'"));
+    EXPECT_THAT(error_of(header + "0,01,0,5,1,25,3,0\n"), HasSubstr("decimal mark"));
+    const std::string wide = "time;" + std::string(500, 'x');
+    EXPECT_LT(error_of(wide + "\n").size(), 250u) << "the line is not quoted as a whole";
+}
+
+TEST(TraceCsv, UnitsOfTheHeaderAndOfTheKeys) {
+    const Result<Recording> read = read_text("time_s,a_x_mm,a_y_mm,a_z_mm\n0,120,1,2\n");
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_NEAR(read->tracks[0](0, 0), 0.12, 1e-15);
+    EXPECT_EQ(read->metres_per_unit, 1e-3);
+    const TemporaryFile metres(header + "0,1,2,3\n10,1,2,3\n", "trace.csv");
+    EXPECT_THAT(read_trace_csv(metres.path(), {.format = "", .metres_per_unit = 1e-3}).error().text(),
+                HasSubstr("trace.csv:1: the trial's key unit says mm, but the header is 'm'"));
+    const Result<Recording> milliseconds = read_trace_csv(metres.path(), {.format = "", .seconds_per_unit = 1e-3});
+    ASSERT_TRUE(milliseconds) << milliseconds.error().text();
+    EXPECT_NEAR(milliseconds->time_s(1), 0.01, 1e-15);
+    EXPECT_DOUBLE_EQ(milliseconds->rate_Hz, 100.0);
 }
 
 }  // namespace

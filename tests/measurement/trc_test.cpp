@@ -46,6 +46,51 @@ TEST(Trc, ReadsNamesRateUnitAndGaps) {
     EXPECT_NEAR(read->tracks[1](2, 2), 0.030, 1e-15);
 }
 
+/// What exports do with their tabs, and units of other programs.
+TEST(Trc, ReadsMessyTabsAndUnits) {
+    const auto read_text = [](const std::string& text) { return read_trc(TemporaryFile(text, "beam.trc").path()); };
+    const std::string names = "tip left\t\t\troot\t\t\n";
+    for (const std::string& text :
+         {with(names, "tip left\t\t\troot\n"), with(names, "tip left\t\t\troot\t\t\t\t\t\n"),
+          with(names, "tip left\troot\n"), with("\t\tX1\tY1\tZ1\tX2\tY2\tZ2\n", ""), with("\t\t\t\t\n3", "\n3"),
+          with("10\t20\t30\n2", "10\t20\t30\t\t\n2"), with("PathFileType", "\xEF\xBB\xBFPathFileType")}) {
+        const Result<Recording> read = read_text(text);
+        ASSERT_TRUE(read) << read.error().text() << text;
+        EXPECT_EQ(read->labels, (std::vector<std::string>{"tip left", "root"}));
+        EXPECT_TRUE(std::isnan(read->tracks[1](0, 1)));
+        EXPECT_NEAR(read->tracks[1](2, 2), 0.030, 1e-15);
+    }
+    EXPECT_NEAR(read_text(with("\tmm\n", "\tdm\n"))->tracks[0](0, 0), 10.05, 1e-12);
+    EXPECT_NEAR(read_text(with("\tmm\n", "\tcm\n"))->tracks[0](0, 0), 1.005, 1e-12);
+    const TemporaryFile ells(with("\tmm\n", "\tell\n"), "beam.trc");
+    EXPECT_NEAR(read_trc(ells.path(), {.format = "", .metres_per_unit = 1e-3})->tracks[0](0, 0), 0.1005, 1e-12);
+    EXPECT_FALSE(read_text("PathFileType\t4\nA\n1\nFrame#\tTime\n"));
+}
+
+TEST(Trc, RateIsThatOfTheDataAndOfTheTimes) {
+    const auto read_text = [](const std::string& text) { return read_trc(TemporaryFile(text, "beam.trc").path()); };
+    EXPECT_EQ(read_text(with("200.00\t200.00", "200.00\t1000.00"))->rate_Hz, 200.0);
+    const Result<Recording> other = read_text(with("200.00\t200.00", "600.00\t200.00"));
+    ASSERT_TRUE(other) << other.error().text();
+    EXPECT_EQ(other->rate_Hz, 200.0);
+    ASSERT_EQ(other->warnings.size(), 1u);
+    EXPECT_NE(other->warnings[0].find("DataRate says 600 Hz"), std::string::npos) << other->warnings[0];
+
+    std::string text = with("0.005", "5.0");
+    text.replace(text.find("0.010"), 5, "10.0");
+    const Result<Recording> thousand = read_text(text);
+    ASSERT_FALSE(thousand);
+    EXPECT_NE(thousand.error().text().find("beam.trc:3: "), std::string::npos) << thousand.error().text();
+    EXPECT_NE(thousand.error().text().find("time_unit = \"ms\""), std::string::npos) << thousand.error().text();
+    const TemporaryFile file(text, "beam.trc");
+    const Result<Recording> declared = read_trc(file.path(), {.format = "", .seconds_per_unit = 1e-3});
+    ASSERT_TRUE(declared) << declared.error().text();
+    EXPECT_NEAR(declared->time_s(2), 0.010, 1e-15);
+    EXPECT_TRUE(declared->warnings.empty());
+    EXPECT_EQ(read_trc(file.path(), {.format = "", .seconds_per_unit = 1.0})->warnings.size(), 1u)
+        << "the user says that it is right";
+}
+
 struct Wrong {
     std::string from, to, told;
 };
