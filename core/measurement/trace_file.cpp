@@ -14,9 +14,11 @@ namespace myo::measurement {
 // clang-format off
 #define MYOLOOP_TRACE_READERS(entry) \
     entry(c3d_reader) \
+    entry(motive_csv_reader) \
     entry(qtm_tsv_reader) \
     entry(trace_csv_reader) \
     entry(trc_reader) \
+    entry(vicon_csv_reader) \
     entry(columns_reader)
 // clang-format on
 
