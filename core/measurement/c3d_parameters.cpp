@@ -122,6 +122,17 @@ Result<void> read_record(const C3dWords& words, std::size_t pointer, int group, 
     return {};
 }
 
+/// End of the declared blocks [bytes]; some writers declare none.
+std::size_t end_of_section(const C3dWords& words, std::size_t start) {
+    constexpr std::size_t block_size = 512;
+    const std::size_t blocks = words.holds(start, 4) ? words.byte(start + 2) : 0;
+    return blocks > 0 ? start + blocks * block_size : words.size();
+}
+
+std::size_t end_of_values(const C3dParameter& parameter) {
+    return parameter.offset + parameter.count * value_size(parameter.type);
+}
+
 }  // namespace
 
 std::string clean_c3d_text(std::string_view text) {
@@ -183,7 +194,8 @@ Result<C3dParameters> read_c3d_parameters(const C3dWords& words, std::size_t sta
     // Records are chained by offsets. Each offset moves forward, so the loop terminates.
     // The section begins with four bytes: two reserved, number of blocks, processor.
     std::size_t at = start + 4;
-    while (words.holds(at, 2) && words.byte(at) != 0) {
+    const std::size_t end = end_of_section(words, start);
+    while (at < end && words.holds(at, 2) && words.byte(at) != 0) {
         const auto name_length = static_cast<std::size_t>(
             std::abs(int{words.signed_byte(at)}));  // a negative length marks a locked record
         const int group = int{words.signed_byte(at + 1)};
@@ -192,8 +204,16 @@ Result<C3dParameters> read_c3d_parameters(const C3dWords& words, std::size_t sta
             return Error{"the parameter record " + at_byte(at) + " runs over the end of the file", file};
         const std::string name = capitals(clean_c3d_text(words.text(at + 2, name_length)));
         const std::size_t step = words.word(pointer);
-        if (const Result<void> read = read_record(words, pointer, group, name, groups, pending, at, file); !read)
-            return read.error();
+        // Without an end mark, the bytes behind the last record look like one that leaves the declared blocks. The last
+        // record itself may point there, but its values lie inside.
+        const bool leaves_section = pointer + step > end;
+        if (leaves_section && group <= 0) break;
+        const Result<void> read = read_record(words, pointer, group, name, groups, pending, at, file);
+        if (leaves_section) {
+            if (read && end_of_values(pending.back().parameter) > end) pending.pop_back();
+            break;
+        }
+        if (!read) return read.error();
         if (step == 0) break;  // end mark of some writers
         if (step < 2) return damaged_record(at, "points into itself", file);
         at = pointer + step;

@@ -39,7 +39,7 @@ private:
     std::map<std::string, C3dParameter> entries_;
 };
 
-/// Reads the records of the parameter section.
+/// Reads the records of the parameter section, up to its end mark or the end of its declared blocks.
 ///
 /// @param start  byte offset of the section
 /// @param file   file name for messages

@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "measurement/c3d_parameters.hpp"
 #include "measurement/c3d_words.hpp"
+#include "measurement/marker_labels.hpp"
 #include "measurement/trace_reader.hpp"
 #include "measurement/units.hpp"
 
@@ -31,6 +32,7 @@ struct Layout {
     double scale = 1.0;                // of integers and of residuals, positive
     double rate_Hz = 0.0;
     double metres_per_unit = 1.0;
+    std::vector<std::string> warnings{};
 
     std::size_t word_size() const { return real ? 4 : 2; }
     // A point has four words: x, y, z, and residual with camera mask.
@@ -53,6 +55,8 @@ private:
     double analog_rate_ratio(double rate_Hz) const;
     double frame_count() const;
     bool fills_file(const Layout& layout) const;
+    void choose_frames(Layout& layout) const;
+    std::set<std::string> model_outputs() const;
     Result<void> choose_counts(Layout& layout) const;
     std::vector<std::string> labels(std::size_t points) const;
     Result<Recording> samples(const Layout& layout) const;
@@ -92,17 +96,12 @@ double Reader::frame_count() const {
 }
 
 Result<double> Reader::unit(std::optional<double> unit_override) const {
-    if (unit_override) return *unit_override;
     const std::vector<std::string> units = parameters_.texts("POINT:UNITS");
     std::string name;
     // Some writers store one string per axis, others one character per string.
     if (!units.empty())
         name = units.size() == 2 && units[0].size() == 1 && units[1].size() == 1 ? units[0] + units[1] : units[0];
-    if (name.empty()) return failure("POINT:UNITS is missing, so the length unit is not known; give it explicitly");
-    const std::optional<double> metres = metres_per_unit(name);
-    if (!metres)
-        return failure("POINT:UNITS is '" + name + "', which is no known length unit; give the unit explicitly");
-    return *metres;
+    return recording_unit("POINT:UNITS", name, unit_override, file_);
 }
 
 double Reader::analog_rate_ratio(double rate_Hz) const {
@@ -153,6 +152,40 @@ std::string too_short(const Layout& layout, std::size_t size) {
            std::to_string(layout.end()) + " bytes";
 }
 
+// Some writers count one frame more in FRAMES than in the header. The header is right if its frames fill the file and
+// nothing but padding follows them.
+void Reader::choose_frames(Layout& layout) const {
+    Layout by_header = layout;
+    const int header_frames = static_cast<int>(words_.word(8)) - static_cast<int>(words_.word(6)) + 1;
+    if (header_frames < 1 || static_cast<std::size_t>(header_frames) >= layout.frames) return;
+    by_header.frames = static_cast<std::size_t>(header_frames);
+    if (!fills_file(by_header)) return;
+    const std::string_view rest = words_.text(by_header.end(), words_.size() - by_header.end());
+    if (layout.end() <= words_.size() && rest.find_first_not_of('\0') != std::string_view::npos) return;
+    by_header.warnings.push_back("POINT:FRAMES says " + std::to_string(layout.frames) +
+                                 " frames, header and file hold " + std::to_string(by_header.frames) +
+                                 ", which are read");
+    layout = by_header;
+}
+
+/// Labels of points that are no positions: angles, forces and other outputs of a model, in units of their own. The
+/// parameters named in TYPE_GROUPS list them; modelled markers are positions.
+std::set<std::string> Reader::model_outputs() const {
+    std::vector<std::string> groups{"ANGLES", "FORCES", "MOMENTS", "POWERS", "SCALARS", "REACTIONS"};
+    for (const std::string& group : parameters_.texts("POINT:TYPE_GROUPS"))
+        if (group.find("MARKER") == std::string::npos && group != "LABELS") groups.push_back(group);
+    std::set<std::string> outputs;
+    for (const std::string& group : groups)
+        for (int part = 1;; ++part) {
+            const std::vector<std::string> labels = parameters_.texts("POINT:" + group +
+                                                                      (part == 1 ? "" : std::to_string(part)));
+            if (labels.empty()) break;
+            outputs.insert(labels.begin(), labels.end());
+        }
+    outputs.erase("");
+    return outputs;
+}
+
 Result<Layout> Reader::layout(std::optional<double> unit_override) const {
     Layout layout;
     const double scale = parameters_.number("POINT:SCALE").value_or(words_.real(12));
@@ -177,6 +210,7 @@ Result<Layout> Reader::layout(std::optional<double> unit_override) const {
 
     if (Result<void> counts = choose_counts(layout); !counts) return counts.error();
     if (layout.points == 0) return failure("holds no 3D points (POINT:USED is 0)");
+    choose_frames(layout);
     if (layout.end() > words_.size()) return failure(too_short(layout, words_.size()));
     const Result<double> unit_m = unit(unit_override);
     if (!unit_m) return unit_m.error();
@@ -194,36 +228,43 @@ std::vector<std::string> Reader::labels(std::size_t points) const {
         result.insert(result.end(), more.begin(), more.end());
     }
     result.resize(points);
-    std::set<std::string> taken;
-    for (std::size_t i = 0; i < points; ++i) {
-        const std::string base = result[i].empty() ? "point " + std::to_string(i + 1) : result[i];
-        result[i] = base;
-        for (int k = 2; !taken.insert(result[i]).second; ++k) result[i] = base + " (" + std::to_string(k) + ")";
-    }
+    for (std::size_t i = 0; i < points; ++i)
+        if (result[i].empty()) result[i] = "point " + std::to_string(i + 1);
+    make_unique(result);
     return result;
 }
 
 /// A recording of the labels, still without positions.
-Recording c3d_recording(const Layout& layout, std::vector<std::string> labels) {
+Recording c3d_recording(const Layout& layout, const std::vector<std::string>& labels) {
     const auto frame_count = static_cast<Eigen::Index>(layout.frames);
     Recording recording;
-    recording.labels = std::move(labels);
+    recording.labels = labels;
     recording.rate_Hz = layout.rate_Hz;
+    recording.metres_per_unit = layout.metres_per_unit;
+    recording.warnings = layout.warnings;
     recording.time_s.resize(frame_count);
     for (Eigen::Index t = 0; t < frame_count; ++t) recording.time_s(t) = static_cast<double>(t) / layout.rate_Hz;
-    recording.tracks.assign(layout.points, Eigen::Matrix3Xd(3, frame_count));
-    recording.residual_m.assign(layout.points, Eigen::VectorXd(frame_count));
+    recording.tracks.assign(labels.size(), Eigen::Matrix3Xd(3, frame_count));
+    recording.residual_m.assign(labels.size(), Eigen::VectorXd(frame_count));
     return recording;
 }
 
 Result<Recording> Reader::samples(const Layout& layout) const {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const auto frame_count = static_cast<Eigen::Index>(layout.frames);
-    Recording recording = c3d_recording(layout, labels(layout.points));
-    for (std::size_t i = 0; i < layout.points; ++i) {
+    std::vector<std::string> names = labels(layout.points);
+    std::vector<std::size_t> points;
+    const std::set<std::string> outputs = model_outputs();
+    for (std::size_t point = 0; point < names.size(); ++point)
+        if (outputs.count(names[point]) == 0) points.push_back(point);
+    if (points.empty()) return failure("holds outputs of a model only, no measured points");
+    for (std::size_t i = 0; i < points.size(); ++i) names[i] = names[points[i]];
+    names.resize(points.size());
+    Recording recording = c3d_recording(layout, names);
+    for (std::size_t i = 0; i < points.size(); ++i) {
         for (Eigen::Index t = 0; t < frame_count; ++t) {
             const std::size_t at = layout.data_offset + static_cast<std::size_t>(t) * layout.frame_size() +
-                                   4 * i * layout.word_size();
+                                   4 * points[i] * layout.word_size();
             Eigen::Vector3d position;
             for (Eigen::Index axis = 0; axis < 3; ++axis) {
                 const std::size_t offset = at + static_cast<std::size_t>(axis) * layout.word_size();

@@ -15,8 +15,10 @@ namespace myo::measurement {
 
 /// Reads the 3D points of a C3D file: integer and float data, in Intel, DEC and SGI number formats.
 ///
-/// Analog channels, events and force plates are skipped.
-/// @param metres_per_unit  overrides POINT:UNITS; required if the file states no unit, because units are never guessed
+/// Analog channels, events and force plates are skipped, and so are outputs of a model among the points (POINT:ANGLES,
+/// FORCES, ... and what TYPE_GROUPS names). A frame count in POINT:FRAMES above that of header and file gives a
+/// warning.
+/// @param metres_per_unit  required if the file states no unit or an unknown one, because units are never guessed
 /// @return  first sample at time 0; labels trimmed, "point k" for a missing one, "label (2)" for a repeated one.
 ///          A sample is occluded (NaN) if its fourth word is negative or not a number, or if its coordinates and its
 ///          fourth word are all exactly 0: several programs write gaps in this way.

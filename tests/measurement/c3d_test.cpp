@@ -167,6 +167,70 @@ TEST(C3d, ErrorsSayWhatIsWrongInOneSentence) {
     EXPECT_THAT(read_bytes(c3d_file(empty)).error().text(), HasSubstr("no 3D points"));
 }
 
+TEST(C3d, UnitsCutShortAreLeftToTheKey) {
+    const Recording original = test::random_recording(2, 10, 3);
+    C3dOptions options;
+    options.units = "METERS";  // the parameter holds four characters
+    const std::string refused = read_bytes(c3d_file(original, options)).error().text();
+    EXPECT_THAT(refused, HasSubstr("POINT:UNITS is 'METE'"));
+    EXPECT_THAT(refused, HasSubstr("the trial's key unit"));
+    EXPECT_LT(test::largest_difference(original, *read_bytes(c3d_file(original, options), 1.0)), 1e-7);
+    options.units = "mm";
+    EXPECT_THAT(read_bytes(c3d_file(original, options), 1.0).error().text(), HasSubstr("says m, but POINT:UNITS"));
+}
+
+/// A count above that of the header is right only if the file holds so many frames.
+TEST(C3d, AFrameCountAboveHeaderAndFileIsReadWithAWarning) {
+    for (const int samples : {20, 100})  // with room for a frame more in the last block, and without
+        for (const int points : {2, 32}) {
+            const Recording original = test::random_recording(points, samples, 13);
+            C3dOptions options;
+            options.more_frames = 1;
+            const Result<Recording> read = read_bytes(c3d_file(original, options));
+            ASSERT_TRUE(read) << read.error().text();
+            EXPECT_LT(test::largest_difference(original, *read), 1e-7);
+            ASSERT_EQ(read->warnings.size(), 1u);
+            EXPECT_THAT(read->warnings[0], HasSubstr("POINT:FRAMES says " + std::to_string(samples + 1)));
+        }
+    const Recording original = test::random_recording(2, 20, 13);
+    EXPECT_TRUE(read_bytes(c3d_file(original))->warnings.empty());
+    std::string short_header = c3d_file(original);
+    short_header[8] = 19;  // the header's last frame
+    const Result<Recording> whole = read_bytes(short_header);
+    ASSERT_TRUE(whole) << whole.error().text();
+    EXPECT_EQ(whole->sample_count(), 20) << "the file holds what POINT:FRAMES says";
+}
+
+TEST(C3d, ParametersEndWithTheirBlocks) {
+    for (const int spare : {0, 2})
+        for (const bool groups_last : {false, true}) {
+            const Recording original = test::random_recording(4, 20, 14);
+            C3dOptions options;
+            options.end_mark = false;
+            options.spare_blocks = spare;
+            options.groups_last = groups_last;
+            const Result<Recording> read = read_bytes(c3d_file(original, options));
+            ASSERT_TRUE(read) << read.error().text();
+            EXPECT_EQ(read->labels, original.labels);
+            EXPECT_LT(test::largest_difference(original, *read), 1e-7);
+        }
+}
+
+TEST(C3d, OutputsOfAModelAreNoMarkers) {
+    Recording original = test::random_recording(5, 20, 15);
+    original.tracks[3] *= 1e6;  // newton-millimetres are no positions
+    C3dOptions options;
+    options.angles = {"marker 2"};
+    options.own_outputs = {"marker 4"};
+    const Result<Recording> read = read_bytes(c3d_file(original, options));
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(read->labels, (std::vector<std::string>{"marker 1", "marker 3", "marker 5"}));
+    EXPECT_EQ(read->residual_m.size(), 3u);
+    EXPECT_LT((read->tracks[1] - original.tracks[2]).cwiseAbs().maxCoeff(), 1e-7);
+    options.angles = original.labels;
+    EXPECT_THAT(read_bytes(c3d_file(original, options)).error().text(), HasSubstr("outputs of a model only"));
+}
+
 // Every error is one line and names the file; every value is finite or a whole gap.
 void expect_sane(const Result<Recording>& read) {
     if (!read) {

@@ -26,9 +26,13 @@ struct C3dOptions {
     int spare_blocks = 0;              // between parameters and data
     std::string frames_as = "FRAMES";  // "FRAMES", "FRAMES real", "LONG_FRAMES", "TRIAL", "header"
     bool header_rate_only = false;
-    bool groups_last = false;     // group records behind the parameters that belong to them
-    int residual_steps = 5;       // fourth word of seen samples
-    double occluded_word = -1.0;  // fourth word of occluded samples
+    bool groups_last = false;                   // group records behind the parameters that belong to them
+    int residual_steps = 5;                     // fourth word of seen samples
+    double occluded_word = -1.0;                // fourth word of occluded samples
+    int more_frames = 0;                        // that POINT:FRAMES counts beyond the header
+    bool end_mark = true;                       // false: the last record points on, and other bytes follow in its block
+    std::vector<std::string> angles = {};       // named in POINT:ANGLES
+    std::vector<std::string> own_outputs = {};  // named in POINT:LOADS, which POINT:TYPE_GROUPS names
 };
 
 /// Writes numbers as one of the three machines does.
@@ -106,6 +110,7 @@ public:
         body.byte(0);
         record(id, name, body.bytes);
     }
+    std::string records() const { return out_.bytes; }
     std::string finish() {
         out_.byte(0);
         out_.byte(0);
@@ -148,7 +153,7 @@ inline std::string c3d_parameter_section(const measurement::Recording& recording
     if (options.frames_as == "FRAMES real")
         writer.real(1, "FRAMES", frames);
     else if (options.frames_as != "header")
-        writer.words(1, "FRAMES", {std::min(frames, 65535)}, true);
+        writer.words(1, "FRAMES", {std::min(frames + options.more_frames, 65535)}, true);
     if (options.frames_as == "LONG_FRAMES") writer.real(1, "LONG_FRAMES", frames);
     if (options.frames_as == "TRIAL") {
         writer.words(3, "ACTUAL_START_FIELD", {1, 0}, false);
@@ -163,12 +168,17 @@ inline std::string c3d_parameter_section(const measurement::Recording& recording
         }
     }
     if (!options.units.empty()) writer.texts(1, "UNITS", {options.units}, 4);
+    if (!options.angles.empty()) writer.texts(1, "ANGLES", options.angles, 20);
+    if (!options.own_outputs.empty()) {
+        writer.texts(1, "LOADS", options.own_outputs, 20);
+        writer.texts(1, "TYPE_GROUPS", {"LOADS"}, 8);
+    }
     if (options.analog_channels >= 0) {
         writer.words(2, "USED", {options.analog_channels}, true);
         writer.real(2, "RATE", recording.rate_Hz * options.analog_per_frame);
     }
     if (options.groups_last) groups();
-    return writer.finish();
+    return options.end_mark ? writer.finish() : writer.records();
 }
 
 /// The bytes of a C3D file that holds the recording.
@@ -199,6 +209,7 @@ inline std::string c3d_file(const measurement::Recording& recording, const C3dOp
     out.byte(section_blocks);
     out.byte(static_cast<int>(options.processor));
     out.text(c3d_parameter_section(recording, options, data_block));
+    if (!options.end_mark) out.bytes.resize(block * static_cast<std::size_t>(data_block - 1), '\7');
     out.pad(block * static_cast<std::size_t>(data_block - 1));
 
     const auto number = [&](double value) {
