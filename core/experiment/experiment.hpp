@@ -164,6 +164,10 @@ struct TrialDeclaration {
     std::filesystem::path trace;                       // marker recording, resolved
     std::string format = "csv";                        // id of a reader, see trace_readers()
     std::optional<measurement::ColumnLayout> columns;  // for format `columns` only
+    std::optional<double> metres_per_unit;             // `unit`: for a file that names none or an unknown one
+    std::optional<double> seconds_per_unit;            // `time_unit` of the time column; empty: seconds
+    /// `axes`: axes of the recording to the mesh frame, a right-handed signed permutation; empty: the same axes.
+    std::optional<Eigen::Matrix3d> axes;
     StartState start = StartState::straight;
     double session_time_s = 0.0;                     // time of the trial within the session, for effects that drift
     std::optional<std::filesystem::path> actuation;  // recorded a(t) per muscle, resolved

@@ -45,7 +45,7 @@ std::vector<SensorDeclaration> read_sensors(const toml::TomlReader& document);
 RegistrationDeclaration read_registration(const toml::TomlReader& document, std::vector<std::string>& warnings);
 /// [markers]: rest positions on the body, fixed markers and recorded labels.
 MarkersDeclaration read_markers(const toml::TomlReader& document);
-/// [[trial]]: at least one; the traces are not opened.
+/// [[trial]]: at least one; a trace is opened only if its format is not declared.
 std::vector<TrialDeclaration> read_trials(const toml::TomlReader& document, const std::filesystem::path& folder);
 /// Start and commands of a trial: hold, start, actuation, actuation_step, constants per actuator, sensors.
 void read_commands(const toml::TomlReader& trial, const std::filesystem::path& folder, TrialDeclaration& declared);

@@ -1,7 +1,11 @@
+#include <Eigen/LU>
+
 #include <algorithm>
+#include <cmath>
 
 #include "base/text.hpp"
 #include "experiment/read_experiment_tables.hpp"
+#include "measurement/units.hpp"
 
 namespace myo::experiment {
 namespace {
@@ -14,20 +18,71 @@ std::string read_trial_name(const toml::TomlReader& table) {
     return name;
 }
 
-TrialDeclaration read_trial(const toml::TomlReader& table, const std::filesystem::path& folder) {
-    TrialDeclaration trial;
-    trial.name = read_trial_name(table);
-    trial.role = table.choice<TrialRole>("role", {{"fit", TrialRole::fit}, {"validate", TrialRole::validate}});
-    trial.trace = table.file("trace", folder);
-    trial.format = table.text("format");
-    if (!measurement::find_trace_reader(trial.format))
-        table.fail("format", "unknown format \"" + trial.format + "\"; " +
-                                 toml::suggest(trial.format, measurement::trace_formats()));
+/// Declared format, or that of the file's content.
+std::string read_format(const toml::TomlReader& table, const std::filesystem::path& trace) {
+    if (!table.has("format")) {
+        const Result<measurement::TraceSource> content = measurement::guess_trace_source(trace);
+        if (!content)
+            table.fail("format", "required key is missing, and the content does not tell it: " +
+                                     trace.filename().string() + " " + content.error().what);
+        return content->format;
+    }
+    const std::string format = table.text("format");
+    if (!measurement::find_trace_reader(format))
+        table.fail("format",
+                   "unknown format \"" + format + "\"; " + toml::suggest(format, measurement::trace_formats()));
+    return format;
+}
+
+/// Rotation of axes = ["x", "-z", "y"]: mesh x, y, z in terms of the recording's axes.
+Eigen::Matrix3d read_axes(const toml::TomlReader& table) {
+    const std::vector<std::string> axes = table.texts("axes");
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Zero();
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+        const bool is_signed = axes[i].starts_with('-') || axes[i].starts_with('+');
+        const std::size_t axis = std::string("xyz").find(axes[i].substr(is_signed ? 1 : 0));
+        if (axes.size() != 3 || axes[i].size() != (is_signed ? 2u : 1u) || axis > 2)
+            table.fail("axes", "must be three axes of the recording such as [\"x\", \"-z\", \"y\"]");
+        rotation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(axis)) = axes[i].starts_with('-') ? -1.0 : 1.0;
+    }
+    const double determinant = rotation.determinant();
+    if (std::abs(determinant) < 0.5) table.fail("axes", "must name each of x, y and z once");
+    if (determinant < 0.0)
+        table.fail("axes", "mirrors the recording: reverse one axis or exchange two, for a right-handed frame");
+    return rotation;
+}
+
+/// A unit by its word.
+template <std::size_t size>
+std::optional<double> read_unit(const toml::TomlReader& table, const std::string& key,
+                                const std::array<std::pair<const char*, double>, size>& units) {
+    if (!table.has(key)) return std::nullopt;
+    return table.choice<double>(key, {units.begin(), units.end()});
+}
+
+/// The recording's file and how to read it.
+void read_trace_keys(const toml::TomlReader& table, TrialDeclaration& trial) {
+    trial.format = read_format(table, trial.trace);
     if (trial.format == "columns") {
         trial.columns = read_columns_declaration(table);
     } else {
         table.reject("columns", "belongs to format = \"columns\" only");
     }
+    trial.metres_per_unit = read_unit(table, "unit", measurement::length_units);
+    if (trial.columns && trial.metres_per_unit && *trial.metres_per_unit != trial.columns->metres_per_unit)
+        table.fail("unit", "contradicts columns.unit");
+    trial.seconds_per_unit = read_unit(table, "time_unit", measurement::time_units);
+    if (trial.seconds_per_unit && !measurement::find_trace_reader(trial.format)->has_times)
+        table.fail("time_unit", "a recording of format \"" + trial.format + "\" has a rate instead of times");
+    if (table.has("axes")) trial.axes = read_axes(table);
+}
+
+TrialDeclaration read_trial(const toml::TomlReader& table, const std::filesystem::path& folder) {
+    TrialDeclaration trial;
+    trial.name = read_trial_name(table);
+    trial.role = table.choice<TrialRole>("role", {{"fit", TrialRole::fit}, {"validate", TrialRole::validate}});
+    trial.trace = table.file("trace", folder);
+    read_trace_keys(table, trial);
     read_commands(table, folder, trial);
     trial.session_time_s = table.number_or("session_time_s", 0.0);
     trial.start_s = table.optional_number("start_s");
@@ -53,7 +108,8 @@ measurement::ColumnLayout read_columns_declaration(const toml::TomlReader& trial
     for (auto name = columns.labels.begin(); name != columns.labels.end(); ++name)
         if (std::find(columns.labels.begin(), name, *name) != name)
             table.fail("markers", "names \"" + *name + "\" twice");
-    columns.metres_per_unit = table.choice<double>("unit", {{"m", 1.0}, {"mm", 1e-3}});
+    columns.metres_per_unit = table.choice<double>(
+        "unit", {measurement::length_units.begin(), measurement::length_units.end()});
     if (table.has("separator")) {
         const std::string separator = table.text("separator");
         // A separator that occurs in numbers or in "nan" makes the columns ambiguous.
@@ -70,8 +126,8 @@ std::vector<TrialDeclaration> read_trials(const toml::TomlReader& document, cons
     std::vector<TrialDeclaration> trials;
     if (!document.has("trial"))
         document.fail("trial", "required key is missing: at least one [[trial]] with role \"fit\"");
-    std::vector<std::string> keys{"name",           "role",    "trace", "format",    "columns",
-                                  "session_time_s", "start_s", "end_s", "condition", "load"};
+    std::vector<std::string> keys{"name", "role",           "trace",   "format", "columns",   "unit", "time_unit",
+                                  "axes", "session_time_s", "start_s", "end_s",  "condition", "load"};
     for (const std::string& key : command_keys()) keys.push_back(key);
     for (const toml::TomlReader& table : document.tables("trial", keys)) trials.push_back(read_trial(table, folder));
     if (trials.empty()) document.fail("trial", "at least one [[trial]] with role \"fit\" is needed");

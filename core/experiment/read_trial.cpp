@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
-#include <limits>
 
 #include "base/text.hpp"
 #include "experiment/read_experiment.hpp"
-#include "measurement/exchanges.hpp"
-#include "measurement/excursions.hpp"
-#include "measurement/noise.hpp"
-#include "measurement/spikes.hpp"
+#include "experiment/recording_faults.hpp"
+#include "measurement/marker_labels.hpp"
 
 namespace myo::experiment {
 namespace {
@@ -20,11 +17,10 @@ std::vector<MarkerDeclaration> all_markers(const Experiment& experiment) {
     return markers;
 }
 
-// Index of the marker's track, by label or, if the label does not occur, by name; labels.size() if absent.
-std::size_t find_track(const std::vector<std::string>& labels, const MarkerDeclaration& marker) {
-    auto found = std::find(labels.begin(), labels.end(), marker.label);
-    if (found == labels.end()) found = std::find(labels.begin(), labels.end(), marker.name);
-    return static_cast<std::size_t>(found - labels.begin());
+/// Tracks that a marker may mean, by label or, if the label does not occur, by name.
+std::vector<std::size_t> find_tracks(const std::vector<std::string>& labels, const MarkerDeclaration& marker) {
+    const std::vector<std::size_t> found = measurement::find_labels(labels, marker.label);
+    return found.empty() ? measurement::find_labels(labels, marker.name) : found;
 }
 
 // A sample counts as occluded if any coordinate is missing.
@@ -34,8 +30,6 @@ Eigen::Index occluded_samples(const Eigen::Matrix3Xd& track) {
     return count;
 }
 
-std::string quoted_list(const std::vector<std::string>& words) { return "\"" + join(words, "\", \"") + "\""; }
-
 // Tracks in declared order under declared names; `unused` receives the labels that are not declared.
 Result<measurement::Recording> rename_tracks(const Experiment& experiment, const TrialDeclaration& trial,
                                              measurement::Recording raw, std::vector<std::string>& unused) {
@@ -44,14 +38,20 @@ Result<measurement::Recording> rename_tracks(const Experiment& experiment, const
     measurement::Recording renamed;
     renamed.time_s = raw.time_s;
     renamed.rate_Hz = raw.rate_Hz;
+    renamed.metres_per_unit = raw.metres_per_unit;
     std::vector<bool> used(raw.labels.size(), false);
     for (const MarkerDeclaration& marker : all_markers(experiment)) {
-        const std::size_t track = find_track(raw.labels, marker);
-        if (track == raw.labels.size())
+        const std::vector<std::size_t> tracks = find_tracks(raw.labels, marker);
+        if (tracks.empty())
             return declaration_error(experiment, key,
                                      file + " has no marker \"" + marker.label + "\"" +
                                          (marker.label == marker.name ? "" : " (the label of " + marker.name + ")") +
                                          "; it has " + quoted_list(raw.labels));
+        if (tracks.size() > 1)
+            return declaration_error(experiment, key,
+                                     "\"" + marker.name + "\" may be \"" + raw.labels[tracks[0]] + "\" or \"" +
+                                         raw.labels[tracks[1]] + "\" of " + file + "; name one in markers.labels");
+        const std::size_t track = tracks.front();
         if (used[track])
             return declaration_error(experiment, key,
                                      file + " names two declared markers \"" + raw.labels[track] + "\"");
@@ -81,67 +81,32 @@ Result<void> check_window(const Experiment& experiment, const TrialDeclaration& 
     return {};
 }
 
-// Undoes label swaps: intervals in which the camera software exchanged the names of markers.
-void put_names_back(const std::string& key, TrialRecording& read) {
-    const measurement::Recording& recording = read.recording;
-    for (const measurement::Exchange& exchange : measurement::put_back_exchanges(read.recording.tracks)) {
-        std::vector<std::string> names;
-        for (const std::size_t i : exchange.markers) names.push_back(recording.labels[i]);
-        read.warnings.push_back(key + ": markers " + quoted_list(names) + " have exchanged names from " +
-                                format_number(recording.time_s(exchange.first), 4) + " s to " +
-                                format_number(recording.time_s(exchange.end - 1), 4) + " s, which is corrected");
+/// Reads the file of a trial and turns it to the axes of the mesh frame.
+Result<measurement::Recording> read_trace_of(const Experiment& experiment, const TrialDeclaration& trial) {
+    const std::string key = trial_key(experiment, trial);
+    Result<measurement::Recording> raw = measurement::read_trace(
+        trial.trace, {trial.format, trial.columns, trial.metres_per_unit, trial.seconds_per_unit});
+    if (!raw) {
+        // A declared format that the content contradicts is the likely reason.
+        const Result<measurement::TraceSource> content = measurement::guess_trace_source(trial.trace);
+        if (content && !content->columns && content->format != trial.format)
+            return declaration_error(experiment, key + ".format",
+                                     trial.trace.filename().string() + " is no \"" + trial.format +
+                                         "\" file, but one of format = \"" + content->format + "\"");
+        return Error{key + ".trace: " + raw.error().what, raw.error().where};
     }
+    if (trial.axes)
+        for (Eigen::Matrix3Xd& track : raw->tracks) track = Eigen::Matrix3Xd(*trial.axes * track);
+    return raw;
 }
 
-// Declared or estimated standard deviation; never below the deviation that rounding of the file alone produces.
-double noise_of(const Experiment& experiment, const TrialRecording& read, const Eigen::Matrix3Xd& track) {
-    return std::max(experiment.markers.noise_m.value_or(measurement::estimate_track_noise(track).sigma_m),
-                    measurement::rounding_deviation(read.rounding_m));
-}
-
-// Isolated outliers (reflections, mislabelled samples) are treated as occluded.
-void leave_out_spikes(const Experiment& experiment, const std::string& key, TrialRecording& read) {
-    for (std::size_t i = 0; i < read.recording.labels.size(); ++i) {
-        Eigen::Matrix3Xd& track = read.recording.tracks[i];
-        const measurement::Spikes spikes = measurement::find_spikes(track, read.recording.time_s,
-                                                                    noise_of(experiment, read, track));
-        if (spikes.samples.empty()) continue;
-        for (const Eigen::Index t : spikes.samples) track.col(t).setConstant(std::numeric_limits<double>::quiet_NaN());
-        read.warnings.push_back(
-            key + ": marker \"" + read.recording.labels[i] + "\" stands out from its own motion by up to " +
-            format_number(1e3 * spikes.largest_m, 3) + " mm in " + std::to_string(spikes.samples.size()) +
-            (spikes.samples.size() == 1 ? " sample, which is" : " samples, which are") + " left out, the first at " +
-            format_number(read.recording.time_s(spikes.samples.front()), 4) + " s");
-    }
-}
-
-// Outliers over several samples: the marker jumps away and back. The samples between are treated as occluded.
-void leave_out_excursions(const Experiment& experiment, const std::string& key, TrialRecording& read) {
-    measurement::Recording& recording = read.recording;
-    Eigen::VectorXd sigma_m(static_cast<Eigen::Index>(recording.tracks.size()));
-    for (std::size_t i = 0; i < recording.tracks.size(); ++i)
-        sigma_m(static_cast<Eigen::Index>(i)) = noise_of(experiment, read, recording.tracks[i]);
-    const std::vector<measurement::Excursion> found = measurement::find_excursions(recording.tracks, recording.time_s,
-                                                                                   sigma_m);
-    for (std::size_t i = 0; i < recording.tracks.size(); ++i) {
-        Eigen::Index times = 0, samples = 0, first = 0;
-        double jump_m = 0.0;
-        for (const measurement::Excursion& excursion : found) {
-            if (excursion.marker != i) continue;
-            if (times++ == 0) first = excursion.first;
-            samples += excursion.end - excursion.first;
-            jump_m = std::max(jump_m, excursion.jump_m);
-            recording.tracks[i]
-                .middleCols(excursion.first, excursion.end - excursion.first)
-                .setConstant(std::numeric_limits<double>::quiet_NaN());
-        }
-        if (times > 0)
-            read.warnings.push_back(key + ": marker \"" + recording.labels[i] + "\" jumps by up to " +
-                                    format_number(1e3 * jump_m, 3) + " mm and back" +
-                                    (times > 1 ? ", " + std::to_string(times) + " times" : "") + "; " +
-                                    std::to_string(samples) + " samples between are left out, the first at " +
-                                    format_number(recording.time_s(first), 4) + " s");
-    }
+/// Advice where the recording's y axis is likely to point up and nothing turns it to the mesh frame; otherwise empty.
+std::string unturned_axes(const Experiment& experiment, const TrialDeclaration& trial) {
+    const measurement::TraceReader& reader = *measurement::find_trace_reader(trial.format);
+    if (!reader.is_y_up || trial.axes || !experiment.registration.known) return {};
+    return "exports of " + reader.label +
+           " have y upwards; axes = [\"x\", \"-z\", \"y\"] turns it to z, and axes = "
+           "[\"x\", \"y\", \"z\"] states that it is right";
 }
 
 }  // namespace
@@ -154,13 +119,14 @@ std::string trial_key(const Experiment& experiment, const TrialDeclaration& tria
 
 Result<TrialRecording> read_trial(const Experiment& experiment, const TrialDeclaration& trial) {
     const std::string key = trial_key(experiment, trial) + ".trace";
-    Result<measurement::Recording> raw = measurement::read_trace(trial.trace,
-                                                                 {trial.format, trial.columns, std::nullopt});
-    if (!raw) return Error{key + ": " + raw.error().what, raw.error().where};
+    Result<measurement::Recording> raw = read_trace_of(experiment, trial);
+    if (!raw) return raw.error();
     if (raw->sample_count() == 0)
         return declaration_error(experiment, key, trial.trace.filename().string() + " holds no samples");
 
     TrialRecording read;
+    for (const std::string& warning : raw->warnings)
+        read.warnings.push_back(key + ": " + trial.trace.filename().string() + ": " + warning);
     std::vector<std::string> unused;
     Result<measurement::Recording> renamed = rename_tracks(experiment, trial, *std::move(raw), unused);
     if (!renamed) return renamed.error();
@@ -174,11 +140,7 @@ Result<TrialRecording> read_trial(const Experiment& experiment, const TrialDecla
         read.warnings.push_back(key + ": " + sentence + "; they are ignored");
     }
     if (Result<void> window = check_window(experiment, trial, read.recording); !window) return window.error();
-    // Order matters: rounding enters the noise, swapped labels would appear as excursions, and a spike would end one.
-    read.rounding_m = measurement::rounding_step(read.recording.tracks);
-    put_names_back(key, read);
-    leave_out_spikes(experiment, key, read);
-    leave_out_excursions(experiment, key, read);
+    correct_faults(experiment, key, read);
     for (std::size_t i = 0; i < read.recording.labels.size(); ++i) {
         const Eigen::Index occluded = occluded_samples(read.recording.tracks[i]);
         // Such a marker contributes little and its gaps may hide a mislabelled interval.
@@ -187,6 +149,8 @@ Result<TrialRecording> read_trial(const Experiment& experiment, const TrialDecla
                                     std::to_string(occluded) + " of " + std::to_string(read.recording.sample_count()) +
                                     " samples");
     }
+    if (const std::string turned = unturned_axes(experiment, trial); !turned.empty())
+        read.warnings.push_back(key + ": " + turned);
     return read;
 }
 

@@ -20,12 +20,12 @@ struct TrialRecording {
 /// Reads the trace of a trial and orders its tracks: markers on the body in the order of declaration, then the fixed
 /// ones. Times and positions stay in the file's clock and camera frame [s, m].
 ///
-/// A recording may name a marker by its label or by its declared name. Undeclared markers are an error, except in C3D
-/// files, which contain everything in view of the cameras: there they are dropped with a warning. Swapped labels are
-/// corrected; isolated outliers and excursions are replaced by NaN; each correction gives a warning, as does a marker
-/// occluded in more than half of the samples.
-/// Errors: those of the readers (place: line of the trace), a declared marker missing, an undeclared one, start_s or
-/// end_s outside the recording (place: line of the key).
+/// A recording may name a marker by its label or by its declared name, both also as "subject:name" where that is
+/// unique. Undeclared markers are an error, except in files of camera systems, which contain everything in view: there
+/// they are dropped with a warning. Faults are corrected, see correct_faults(); each correction gives a warning, as
+/// does a marker occluded in more than half of the samples. Positions are turned by the trial's `axes`. Errors: those
+/// of the readers (place: line of the trace), content of another format than the declared one, a declared marker
+/// missing or ambiguous, an undeclared one, start_s or end_s outside the recording (place: line of the key).
 Result<TrialRecording> read_trial(const Experiment& experiment, const TrialDeclaration& trial);
 
 /// read_trial() without the warnings. Errors: those of read_trial().

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -121,6 +124,60 @@ TEST(Exchanges, AreNotSeenInWhatMotionsAndOtherFaultsDo) {
             }
     std::vector<Matrix3Xd> none;
     EXPECT_TRUE(put_back_exchanges(none).empty());
+}
+
+void hide_marker(std::vector<Matrix3Xd>& tracks, std::size_t marker, Index first, Index end) {
+    tracks[marker].middleCols(first, end - first).setConstant(std::numeric_limits<double>::quiet_NaN());
+}
+
+/// Cameras relabel what they lost: names that were exchanged in a gap of both are put back although nothing exchanges
+/// them again, also where the markers are lost and found one after the other, and in rings of three.
+TEST(Exchanges, ThatBeginInACommonGapArePutBackToTheEnd) {
+    for (const double swing : {0.005, 0.03})
+        for (unsigned seed = 1; seed <= 10; ++seed)
+            for (const Index late : {0, 3}) {
+                std::vector<Matrix3Xd> true_tracks = recorded(swing, 1e-4, seed);
+                hide_marker(true_tracks, 0, 40, 50);
+                hide_marker(true_tracks, 1, 40 - late, 50 + late);
+                std::vector<Matrix3Xd> tracks = true_tracks;
+                exchange(tracks, 0, 1, 45, take_samples - 45);
+                const std::vector<Exchange> found = put_back_exchanges(tracks);
+                ASSERT_EQ(found.size(), 1u) << swing << " " << seed << " " << late;
+                EXPECT_EQ(found[0].markers, (std::vector<std::size_t>{0, 1}));
+                EXPECT_EQ(found[0].first, 50);
+                EXPECT_EQ(found[0].end, take_samples);
+                EXPECT_TRUE(same(tracks, true_tracks));
+
+                std::vector<Matrix3Xd> ring_tracks = recorded(swing, 1e-4, seed);
+                for (const std::size_t i : {0u, 1u, 2u}) hide_marker(ring_tracks, i, 40, 50);
+                tracks = ring_tracks;
+                exchange(tracks, 0, 1, 50, take_samples - 50);
+                exchange(tracks, 1, 2, 50, take_samples - 50);
+                ASSERT_EQ(put_back_exchanges(tracks).size(), 1u) << swing << " " << seed;
+                EXPECT_TRUE(same(tracks, ring_tracks));
+            }
+}
+
+/// Neither gaps alone, nor a body that turns round in one.
+TEST(Exchanges, AreNotSeenInGapsOrTurns) {
+    for (const double noise : {0.0, 5e-4})
+        for (unsigned seed = 1; seed <= 20; ++seed) {
+            std::mt19937 random(seed);
+            std::vector<Matrix3Xd> tracks = recorded(0.03, noise, seed);
+            for (std::size_t i = 0; i < 4; ++i) {
+                const Index first = std::uniform_int_distribution<Index>(1, 60)(random);
+                hide_marker(tracks, i, first, first + std::uniform_int_distribution<Index>(1, 40)(random));
+            }
+            EXPECT_TRUE(put_back_exchanges(tracks).empty()) << noise << " " << seed;
+        }
+    std::vector<Matrix3Xd> turned = recorded(0.0, 1e-5, 1);
+    for (Matrix3Xd& track : turned)
+        for (Index t = 0; t < take_samples; ++t) {
+            const double angle = M_PI * std::clamp((static_cast<double>(t) - 30.0) / 40.0, 0.0, 1.0);
+            track.col(t) = Eigen::AngleAxisd(angle, Vector3d::UnitX()) * track.col(t);
+        }
+    for (const std::size_t i : {0u, 1u}) hide_marker(turned, i, 30, 70);
+    EXPECT_TRUE(put_back_exchanges(turned).empty());
 }
 
 }  // namespace
