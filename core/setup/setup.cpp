@@ -19,6 +19,7 @@
 #include "setup/marker_noise.hpp"
 #include "setup/mesh_suitability.hpp"
 #include "setup/muscle_groups.hpp"
+#include "setup/recorded_size.hpp"
 #include "setup/recording_frame.hpp"
 #include "setup/refuse_unsupported.hpp"
 
@@ -130,6 +131,9 @@ Result<PreparedTrial> prepare_trial(const Setup& setup, const model::Model& mode
     // Model first, then data: a trial with an impossible load is rejected before its trace is read.
     Result<experiment::TrialRecording> recording = experiment::read_trial(experiment, declaration);
     if (!recording) return recording.error();
+    if (const Result<void> sized = check_recorded_size(experiment, declaration, setup.surface, recording->recording);
+        !sized)
+        return sized.error();
     warnings.insert(warnings.end(), recording->warnings.begin(), recording->warnings.end());
     trial.rounding_m = recording->rounding_m;
     if (const Result<void> framed = place_recording(experiment, declaration, recording->recording, trial); !framed)
