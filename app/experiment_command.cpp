@@ -92,8 +92,11 @@ Result<setup::Setup> open_setup(const ExperimentCall& call, const experiment::Ex
     if (const auto untested = prediction::untested_fit(*setup); untested && call.fits)
         setup->warnings.push_back(*untested);
     const bool choosable_steps = prediction::choosable(setup->settings);
+    const std::vector<check::Finding> on_units = check::findings_on_units(*setup);
+    if (const Result<void> in_seconds = check::require_time_unit(*setup, on_units); !in_seconds)
+        return in_seconds.error();
     if (call.step_choice == StepChoice::before && choosable_steps) {
-        told = check::findings_on_units(*setup);
+        told = on_units;
         // A wrong unit is reported first, since the choice of steps may then take long.
         tell_findings(told, {}, console);
         check::choose_declared_steps(*setup, told, progress);

@@ -11,6 +11,13 @@ namespace myo::check {
 /// Findings of the checks of units and of the time unit.
 std::vector<Finding> findings_on_units(const setup::Setup& setup);
 
+/// Refuses trials whose times are certainly in another unit than seconds, unless the key `time_unit` is set: a run of
+/// them would take thousands of times as long and explain nothing.
+///
+/// @param findings  with those of the check `time_unit`
+/// Errors: key and line of the trial; the message names the likely unit.
+Result<void> require_time_unit(const setup::Setup& setup, const std::vector<Finding>& findings);
+
 /// Chooses time steps for the declared values and sets them in the setup.
 ///
 /// If a unit is doubtful, half a sampling interval is fixed instead, as if it had been requested: a body declared a

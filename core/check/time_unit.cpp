@@ -5,7 +5,10 @@
 
 #include "base/text.hpp"
 #include "check/checks.hpp"
+#include "check/declared_steps.hpp"
 #include "check/recorded_swing.hpp"
+#include "experiment/read_experiment.hpp"
+#include "experiment/read_trial.hpp"
 #include "setup/first_vibration.hpp"
 
 namespace myo::check {
@@ -21,6 +24,9 @@ struct TimeUnitPolicy {
     double wrong_ratio = 300.0;      // a modulus off by 1e5
     double max_samples_per_s = 1e5;  // high-speed cameras at a tenth of their image size
     double same = 3.0;               // a ratio within this factor of a unit's is attributed to that unit
+    /// Sampling rate below which a swing that is certainly too slow is refused: nobody films swings at fewer pictures,
+    /// and at more of them a wrong modulus is as likely as a wrong unit of time.
+    double least_rate_Hz = 5.0;
 };
 constexpr TimeUnitPolicy time_unit_policy;
 
@@ -28,16 +34,25 @@ constexpr TimeUnitPolicy time_unit_policy;
 struct Slip {
     double ratio;  // first natural frequency over that in the recording
     const char* words;
+    const char* unit;  // value of the key `time_unit`
 };
-constexpr std::array slips{Slip{1e3, "milliseconds"}, Slip{1e6, "microseconds"}, Slip{1.0 / 60.0, "minutes"}};
+constexpr std::array slips{Slip{1e3, "milliseconds", "ms"}, Slip{1e6, "microseconds", "us"},
+                           Slip{1.0 / 60.0, "minutes", "min"}};
 
-/// Likely unit of the times, "; they look like milliseconds", or empty.
+/// The slip with about this ratio, or null.
+const Slip* likely_slip(double ratio) {
+    const auto found = std::find_if(slips.begin(), slips.end(), [&](const Slip& slip) {
+        return std::abs(std::log(ratio / slip.ratio)) < std::log(time_unit_policy.same);
+    });
+    return found != slips.end() ? &*found : nullptr;
+}
+
+/// Likely unit of the times, "; they look like milliseconds (time_unit = "ms")", or empty.
 std::string guess(double interval_s, double ratio) {
     if (std::abs(interval_s - 1.0) < 1e-9 && ratio > 1.0) return "; they look like the numbers of frames";
-    for (const Slip& slip : slips)
-        if (std::abs(std::log(ratio / slip.ratio)) < std::log(time_unit_policy.same))
-            return std::string("; they look like ") + slip.words;
-    return {};
+    const Slip* const slip = likely_slip(ratio);
+    if (!slip) return {};
+    return std::string("; they look like ") + slip->words + " (time_unit = \"" + slip->unit + "\")";
 }
 
 /// Frequency in words.
@@ -91,7 +106,35 @@ Finding of_rate(const setup::PreparedTrial& trial, double rate_Hz) {
     return finding;
 }
 
+/// First natural frequency over the recorded one, of a finding that is not passed.
+double ratio_of(const Finding& finding) {
+    const double most = time_unit_policy.doubtful_ratio;
+    return finding.figure < finding.threshold ? most * finding.threshold / finding.figure
+                                              : finding.threshold / (most * finding.figure);
+}
+
 }  // namespace
+
+Result<void> require_time_unit(const setup::Setup& setup, const std::vector<Finding>& findings) {
+    for (const Finding& finding : findings) {
+        if (finding.check != "time_unit" || finding.level != CheckLevel::wrong || !(ratio_of(finding) > 1.0)) continue;
+        for (std::size_t t = 0; t < setup.trials.size(); ++t) {
+            const experiment::TrialDeclaration& trial = setup.experiment.trials[t];
+            if (trial.name != finding.subject || trial.seconds_per_unit ||
+                !measurement::find_trace_reader(trial.format)->has_times ||
+                1.0 / setup::sampling_interval_s(setup.trials[t]) > time_unit_policy.least_rate_Hz)
+                continue;
+            const Slip* const slip = likely_slip(ratio_of(finding));
+            return experiment::declaration_error(
+                setup.experiment, experiment::trial_key(setup.experiment, trial) + ".time_unit",
+                finding.sentence + "; " +
+                    (slip ? std::string("its times look like ") + slip->words + ": state time_unit = \"" + slip->unit +
+                                "\", or \"s\" if they are seconds"
+                          : "state time_unit, \"s\" if its times are seconds"));
+        }
+    }
+    return {};
+}
 
 /// Only free oscillation reveals the unit of time. Slow recordings are accepted: a creeping body, or one with changing
 /// loads or unknown signals, can move at any rate.

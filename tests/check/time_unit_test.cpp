@@ -6,6 +6,7 @@
 
 #include "check/catalogue.hpp"
 #include "check/checks.hpp"
+#include "check/declared_steps.hpp"
 #include "check/recorded_swing.hpp"
 #include "setup/first_vibration.hpp"
 #include "support/recorded_motion.hpp"
@@ -104,6 +105,32 @@ TEST_F(TimeUnit, IsAskedBeforeEveryJob) {
     EXPECT_TRUE(std::any_of(before.begin(), before.end(), [](const Finding& finding) {
         return finding.check == "time_unit" && finding.level == CheckLevel::wrong;
     }));
+}
+
+/// A run of times in another unit would take thousands of times as long; the key says that they are seconds.
+TEST_F(TimeUnit, TimesInAnotherUnitAreRefusedUnlessTheKeySaysSo) {
+    const auto refused = [](const setup::Setup& setup) { return require_time_unit(setup, findings_on_units(setup)); };
+    EXPECT_TRUE(refused(setup_));
+    setup::Setup slow = setup_;
+    scale_times(slow.trials[0], 1000.0);
+    const Result<void> found = refused(slow);
+    ASSERT_FALSE(found);
+    EXPECT_THAT(found.error().what, testing::StartsWith("trial[0].time_unit: "));
+    EXPECT_THAT(found.error().what, HasSubstr("look like milliseconds: state time_unit = \"ms\", or \"s\""));
+    EXPECT_THAT(found.error().where, HasSubstr("experiment.toml:"));
+    slow.experiment.trials[0].seconds_per_unit = 1.0;
+    EXPECT_TRUE(refused(slow)) << "the user says that they are seconds";
+    setup::Setup micro = setup_;
+    scale_times(micro.trials[0], 1e6);
+    EXPECT_THAT(refused(micro).error().what, HasSubstr("time_unit = \"us\""));
+    // At a usual rate a modulus off by a factor of a million is as likely; a fast swing is not too long to run.
+    setup::Setup stiff = setup_;
+    for (setup::PreparedTrial& trial : stiff.trials)
+        trial.model.moduli = model::uniform_moduli(stiff.body->cell_count(), 2.6e11, 0.49);
+    EXPECT_TRUE(refused(stiff));
+    setup::Setup fast = setup_;
+    scale_times(fast.trials[0], 1e-3);
+    EXPECT_TRUE(refused(fast));
 }
 
 TEST(TurningTimes, AreThoseOfTheMotionAndNotOfTheNoise) {
