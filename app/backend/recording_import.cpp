@@ -12,6 +12,7 @@
 #include "backend/examples.hpp"
 #include "experiment/new_trial.hpp"
 #include "measurement/gaps.hpp"
+#include "measurement/marker_labels.hpp"
 #include "measurement/marker_match.hpp"
 #include "measurement/motion_start.hpp"
 #include "measurement/recording_edit.hpp"
@@ -31,6 +32,8 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr double unseen = std::numeric_limits<double>::quiet_NaN();
+/// For the display of a file without a unit, until the user states one; it cannot be added before.
+constexpr double unstated_unit_m = 1e-3;
 
 /// Letters and digits in lower case, so that "Tip - 2" equals "tip_2".
 std::string plain(const std::string& name) {
@@ -172,9 +175,17 @@ Result<std::vector<ui::commands::ImportedMarker>> matched_markers(const ui::comm
     // Names decide if positions are ambiguous or do not match.
     Index named = 0;
     std::vector<ui::commands::ImportedMarker> by_name(labels.size());
-    for (std::size_t i = 0; i < labels.size(); ++i)
-        for (const ui::commands::SceneMarker& marker : markers)
-            if (plain(marker.name) == plain(labels[i])) by_name[i].name = marker.name, ++named;
+    std::vector<std::string> plain_labels;
+    for (const std::string& label : labels) {
+        // A colon divides subject and name, see find_labels().
+        const std::string_view name = measurement::without_subject(label);
+        plain_labels.push_back(name.size() == label.size() ? plain(label)
+                                                           : plain(label.substr(0, label.size() - name.size())) + ":" +
+                                                                 plain(std::string(name)));
+    }
+    for (const ui::commands::SceneMarker& marker : markers)
+        if (const auto found = measurement::find_labels(plain_labels, plain(marker.name)); found.size() == 1)
+            by_name[found.front()].name = marker.name, ++named;
     if (named >= 3 && (!match->unique || match->count() < named)) return by_name;
 
     return by_distance;
@@ -225,18 +236,16 @@ Result<ui::commands::RecordingFile> read_recording_file(const fs::path& path,
     file.format = reader.label;
     if (source->columns) {
         file.asks_unit = file.asks_rate = true;
-        // Usual values of motion capture until the user states others.
-        if (!file.reading.metres_per_unit) file.reading.metres_per_unit = 1e-3;
+        // A usual rate of motion capture until the user states another one.
         if (file.reading.rate_Hz <= 0.0) file.reading.rate_Hz = 100.0;
-        source->columns->metres_per_unit = *file.reading.metres_per_unit;
+        source->columns->metres_per_unit = file.reading.metres_per_unit.value_or(unstated_unit_m);
         source->columns->rate_Hz = file.reading.rate_Hz;
         source->columns->zero_is_occluded = options.zero_is_occluded;
     }
     Result<measurement::Recording> read = measurement::read_trace(path, *source);
     if (!read && reader.may_lack_unit) {
         file.asks_unit = true;
-        if (!file.reading.metres_per_unit) file.reading.metres_per_unit = 1e-3;
-        source->metres_per_unit = file.reading.metres_per_unit;
+        source->metres_per_unit = file.reading.metres_per_unit.value_or(unstated_unit_m);
         read = measurement::read_trace(path, *source);
     }
     if (!read) return read.error();
@@ -281,7 +290,8 @@ ui::commands::ImportView view_recording(const ui::commands::Scene& scene, const 
     double squares = 0.0;
     for (const Index i : pairs) squares += view.residual_m[i] * view.residual_m[i];
     view.rms_m = pairs.empty() ? unseen : std::sqrt(squares / static_cast<double>(pairs.size()));
-    view.problem = problem_of(scene, choices, view);
+    const bool unit_is_open = file.asks_unit && !file.reading.metres_per_unit;
+    view.problem = unit_is_open ? "Choose the unit of the file's lengths." : problem_of(scene, choices, view);
     return view;
 }
 

@@ -136,5 +136,31 @@ TEST(CoreImport, APlainMeshBecomesAnExperiment) {
     EXPECT_LT(driver.state().run->rms_m, 0.02);
 }
 
+/// A table without header says nothing of its unit, and a wrong guess would go unnoticed.
+TEST(CoreImport, NoUnitIsChosenForTheUser) {
+    Folder folder("import_unit");
+    const fs::path beam = beam_in(folder);
+    const measurement::Recording take = *measurement::read_trace_csv(take_of(folder, beam / "gravity_release.csv"));
+    std::string text;
+    for (Eigen::Index t = 0; t < take.sample_count(); ++t)
+        for (std::size_t m = 0; m < take.tracks.size(); ++m)
+            for (int axis = 0; axis < 3; ++axis)
+                text += std::to_string(100.0 * take.tracks[m](axis, t)) +
+                        (axis == 2 && m + 1 == take.tracks.size() ? "\n" : ";");
+    folder.write("stream.txt", text);
+    Driver driver(backend::make_core_backend(), 1400, 900);
+    driver.workbench->execute(ui::commands::Open{beam, std::nullopt});
+    ASSERT_TRUE(driver.wait_for_job(60));
+    driver.workbench->execute(ui::commands::ReadRecording{folder.path() / "stream.txt"});
+    ASSERT_TRUE(driver.wait_for_job(30));
+    ASSERT_TRUE(driver.state().import) << driver.state().log.back().text;
+    EXPECT_FALSE(driver.state().import->file.reading.metres_per_unit);
+    EXPECT_EQ(driver.state().import->view.problem, "Choose the unit of the file's lengths.");
+    driver.workbench->execute(ui::commands::ReadRecording{folder.path() / "stream.txt", {.metres_per_unit = 1e-2}});
+    ASSERT_TRUE(driver.wait_for_job(30));
+    EXPECT_EQ(driver.state().import->view.problem, "");
+    EXPECT_LT(driver.state().import->view.rms_m, 5e-4) << "the markers are proposed once their distances are known";
+}
+
 }  // namespace
 }  // namespace myo

@@ -18,7 +18,7 @@ namespace myo::ui::commands {
 
 /// What the user adds where the file does not say it.
 struct ReadingOptions {
-    std::optional<double> metres_per_unit;  // empty: as in the file
+    std::optional<double> metres_per_unit;  // empty: as in the file, or not chosen yet if the file has none
     double rate_Hz = 0.0;                   // sample rate; 0: as in the file
     bool zero_is_occluded = false;          // the position (0, 0, 0) means that the marker was not seen
 

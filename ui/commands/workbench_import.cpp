@@ -32,6 +32,7 @@ void Workbench::begin_import(RecordingFile file) {
     // Reading the same file again, for example with another unit, keeps the assignments of its labels.
     const bool known = state_.import && state_.import->file.path == file.path &&
                        state_.import->file.recording->labels.size() == file.recording->labels.size();
+    const bool had_no_unit = known && state_.import->file.asks_unit && !state_.import->file.reading.metres_per_unit;
     RecordingImport import;
     if (known)
         import = *state_.import;
@@ -46,7 +47,12 @@ void Workbench::begin_import(RecordingFile file) {
     import.declared = backend_->declared_markers(*state_.scene);
     import.view = backend_->view_import(*state_.scene, import.file, import.choices);
     state_.import = std::make_shared<const RecordingImport>(std::move(import));
-    if (!known && !state_.import->declared.empty()) propose_markers();
+    // Distances tell markers apart only once their unit is known.
+    const ImportChoices& choices = state_.import->choices;
+    const bool unassigned = std::all_of(choices.markers.begin(), choices.markers.end(),
+                                        [](const ImportedMarker& marker) { return marker.name.empty(); });
+    const bool unit_is_open = state_.import->file.asks_unit && !state_.import->file.reading.metres_per_unit;
+    if ((!known || had_no_unit) && unassigned && !unit_is_open && !state_.import->declared.empty()) propose_markers();
     state_.playing = false;
     execute(SetTime{0.0});
 }

@@ -60,8 +60,8 @@ FileDialog new_folder_dialog(const commands::ImportChoices& choices, const std::
 
 /// Unit of the lengths in the file.
 void unit_row(PanelContext& context, commands::ReadingOptions& reading) {
-    // Millimetres are shown until the user chooses a unit.
-    std::string unit = "mm";
+    // No unit is chosen for the user; a wrong one would go unnoticed.
+    std::string unit = "choose\xe2\x80\xa6";
     for (std::size_t u = 0; u < units.size(); ++u)
         if (reading.metres_per_unit == unit_lengths[u]) unit = units[u].id;
     if (choice_row(context, "Unit", "import/unit", "Unit of lengths; not stated in the file", units, unit))

@@ -51,9 +51,9 @@ void draw_import_button(PanelContext& context) {
     if (ImGui::Button("Import a recording\xe2\x80\xa6"))
         context.window.file = recording_dialog(context.state.scene->path);
     context.items.mark("measure/import");
-    tooltip(
-        context.theme,
-        "Makes a trial from a motion-capture file: C3D, TRC, Qualisys TSV, CSV, or a table of x, y, z of each marker");
+    tooltip(context.theme,
+            "Makes a trial from a motion-capture file: C3D, TRC, Motive or Nexus CSV, Qualisys TSV, CSV, or a "
+            "table of x, y, z of each marker");
 }
 
 /// Saves the table of errors as CSV.
