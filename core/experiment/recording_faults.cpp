@@ -8,6 +8,7 @@
 #include "measurement/excursions.hpp"
 #include "measurement/false_stretches.hpp"
 #include "measurement/frozen.hpp"
+#include "measurement/hidden_exchanges.hpp"
 #include "measurement/noise.hpp"
 #include "measurement/spikes.hpp"
 #include "measurement/zeros.hpp"
@@ -56,20 +57,6 @@ void leave_out_frozen(const std::string& key, TrialRecording& read) {
     }
 }
 
-// Undoes label swaps: intervals in which the camera software exchanged the names of markers.
-void put_names_back(const std::string& key, TrialRecording& read) {
-    const measurement::Recording& recording = read.recording;
-    for (const measurement::Exchange& exchange : measurement::put_back_exchanges(read.recording.tracks)) {
-        std::vector<std::string> names;
-        for (const std::size_t i : exchange.markers) names.push_back(recording.labels[i]);
-        const bool lasts = exchange.end == recording.sample_count();
-        read.warnings.push_back(key + ": markers " + quoted_list(names) + " have exchanged names from " +
-                                format_number(recording.time_s(exchange.first), 4) + " s " +
-                                (lasts ? "on, after a gap of both" : "to " + seconds(recording, exchange.end - 1)) +
-                                ", which is corrected");
-    }
-}
-
 // Declared or estimated standard deviation; never below the deviation that rounding of the file alone produces.
 double noise_of(const Experiment& experiment, const TrialRecording& read, const Eigen::Matrix3Xd& track) {
     return std::max(experiment.markers.noise_m.value_or(measurement::estimate_track_noise(track).sigma_m),
@@ -82,6 +69,24 @@ Eigen::VectorXd noise_of_tracks(const Experiment& experiment, const TrialRecordi
     for (std::size_t i = 0; i < tracks.size(); ++i)
         sigma_m(static_cast<Index>(i)) = noise_of(experiment, read, tracks[i]);
     return sigma_m;
+}
+
+// Undoes label swaps: intervals in which the camera software exchanged the names of markers.
+void put_names_back(const Experiment& experiment, const std::string& key, TrialRecording& read) {
+    const measurement::Recording& recording = read.recording;
+    std::vector<measurement::Exchange> exchanges = measurement::put_back_exchanges(read.recording.tracks);
+    const std::vector<measurement::Exchange> hidden = measurement::put_back_hidden_exchanges(
+        read.recording.tracks, noise_of_tracks(experiment, read));
+    exchanges.insert(exchanges.end(), hidden.begin(), hidden.end());
+    for (const measurement::Exchange& exchange : exchanges) {
+        std::vector<std::string> names;
+        for (const std::size_t i : exchange.markers) names.push_back(recording.labels[i]);
+        const bool lasts = exchange.end == recording.sample_count();
+        read.warnings.push_back(key + ": markers " + quoted_list(names) + " have exchanged names from " +
+                                format_number(recording.time_s(exchange.first), 4) + " s " +
+                                (lasts ? "on, after a gap of both" : "to " + seconds(recording, exchange.end - 1)) +
+                                ", which is corrected");
+    }
 }
 
 /// Stretches beside gaps in which the cameras followed something else.
@@ -148,7 +153,7 @@ void correct_faults(const Experiment& experiment, const std::string& key, TrialR
     leave_out_zeros(key, read);
     read.rounding_m = measurement::rounding_step(read.recording.tracks);
     leave_out_frozen(key, read);
-    put_names_back(key, read);
+    put_names_back(experiment, key, read);
     leave_out_false_stretches(experiment, key, read);
     leave_out_spikes(experiment, key, read);
     leave_out_excursions(experiment, key, read);
