@@ -19,10 +19,10 @@ struct FalseStretch {
 ///
 /// A position is predicted from the other markers, see MarkerPredictor. Candidates lie between two breaks of the track,
 /// where the residual of a first prediction jumps; at least one of the two breaks is a gap.
-/// In a false stretch every sample is farther from the prediction than 1 mm, 20 standard deviations of the noise and six
-/// times the distance of the fitted samples, widened by the leverage of extrapolation and by what the principal motions
-/// leave unexplained in the other markers. The samples on both sides of the stretch are within half of that: a marker
-/// that slipped does not return. At most half of a track is false.
+/// In a false stretch every sample is farther from the prediction than 1 mm, 20 standard deviations of the noise and
+/// six times the distance of the fitted samples, widened by the leverage of extrapolation and by what the principal
+/// motions leave unexplained in the other markers. The samples on both sides of the stretch are within half of that: a
+/// marker that slipped does not return. At most half of a track is false.
 ///
 /// @param tracks   one per marker, 3 x T [m], NaN where occluded; at least two others must be visible
 /// @param sigma_m  per marker, standard deviation of the noise per coordinate; 0 if unknown

@@ -50,19 +50,19 @@ struct FrozenSearch {
 
     /// Whether the other markers move during an interval, and this one should.
     bool should_move(const FrozenInterval& at) const {
-        const double own_m = extent(tracks[at.marker], 0, tracks[at.marker].cols(), at.first, at.end);
         std::size_t visible = 0;
-        std::vector<double> expected_m;
+        std::vector<double> shares;  // of the others' motion in their whole range
         for (std::size_t k = 0; k < tracks.size(); ++k) {
             if (k == at.marker || !is_seen(tracks[k], at.first)) continue;
             ++visible;
             const double moved_m = extent(tracks[k], at.first - 1, at.end);
-            if (moved_m > frozen_policy.min_motion * noise_m[k]) expected_m.push_back(own_m * moved_m / range_m[k]);
+            if (moved_m > frozen_policy.min_motion * noise_m[k]) shares.push_back(moved_m / range_m[k]);
         }
-        if (expected_m.empty() || 2 * expected_m.size() < visible) return false;
-        const auto middle = expected_m.begin() + static_cast<std::ptrdiff_t>(expected_m.size() / 2);
-        std::nth_element(expected_m.begin(), middle, expected_m.end());
-        return *middle > frozen_policy.min_motion * step_m;
+        if (shares.empty() || 2 * shares.size() < visible) return false;
+        const auto middle = shares.begin() + static_cast<std::ptrdiff_t>(shares.size() / 2);
+        std::nth_element(shares.begin(), middle, shares.end());
+        const double own_m = extent(tracks[at.marker], 0, tracks[at.marker].cols(), at.first, at.end);
+        return own_m * *middle > frozen_policy.min_motion * step_m;
     }
 
     /// Noise of the other samples of the track, in rounding steps.

@@ -38,7 +38,7 @@ std::string motive_with(const std::string& from, const std::string& to) {
     return text.replace(text.find(from), from.size(), to);
 }
 
-Result<Recording> read_take(const std::string& text, const TraceSource& source = {}) {
+Result<Recording> read_motive(const std::string& text, const TraceSource& source = {}) {
     return read_motive_csv(TemporaryFile(text, "take.csv").path(), source);
 }
 
@@ -65,12 +65,12 @@ TEST(MotiveCsv, ReadsRelatives) {
     text.replace(text.find("240.000000"), 10, "120");
     text.replace(text.find(",Type,"), 0, ",Parent,,,\r\n");
     for (int k = 0; k < 3; ++k) text.replace(text.find("\"arm:tip\""), 9, "Unlabeled 7");
-    const Result<Recording> read = read_take(text);
+    const Result<Recording> read = read_motive(text);
     ASSERT_TRUE(read) << read.error().text();
     EXPECT_EQ(read->labels[0], "Unlabeled 7");
     EXPECT_EQ(read->rate_Hz, 120.0);
 
-    const Result<Recording> twice = read_take(motive_with("root,root,root", "arm:tip,arm:tip,arm:tip"));
+    const Result<Recording> twice = read_motive(motive_with("root,root,root", "arm:tip,arm:tip,arm:tip"));
     ASSERT_TRUE(twice) << twice.error().text();
     EXPECT_THAT(twice->labels, ElementsAre("arm:tip", "arm:tip (2)")) << "two IDs of one name";
 
@@ -78,20 +78,20 @@ TEST(MotiveCsv, ReadsRelatives) {
     for (std::size_t at = bodies.find(",Marker,Marker"); (at = bodies.find(",Marker", at)) != std::string::npos;
          at += 5)
         if (bodies.compare(at, 8, ",Marker ") != 0) bodies.replace(at, 7, ",Bone");
-    const Result<Recording> own = read_take(bodies);
+    const Result<Recording> own = read_motive(bodies);
     ASSERT_TRUE(own) << own.error().text();
     EXPECT_THAT(own->labels, ElementsAre("base:1")) << "the only markers there are";
 }
 
 TEST(MotiveCsv, TakesTheUnitFromTheKeyOnlyIfTheFileHasNone) {
     const std::string without = motive_with("Length Units,Centimeters,", "");
-    EXPECT_THAT(read_take(without).error().text(), HasSubstr("Length Units is missing"));
-    EXPECT_THAT(read_take(without).error().text(), HasSubstr("key unit"));
-    const Result<Recording> declared = read_take(without, {.format = "", .metres_per_unit = 1e-3});
+    EXPECT_THAT(read_motive(without).error().text(), HasSubstr("Length Units is missing"));
+    EXPECT_THAT(read_motive(without).error().text(), HasSubstr("key unit"));
+    const Result<Recording> declared = read_motive(without, {.format = "", .metres_per_unit = 1e-3});
     ASSERT_TRUE(declared) << declared.error().text();
     EXPECT_NEAR(declared->tracks[0](0, 0), 0.010, 1e-12);
-    EXPECT_TRUE(read_take(motive_take, {.format = "", .metres_per_unit = 1e-2}));
-    EXPECT_THAT(read_take(motive_take, {.format = "", .metres_per_unit = 1e-3}).error().text(),
+    EXPECT_TRUE(read_motive(motive_take, {.format = "", .metres_per_unit = 1e-2}));
+    EXPECT_THAT(read_motive(motive_take, {.format = "", .metres_per_unit = 1e-3}).error().text(),
                 HasSubstr("take.csv:1: the trial's key unit says mm, but Length Units is 'Centimeters'"));
 }
 
@@ -109,11 +109,11 @@ TEST(MotiveCsv, SaysWhatIsWrongAndWhere) {
           MotiveFault{"X,Y,Z,X,Y,Z\r", "X,Y,Z,X,Y,W\r", "take.csv:7: marker 'root' has no column Z"},
           MotiveFault{"11,,-2", "11,x,-2", "take.csv:9: column 12 (arm:tip Y) is 'x'"},
           MotiveFault{"2,0.016667", "2,0.001", "take.csv:10: time 0.001 s does not ascend"}}) {
-        const Result<Recording> read = read_take(motive_with(fault.from, fault.to));
+        const Result<Recording> read = read_motive(motive_with(fault.from, fault.to));
         ASSERT_FALSE(read) << fault.to;
         EXPECT_THAT(read.error().text(), HasSubstr(fault.told));
     }
-    EXPECT_FALSE(read_take(""));
+    EXPECT_FALSE(read_motive(""));
 }
 
 }  // namespace

@@ -49,10 +49,10 @@ TEST(Trc, ReadsNamesRateUnitAndGaps) {
 /// What exports do with their tabs, and units of other programs.
 TEST(Trc, ReadsMessyTabsAndUnits) {
     const auto read_text = [](const std::string& text) { return read_trc(TemporaryFile(text, "beam.trc").path()); };
-    const std::string names = "tip left\t\t\troot\t\t\n";
+    const std::string names_of_two = "tip left\t\t\troot\t\t\n";
     for (const std::string& text :
-         {with(names, "tip left\t\t\troot\n"), with(names, "tip left\t\t\troot\t\t\t\t\t\n"),
-          with(names, "tip left\troot\n"), with("\t\tX1\tY1\tZ1\tX2\tY2\tZ2\n", ""), with("\t\t\t\t\n3", "\n3"),
+         {with(names_of_two, "tip left\t\t\troot\n"), with(names_of_two, "tip left\t\t\troot\t\t\t\t\t\n"),
+          with(names_of_two, "tip left\troot\n"), with("\t\tX1\tY1\tZ1\tX2\tY2\tZ2\n", ""), with("\t\t\t\t\n3", "\n3"),
           with("10\t20\t30\n2", "10\t20\t30\t\t\n2"), with("PathFileType", "\xEF\xBB\xBFPathFileType")}) {
         const Result<Recording> read = read_text(text);
         ASSERT_TRUE(read) << read.error().text() << text;

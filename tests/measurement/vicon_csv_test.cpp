@@ -29,7 +29,7 @@ std::string nexus_with(const std::string& from, const std::string& to) {
     return text.replace(text.find(from), from.size(), to);
 }
 
-Result<Recording> read_export(const std::string& text, const TraceSource& source = {}) {
+Result<Recording> read_nexus(const std::string& text, const TraceSource& source = {}) {
     return read_vicon_csv(TemporaryFile(text, "nexus.csv").path(), source);
 }
 
@@ -54,20 +54,20 @@ TEST(ViconCsv, ReadsTheTrajectoriesAmongOtherSections) {
 TEST(ViconCsv, ReadsWhatSpreadsheetsMakeOfIt) {
     std::string filled = nexus_with("Trajectories\r\n200", "Trajectories,,,,,,,\r\n200,,,,,,,");
     filled.replace(filled.find("\r\n\r\nModel"), 4, "\r\n,,,,,,,\r\n");
-    const Result<Recording> read = read_export(filled);
+    const Result<Recording> read = read_nexus(filled);
     ASSERT_TRUE(read) << read.error().text();
     EXPECT_EQ(read->sample_count(), 3);
 
     std::string german = nexus_trajectories;
     std::replace(german.begin(), german.end(), ',', ';');
     std::replace(german.begin(), german.end(), '.', ',');
-    const Result<Recording> commas = read_export(german);
+    const Result<Recording> commas = read_nexus(german);
     ASSERT_TRUE(commas) << commas.error().text();
     EXPECT_NEAR(commas->tracks[0](0, 0), 0.1005, 1e-12);
 }
 
 TEST(ViconCsv, SkipsVelocitiesBesideTheCoordinates) {
-    const Result<Recording> read = read_export(
+    const Result<Recording> read = read_nexus(
         "Trajectories\n100\n,,tip,,,,\nFrame,Sub Frame,X,Y,Z,X',Y'\n,,mm,mm,mm,mm/s,mm/s\n1,0,1,2,3,40,50\n");
     ASSERT_TRUE(read) << read.error().text();
     EXPECT_LT((read->tracks[0].col(0) - Eigen::Vector3d(0.001, 0.002, 0.003)).norm(), 1e-15);
@@ -89,13 +89,13 @@ TEST(ViconCsv, SaysWhatIsWrongAndWhere) {
           NexusFault{"mm,mm,mm,mm,mm,mm", "el,el,el,el,el,el", "nexus.csv:13: the row of units is 'el'"},
           NexusFault{"101.5", "x", "nexus.csv:15: column 3 (arm:tip X) is 'x'"},
           NexusFault{"52,0", "51,0", "nexus.csv:15: time"}}) {
-        const Result<Recording> read = read_export(nexus_with(fault.from, fault.to));
+        const Result<Recording> read = read_nexus(nexus_with(fault.from, fault.to));
         ASSERT_FALSE(read) << fault.to;
         EXPECT_THAT(read.error().text(), HasSubstr(fault.told));
     }
-    EXPECT_THAT(read_export(nexus_trajectories, {.format = "", .metres_per_unit = 1.0}).error().text(),
+    EXPECT_THAT(read_nexus(nexus_trajectories, {.format = "", .metres_per_unit = 1.0}).error().text(),
                 HasSubstr("key unit says m, but the row of units is 'mm'"));
-    EXPECT_THAT(read_export("Trajectories\n100\n").error().text(), HasSubstr("ends within the header"));
+    EXPECT_THAT(read_nexus("Trajectories\n100\n").error().text(), HasSubstr("ends within the header"));
 }
 
 }  // namespace

@@ -15,8 +15,9 @@
 namespace myo::ui::panels {
 namespace {
 
-const std::vector<commands::Choice> units{{"mm", "mm", ""}, {"cm", "cm", ""}, {"m", "m", ""}, {"inch", "inch", ""}};
-constexpr std::array<double, 4> unit_lengths{1e-3, 1e-2, 1.0, 0.0254};  // metres per unit, in the order of `units`
+const std::vector<commands::Choice> units{{"mm", "mm", ""}, {"cm", "cm", ""}, {"dm", "dm", ""},
+                                          {"m", "m", ""},   {"um", "um", ""}, {"inch", "inch", ""}};
+constexpr std::array<double, 6> unit_lengths{1e-3, 1e-2, 1e-1, 1.0, 1e-6, 0.0254};  // metres, in the order of `units`
 
 /// An axis with its sign: "+x". `axis` is 1, 2 or 3, negative for the opposite direction.
 std::string axis_label(int axis) { return std::string(axis > 0 ? "+" : "\xe2\x88\x92") + "xyz"[std::abs(axis) - 1]; }
