@@ -217,7 +217,10 @@ Result<setup::Setup> setup_to_fit(const ui::commands::Scene& scene, const ui::co
     if (!setup) return setup;
     if (const std::optional<std::string> untested = prediction::untested_fit(*setup))
         setup->warnings.push_back(*untested);
-    if (!chosen.h_s) check::choose_declared_steps(*setup, check::findings_on_units(*setup), progress);
+    const std::vector<check::Finding> on_units = check::findings_on_units(*setup);
+    if (const Result<void> in_seconds = check::require_time_unit(*setup, on_units); !in_seconds)
+        return in_seconds.error();
+    if (!chosen.h_s) check::choose_declared_steps(*setup, on_units, progress);
     setup::check_integration(*setup);
     return setup;
 }

@@ -321,7 +321,10 @@ public:
         Result<setup::Setup> setup = scene_setup(scene, body, settings, chosen, progress);
         if (!setup) return setup.error();
         if (const auto untested = prediction::untested_fit(*setup)) setup->warnings.push_back(*untested);
-        if (!chosen.h_s) check::choose_declared_steps(*setup, check::findings_on_units(*setup), progress);
+        const std::vector<check::Finding> on_units = check::findings_on_units(*setup);
+        if (const Result<void> in_seconds = check::require_time_unit(*setup, on_units); !in_seconds)
+            return in_seconds.error();
+        if (!chosen.h_s) check::choose_declared_steps(*setup, on_units, progress);
         const DiagnosisSource source{*setup, source_of(scene).experiment.effects.size(), settings};
         const auto show = [&](const diagnosis::Diagnosis& known) {
             if (live) live(std::make_shared<const ui::commands::DiagnosisView>(diagnosis_view(source, known)));
