@@ -67,17 +67,11 @@ Result<void> check_chambers(const Experiment& experiment, const BodyQueries& bod
     return {};
 }
 
-// A guide counts as on the body up to the standoff of markers, as it is bound like a marker.
-bool moves(const Experiment& experiment, const BodyQueries& body, const Eigen::Vector3d& guide) {
-    if (experiment.clamp_box_m.contains(guide)) return false;
-    return body.in_material(guide) ||
-           body.distance_to_surface(guide) <= experiment.markers.max_standoff_m + body.tolerance();
-}
-
 Result<void> check_tendons(const Experiment& experiment, const BodyQueries& body) {
     for (std::size_t i = 0; i < experiment.tendons.size(); ++i) {
         bool any = false;
-        for (const auto& guide : experiment.tendons[i].path_m.colwise()) any = any || moves(experiment, body, guide);
+        for (const auto& guide : experiment.tendons[i].path_m.colwise())
+            any = any || guide_moves(experiment, body, guide);
         if (!any)
             return declaration_error(experiment, robot_key("tendon", i, "path_m"),
                                      "all guides stand still, in the clamp box or off the body: it moves nothing");
@@ -117,6 +111,12 @@ Result<void> check_obstacles(const Experiment& experiment, const BodyQueries& bo
 }
 
 }  // namespace
+
+bool guide_moves(const Experiment& experiment, const BodyQueries& body, const Eigen::Vector3d& guide_m) {
+    if (experiment.clamp_box_m.contains(guide_m)) return false;
+    return body.in_material(guide_m) ||
+           body.distance_to_surface(guide_m) <= experiment.markers.max_standoff_m + body.tolerance();
+}
 
 Result<void> check_robot_parts_on_body(const Experiment& experiment, const BodyQueries& body) {
     for (const auto& check : {check_chambers, check_tendons, check_parts, check_obstacles})

@@ -13,4 +13,8 @@ namespace myo::experiment {
 /// that lies in an obstacle. Parts given by a file or a region are checked on the mesh.
 Result<void> check_robot_parts_on_body(const Experiment& experiment, const BodyQueries& body);
 
+/// Whether a guide of a tendon moves with the body: it lies in the material, or as close to the surface as a marker
+/// may; one in the clamp box or farther away stands still.
+bool guide_moves(const Experiment& experiment, const BodyQueries& body, const Eigen::Vector3d& guide_m);
+
 }  // namespace myo::experiment

@@ -31,15 +31,15 @@ struct BoxGeometry {
 
 /// Closed triangle surface, kind = "stl": an STL, OBJ, PLY or VTP file; vertices are scaled first, then rotated.
 struct StlGeometry {
-    std::filesystem::path file;                              // absolute, or relative to the folder of the experiment
-    double metres_per_unit = 1.0;                            // length of the file's unit [m], see length_units()
+    std::filesystem::path file;    // absolute, or relative to the folder of the experiment
+    double metres_per_unit = 1.0;  // length of the file's unit [m], see measurement::length_units
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  // file axes to mesh frame, orthogonal
 };
 
 /// Volume mesh whose cells are used as they are, kind = "volume"; nodes are scaled first, then rotated.
 struct VolumeGeometry {
-    std::filesystem::path file;                              // VTU, VTK, Gmsh MSH, TetGen node/ele; resolved
-    double metres_per_unit = 1.0;                            // length of the file's unit [m], see length_units()
+    std::filesystem::path file;    // VTU, VTK, Gmsh MSH, TetGen node/ele; resolved
+    double metres_per_unit = 1.0;  // length of the file's unit [m], see measurement::length_units
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  // file axes to mesh frame, orthogonal
 };
 

@@ -3,6 +3,7 @@
 #include "base/text.hpp"
 #include "experiment/read_experiment_tables.hpp"
 #include "material/polar.hpp"
+#include "measurement/units.hpp"
 
 namespace myo::experiment {
 namespace {
@@ -46,19 +47,14 @@ FileGeometry read_file_geometry(const toml::TomlReader& geometry, const std::fil
     if (!geometry.has("unit"))
         geometry.fail("unit", "required for kind = \"" + kind +
                                   "\": \"m\", \"dm\", \"cm\", \"mm\" or \"um\"; there is no default");
-    declared.metres_per_unit = geometry.choice<double>("unit", length_units());
+    declared.metres_per_unit = geometry.choice<double>(
+        "unit", {measurement::length_units.begin(), measurement::length_units.end()});
     declared.file = geometry.file("file", folder);
     if (geometry.has("rotation")) declared.rotation = read_rotation(geometry);
     return declared;
 }
 
 }  // namespace
-
-const std::vector<std::pair<std::string, double>>& length_units() {
-    static const std::vector<std::pair<std::string, double>> units{
-        {"m", 1.0}, {"dm", 1e-1}, {"cm", 1e-2}, {"mm", 1e-3}, {"um", 1e-6}};
-    return units;
-}
 
 Geometry read_geometry(const toml::TomlReader& document, const std::filesystem::path& folder) {
     enum class Kind { box, stl, volume };

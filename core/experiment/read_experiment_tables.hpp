@@ -14,8 +14,6 @@ namespace myo::experiment {
 // toml::TomlFailure (key, sentence, line) on the first error. Conditions on two tables are checked by
 // check_declarations() after all tables have been read.
 
-/// Words for the unit of a file with the length of the unit [m]: m, dm, cm, mm, um.
-const std::vector<std::pair<std::string, double>>& length_units();
 /// [geometry]: a box, a surface file or a volume mesh; the file is not opened.
 Geometry read_geometry(const toml::TomlReader& document, const std::filesystem::path& folder);
 /// [material]: constitutive law, moduli and the parameters to fit.

@@ -45,16 +45,21 @@ int containing_cell(const mesh::VolumeMesh& mesh, const Vector3d& point) {
 
 MaterialPoint material_point(const mesh::VolumeMesh& mesh, const Vector3d& rest_m) {
     MaterialPoint point;
+    Vector3d on_mesh = rest_m;
     point.cell = containing_cell(mesh, rest_m);
-    if (point.cell < 0) point.cell = mesh::closest_boundary_point(mesh::BoundaryLocator(mesh), rest_m).cell;
+    if (point.cell < 0) {
+        const mesh::BoundaryPoint nearest = mesh::closest_boundary_point(mesh::BoundaryLocator(mesh), rest_m);
+        point.cell = nearest.cell;
+        on_mesh = nearest.point;
+    }
     const auto column = mesh.cells.col(point.cell);
     point.nodes.assign(column.begin(), column.end());
     const Matrix3Xd X = mesh.nodes(Eigen::all, point.nodes);
     mesh::with_cell(mesh.type, [&]<class Shape>(Shape) {
-        const Vector3d xi = reference_coordinates<Shape>(X, rest_m);
+        const Vector3d xi = reference_coordinates<Shape>(X, on_mesh);
         const auto D = Shape::derivatives(xi);
-        point.weights = Shape::values(xi);
         point.gradient = D * (X * D).inverse();  // dN/dX = dN/dxi (dX/dxi)^-1
+        point.weights = Shape::values(xi) + point.gradient * (rest_m - on_mesh);
     });
     return point;
 }

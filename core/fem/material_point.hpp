@@ -17,7 +17,8 @@ struct MaterialPoint {
 };
 
 /// Point of the body at a rest position [m]: of the cell that contains it, or, for a position outside the mesh, of the
-/// cell behind the nearest boundary face, whose shape functions are continued beyond the face.
+/// cell behind the nearest point of the boundary, whose shape functions are continued linearly from there: the point
+/// moves as if the material went on with the deformation gradient of the boundary.
 MaterialPoint material_point(const mesh::VolumeMesh& mesh, const Eigen::Vector3d& rest_m);
 
 }  // namespace myo::fem

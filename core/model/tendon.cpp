@@ -4,6 +4,7 @@
 #include <cassert>
 #include <string>
 
+#include "base/text.hpp"
 #include "model/command.hpp"
 #include "model/taking_in.hpp"
 #include "model/tendon_path.hpp"
@@ -59,7 +60,6 @@ void merge(const TendonGuide& guide, std::vector<int>& nodes) {
 struct Thread {
     std::optional<double> stiffness_N_m;  // empty: prescribed tension
     double slack_m = 0.0;
-    double friction = 0.0;
 };
 
 /// Change of a tendon: motion of the guides, their shift through the body at rest, and changes of its numbers.
@@ -70,16 +70,14 @@ struct TendonChange {
 
 class Tendon : public ForceElement {
 public:
-    Tendon(std::vector<TendonGuide> guides, std::size_t first_coupling, fibre::Signal command, const Thread& thread,
-           VectorXd shifts)
-        : guides_(std::move(guides)),
-          first_coupling_(first_coupling),
+    Tendon(TendonRoute route, fibre::Signal command, const Thread& thread, VectorXd shifts)
+        : route_(std::move(route)),
           command_(std::move(command)),
           sense_(command_),
           thread_(thread),
           shifts_(std::move(shifts)) {
         Index row = 0;
-        for (const TendonGuide& guide : guides_) {
+        for (const TendonGuide& guide : route_.guides) {
             Carrier carrier;
             carrier.fixed_m = guide.rest_m;
             rest_.push_back(guide.rest_m);
@@ -110,12 +108,12 @@ public:
         for (std::size_t g = 0; g < groups_.size(); ++g) add_hessian(body, now, at, g, out.hessian);
     }
 
-    bool has_potential() const override { return thread_.friction == 0.0; }
+    bool has_potential() const override { return route_.friction == 0.0; }
     void add_unsymmetric_tangent(const Body&, const ForceState& at, const Matrix3Xd& dx,
                                  Matrix3Xd& gradient) const override {
         if (has_potential()) return;
         const Tensions now = tensions(at);
-        TendonChange change{{}, std::vector<Vector3d>(guides_.size(), Vector3d::Zero())};
+        TendonChange change{{}, std::vector<Vector3d>(route_.guides.size(), Vector3d::Zero())};
         for (const Carrier& carrier : carriers_) change.dp.push_back(carrier.moved(dx));
         VectorXd beyond = tension_changes(now, at, change);
         // The Hessian already has the part that is equal in all legs.
@@ -140,7 +138,12 @@ public:
 
     const fibre::Signal* command() const override { return &command_; }
     ForceElementPointer with_command(const fibre::Signal& command) const override {
-        return std::make_shared<Tendon>(guides_, first_coupling_, command, thread_, shifts_);
+        return std::make_shared<Tendon>(route_, command, thread_, shifts_);
+    }
+
+    std::string command_words(double time_s, bool before) const override {
+        const double value = before ? command_.value_before(time_s) : command_.value(time_s);
+        return format_number(value, 4) + (thread_.stiffness_N_m ? " m" : " N") + " of " + route_.words;
     }
 
     std::vector<ForceParameter> parameters() const override {
@@ -148,25 +151,26 @@ public:
         std::vector<ForceParameter> list = stiffness ? command_parameters(command_, "shortening_m", 1e-3)
                                                      : command_parameters(command_, "tension_N", 1.0);
         if (stiffness) list.push_back({"stiffness_N_m", *stiffness, *stiffness});
-        list.push_back({"friction", thread_.friction, 0.1});
+        list.push_back({"friction", route_.friction, 0.1});
         Index row = 0;
-        for (std::size_t i = 0; i < guides_.size(); ++i)
-            for (int axis = 0; guides_[i].on_body && axis < 3; ++axis)
+        for (std::size_t i = 0; i < route_.guides.size(); ++i)
+            for (int axis = 0; route_.guides[i].on_body && axis < 3; ++axis)
                 list.push_back({"guide " + std::to_string(i + 1) + ", " + "xyz"[axis] + "_m", shifts_(row++), 1e-3});
         return list;
     }
     ForceElementPointer changed(const VectorXd& values) const override {
         Thread thread = thread_;
         if (thread.stiffness_N_m) thread.stiffness_N_m = values(knots());
-        thread.friction = values(friction_index());
-        return std::make_shared<Tendon>(guides_, first_coupling_, with_values(command_, values), thread,
+        TendonRoute route = route_;
+        route.friction = values(friction_index());
+        return std::make_shared<Tendon>(std::move(route), with_values(command_, values), thread,
                                         values.tail(shifts_.size()));
     }
 
     void add_tangent(const Body&, const ForceState& at, const VectorXd& change, Matrix3Xd& gradient) const override {
         const Tensions now = tensions(at);
         const VectorXd shift = change.tail(shifts_.size());
-        const std::vector<Vector3d> still(guides_.size(), Vector3d::Zero());
+        const std::vector<Vector3d> still(route_.guides.size(), Vector3d::Zero());
         TendonChange d{still, still, command_change(command_, at, change), 0.0, change(friction_index())};
         if (thread_.stiffness_N_m) d.stiffness = change(knots());
         for_each_carried([&](std::size_t i, Index row) {
@@ -223,22 +227,24 @@ private:
     template <class Visit>
     void for_each_carried(const Visit& visit) const {
         Index row = 0;
-        for (std::size_t i = 0; i < guides_.size(); ++i)
-            if (guides_[i].on_body) {
+        for (std::size_t i = 0; i < route_.guides.size(); ++i)
+            if (route_.guides[i].on_body) {
                 visit(i, row);
                 row += 3;
             }
     }
 
     void make_groups() {
-        const std::vector<std::vector<int>> couplings = tendon_couplings(guides_, thread_.stiffness_N_m.has_value());
+        const std::vector<std::vector<int>> couplings = tendon_couplings(route_.guides,
+                                                                         thread_.stiffness_N_m.has_value());
         for (std::size_t g = 0; g < couplings.size(); ++g) {
             Group group{couplings[g], {}, {}};
             if (thread_.stiffness_N_m)
-                for (std::size_t leg = 0; leg + 1 < guides_.size(); ++leg) group.legs.push_back(leg);
+                for (std::size_t leg = 0; leg + 1 < route_.guides.size(); ++leg) group.legs.push_back(leg);
             else
                 group.legs = {g};
-            group.spread = MatrixXd::Zero(static_cast<Index>(group.nodes.size()), static_cast<Index>(guides_.size()));
+            group.spread = MatrixXd::Zero(static_cast<Index>(group.nodes.size()),
+                                          static_cast<Index>(route_.guides.size()));
             for (std::size_t i = 0; i < carriers_.size(); ++i)
                 for (std::size_t a = 0; a < carriers_[i].nodes.size(); ++a) {
                     const auto at = std::find(group.nodes.begin(), group.nodes.end(), carriers_[i].nodes[a]);
@@ -259,7 +265,7 @@ private:
         std::vector<Vector3d> points;
         for (const Carrier& carrier : carriers_) points.push_back(carrier.at(at.x));
         now.path = tendon_path(points);
-        now.friction = thread_.friction * sense_.at(at.time_s, at.before_jump);
+        now.friction = route_.friction * sense_.at(at.time_s, at.before_jump);
         now.factors = capstan_factors(now.path, now.friction);
         now.mean_factor = now.factors.dot(rest_path_.length) / rest_path_.total;
         now.motor = thread_.stiffness_N_m ? *thread_.stiffness_N_m * taut(now.path, at).value / now.mean_factor
@@ -299,7 +305,7 @@ private:
     void add_hessian(const Body& body, const Tensions& now, const ForceState& at, std::size_t g,
                      solver::SymmetricSparse& hessian) const {
         const Group& group = groups_[g];
-        const std::size_t coupling = first_coupling_ + g, count = group.nodes.size();
+        const std::size_t coupling = route_.first_coupling + g, count = group.nodes.size();
         assert(coupling < body.couplings.size() && body.couplings[coupling] == group.nodes);
         MatrixXd legs(static_cast<Index>(count), static_cast<Index>(group.legs.size()));  // weight in the leg's vector
         Matrix3Xd by_node = Matrix3Xd::Zero(3, static_cast<Index>(count));                // derivative of the length
@@ -321,8 +327,7 @@ private:
             }
     }
 
-    std::vector<TendonGuide> guides_;
-    std::size_t first_coupling_;
+    TendonRoute route_;
     fibre::Signal command_;
     TakingIn sense_;
     Thread thread_;
@@ -351,18 +356,14 @@ std::vector<std::vector<int>> tendon_couplings(const std::vector<TendonGuide>& g
     return groups;
 }
 
-ForceElementPointer tendon_of_tension(const std::vector<TendonGuide>& guides, std::size_t first_coupling,
-                                      fibre::Signal tension_N, double friction) {
-    return std::make_shared<Tendon>(guides, first_coupling, std::move(tension_N), Thread{std::nullopt, 0.0, friction},
-                                    no_shifts(guides));
+ForceElementPointer tendon_of_tension(const TendonRoute& route, const fibre::Signal& tension_N) {
+    return std::make_shared<Tendon>(route, tension_N, Thread{}, no_shifts(route.guides));
 }
 
-ForceElementPointer tendon_of_shortening(const std::vector<TendonGuide>& guides, std::size_t first_coupling,
-                                         fibre::Signal shortening_m, double stiffness_N_m, double slack_m,
-                                         double friction) {
+ForceElementPointer tendon_of_shortening(const TendonRoute& route, const fibre::Signal& shortening_m,
+                                         double stiffness_N_m, double slack_m) {
     assert(stiffness_N_m > 0.0 && slack_m > 0.0);
-    return std::make_shared<Tendon>(guides, first_coupling, std::move(shortening_m),
-                                    Thread{stiffness_N_m, slack_m, friction}, no_shifts(guides));
+    return std::make_shared<Tendon>(route, shortening_m, Thread{stiffness_N_m, slack_m}, no_shifts(route.guides));
 }
 
 TendonState tendon_state(const ForceElement& tendon, const ForceState& at) {

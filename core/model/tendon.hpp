@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "fem/material_point.hpp"
@@ -18,6 +19,16 @@ struct TendonGuide {
     Eigen::Vector3d rest_m;  // rest position; of a fixed guide all along
 };
 
+/// A tendon without its command.
+struct TendonRoute {
+    std::vector<TendonGuide> guides;  // motor's end first
+    std::size_t first_coupling = 0;   // index in Body::couplings of the first of tendon_couplings()
+    /// Capstan coefficient >= 0, see capstan_factors(). The thread takes in while the command grows and pays out while
+    /// it falls; a constant command leaves it as it was, at first taking in.
+    double friction = 0.0;
+    std::string words = "a tendon";  // for messages
+};
+
 /// Groups of nodes that a tendon couples, for make_body(): neighbouring guides of a prescribed tension; all guides of a
 /// prescribed shortening, whose tension depends on the whole length.
 std::vector<std::vector<int>> tendon_couplings(const std::vector<TendonGuide>& guides, bool by_shortening);
@@ -25,23 +36,18 @@ std::vector<std::vector<int>> tendon_couplings(const std::vector<TendonGuide>& g
 /// Thread under the prescribed tension T(t) [N] at the motor, through guides, straight between them. Without friction
 /// it has the potential T L with the length L of the path.
 ///
-/// @param first_coupling  index in Body::couplings of the first of tendon_couplings()
-/// @param friction        capstan coefficient >= 0, see capstan_factors(). The thread takes in while the command grows
-///                        and pays out while it falls; a constant command leaves it as it was, at first taking in
 /// Parameters: the knots of the command, the friction, then the places of the guides on the body at rest, to first
 /// order in their shift. Source: Camarillo et al. 2008 (tension along the path).
-ForceElementPointer tendon_of_tension(const std::vector<TendonGuide>& guides, std::size_t first_coupling,
-                                      fibre::Signal tension_N, double friction = 0.0);
+ForceElementPointer tendon_of_tension(const TendonRoute& route, const fibre::Signal& tension_N);
 
 /// Elastic thread of which the motor takes in the length s(t) [m]: tension k (L - L0 + s), L0 the length at rest. A
 /// slack thread has no tension; over `slack_m` beyond the onset of tension the stiffness grows linearly from 0, so that
-/// the tension has a continuous derivative.
+/// the tension has a continuous derivative. With friction k times the stretch is the mean tension over the thread,
+/// weighed with the legs' lengths at rest.
 ///
-/// With friction k times the stretch is the mean tension over the thread, weighed with the legs' lengths at rest.
 /// @param stiffness_N_m  k of the whole thread, > 0, parameter after the knots
-ForceElementPointer tendon_of_shortening(const std::vector<TendonGuide>& guides, std::size_t first_coupling,
-                                         fibre::Signal shortening_m, double stiffness_N_m, double slack_m,
-                                         double friction = 0.0);
+ForceElementPointer tendon_of_shortening(const TendonRoute& route, const fibre::Signal& shortening_m,
+                                         double stiffness_N_m, double slack_m);
 
 /// What a sensor at the motor sees.
 struct TendonState {

@@ -174,7 +174,7 @@ std::vector<setup::TrialStep> choose_steps(const setup::Setup& setup, const Para
     parallel_tasks(count, setup.settings.threads, [&](int index) {
         const auto i = static_cast<std::size_t>(index);
         steps[i].h_s = 0.5 * setup::sampling_interval_s(setup.trials[i]);
-        if (progress.cancelled()) return;
+        if (setup.trials[i].hold || progress.cancelled()) return;  // a pose has no steps
         std::optional<setup::TrialStep> seen = known ? step_for_seen(setup, i, values, known->predictions[i])
                                                      : std::nullopt;
         setup::Setup own = setup;  // own copy, as trial steps are changed in it

@@ -49,6 +49,11 @@ Result<void> find_start(const experiment::Experiment& experiment, const experime
         trial.start_message = "start declared at " + std::to_string(trial.start_s) + " s of the file";
         return {};
     }
+    if (declaration.hold) {
+        trial.start_s = recording.time_s(0);
+        trial.start_message = "held pose";
+        return {};
+    }
     if (!is_foreign_recording(experiment, declaration)) {
         trial.start_message = "t = 0 is the file's";
         return check_clock(experiment, declaration, recording);

@@ -82,6 +82,10 @@ Result<void> add_actuation(const Setup& setup, const experiment::TrialDeclaratio
     for (std::size_t c = 0; c < setup.chambers.size(); ++c)
         trial.model.force_elements.push_back(
             chamber_pressure(*setup.body, setup.chambers[c], recorded_signal(experiment, *table, muscles + c)));
+    const std::size_t before_tendons = muscles + setup.chambers.size();
+    for (std::size_t t = 0; t < setup.tendons.size(); ++t)
+        trial.model.force_elements.push_back(
+            tendon_element(setup.tendons[t], recorded_signal(experiment, *table, before_tendons + t)));
     const auto own_signal = [&](std::size_t actuator) {
         return actuator < muscles && experiment.muscles[actuator].signal;
     };
@@ -101,8 +105,8 @@ Result<void> add_actuation(const Setup& setup, const experiment::TrialDeclaratio
 
 /// Start, scheme, step and end of the runs of a trial.
 void set_time_integration(const Setup& setup, experiment::StartState start, PreparedTrial& trial) {
-    trial.options.start = start == experiment::StartState::straight ? dynamics::StartKind::straight
-                                                                    : dynamics::StartKind::equilibrium;
+    trial.options.start = start == experiment::StartState::straight && !trial.hold ? dynamics::StartKind::straight
+                                                                                   : dynamics::StartKind::equilibrium;
     trial.options.integrator = setup.settings.scheme();
     trial.options.solver.strategy = setup.settings.strategy;
     // Provisional step of half a sampling interval; choose_steps() may replace it.
@@ -113,7 +117,7 @@ void set_time_integration(const Setup& setup, experiment::StartState start, Prep
         trial.recorded_commands.push_back(*element->command());
     set_step(trial, setup.settings.h_s.value_or(0.5 * interval));
     // Beyond the last sample, so that a start found a little later still has simulated data under every sample.
-    trial.options.end_s = std::max(times(times.size() - 1), interval) + 3.0 * interval;
+    trial.options.end_s = trial.hold ? 0.0 : std::max(times(times.size() - 1), interval) + 3.0 * interval;
 }
 
 Result<PreparedTrial> prepare_trial(const Setup& setup, const model::Model& model,
@@ -123,6 +127,7 @@ Result<PreparedTrial> prepare_trial(const Setup& setup, const model::Model& mode
     PreparedTrial trial;
     trial.name = declaration.name;
     trial.role = declaration.role;
+    trial.hold = declaration.hold;
     trial.model = model;
     if (const Result<void> loads = add_loads(setup, declaration, trial.model); !loads) return loads.error();
     if (const Result<void> activation = add_actuation(setup, declaration, trial); !activation)
@@ -227,8 +232,9 @@ Result<void> add_body(Setup& setup, const BodyMesh* meshed, const Progress& prog
     if (!clamped) return clamped.error();
     // Effects that vary within a cell need an element that resolves them.
     const bool fine = setup.settings.fine_element || effect::any_varies_within_cells(experiment.effects);
+    setup.tendons = find_tendons(experiment, setup.surface, setup.mesh);
     setup.body = model::make_body(setup.mesh.mesh, fine ? fem::fine_element(setup.mesh.element) : setup.mesh.element,
-                                  *clamped);
+                                  *clamped, couplings(setup.tendons));
     Result<std::vector<Chamber>> chambers = find_chambers(experiment, setup.surface, setup.mesh, *setup.body);
     if (!chambers) return chambers.error();
     setup.chambers = std::move(*chambers);

@@ -17,6 +17,7 @@
 #include "setup/body_mesh.hpp"
 #include "setup/chambers.hpp"
 #include "setup/integration_check.hpp"
+#include "setup/tendons.hpp"
 #include "setup/trial_step.hpp"
 
 namespace myo::setup {
@@ -50,6 +51,7 @@ SetupSettings published_settings();
 struct PreparedTrial {
     std::string name;
     experiment::TrialRole role = experiment::TrialRole::fit;
+    bool hold = false;                               // statics: the run is the equilibrium at t = 0, for all samples
     model::Model model;                              // declared constants; free levels passive
     std::vector<fibre::Signal> recorded_activation;  // before set_step() turns switches within a step into jumps
     std::vector<fibre::Signal> recorded_commands;    // of chambers and tendons, likewise
@@ -75,6 +77,7 @@ struct Setup {
     BodyMesh mesh;
     model::BodyPointer body;         // shared by the models of all trials
     std::vector<Chamber> chambers;   // in the order of declaration
+    std::vector<Tendon> tendons;     // in the order of declaration
     measurement::MarkerSet markers;  // interpolation from nodes to the markers on the body
     std::vector<std::string> marker_names;
     Eigen::VectorXd noise_m;  // per marker, 1 sigma per coordinate [m]

@@ -35,6 +35,7 @@ effect::Affected with_effects(const Setup& setup, std::size_t trial, model::Mode
     effect::Affected affected{std::move(model), setup.trials[trial].options, {}};
     if (effects.empty()) return affected;
     effect::apply_effects(trial_context(setup, trial), effects, affected);
+    if (setup.trials[trial].hold) return affected;
     // Effects on the clock can shift the last sample beyond the simulated end.
     const double last = measurement::true_times(affected.observation_error,
                                                 setup.trials[trial].measured.time_s.tail(1))(0);

@@ -31,20 +31,20 @@ inline std::size_t couple_tendon(const std::vector<model::TendonGuide>& guides, 
 }
 
 /// Adds a tendon of prescribed tension [N].
-inline void pull_by_tension(const std::vector<Eigen::Vector3d>& path, fibre::Signal tension_N, model::Model& model,
-                            double friction = 0.0) {
+inline void pull_by_tension(const std::vector<Eigen::Vector3d>& path, const fibre::Signal& tension_N,
+                            model::Model& model, double friction = 0.0) {
     const std::vector<model::TendonGuide> guides = guides_along(model.body->mesh, path);
     const std::size_t first = couple_tendon(guides, false, model);
-    model.force_elements.push_back(model::tendon_of_tension(guides, first, std::move(tension_N), friction));
+    model.force_elements.push_back(model::tendon_of_tension({guides, first, friction}, tension_N));
 }
 
 /// Adds an elastic tendon of prescribed shortening [m].
-inline void pull_by_shortening(const std::vector<Eigen::Vector3d>& path, fibre::Signal shortening_m,
+inline void pull_by_shortening(const std::vector<Eigen::Vector3d>& path, const fibre::Signal& shortening_m,
                                double stiffness_N_m, model::Model& model, double friction = 0.0) {
     const std::vector<model::TendonGuide> guides = guides_along(model.body->mesh, path);
     const std::size_t first = couple_tendon(guides, true, model);
     model.force_elements.push_back(
-        model::tendon_of_shortening(guides, first, std::move(shortening_m), stiffness_N_m, 1e-5, friction));
+        model::tendon_of_shortening({guides, first, friction}, shortening_m, stiffness_N_m, 1e-5));
 }
 
 }  // namespace myo::test

@@ -1,0 +1,75 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "dynamics/statics.hpp"
+#include "prediction/prediction.hpp"
+#include "setup/actuator_signals.hpp"
+#include "support/chambered_beam.hpp"
+
+namespace myo::prediction {
+namespace {
+
+using experiment::Experiment;
+
+/// The swung beam with a tendon above its axis, pulled and held.
+setup::Setup held_beam(const test::Folder& folder, experiment::TendonDrive drive, double command) {
+    return test::chambered_beam(folder, 0.1, [&](Experiment& e) {
+        e.chambers.clear();
+        experiment::TendonDeclaration tendon;
+        tendon.name = "upper";
+        tendon.path_m.resize(3, 4);
+        tendon.path_m << 0.0, 0.03, 0.06, 0.095,  //
+            0.015, 0.015, 0.015, 0.015,           //
+            0.028, 0.028, 0.028, 0.028;
+        tendon.drive = drive;
+        tendon.friction = 0.2;
+        e.tendons = {tendon};
+        e.trials[0].hold = true;
+        e.trials[0].constant_commands = {{"upper", command}};
+    });
+}
+
+TEST(Holds, AreOnePoseForAllSamples) {
+    const test::Folder folder("tendon_hold");
+    const setup::Setup setup = held_beam(folder, experiment::TendonDrive::tension, 6.0);
+    ASSERT_EQ(setup.tendons.size(), 1u);
+    const std::vector<model::TendonGuide>& guides = setup.tendons[0].route.guides;
+    EXPECT_FALSE(guides[0].on_body) << "a guide in the clamp stands still";
+    EXPECT_TRUE(guides[3].on_body);
+    const TrialPrediction held = predict_trial(setup, 0, declared_values(setup));
+    ASSERT_TRUE(held.ok()) << held.message;
+    EXPECT_EQ(held.trace.times_s.size(), 1u) << "statics only";
+    const Eigen::Matrix3Xd& tip = held.positions_m[0];
+    EXPECT_GT(tip.cols(), 5);
+    EXPECT_EQ((tip.rightCols(1) - tip.leftCols(1)).norm(), 0.0);
+    // The tendon lifts the tip against its weight.
+    const setup::Setup loose = held_beam(folder, experiment::TendonDrive::tension, 0.0);
+    EXPECT_GT(tip(2, 0), predict_trial(loose, 0, declared_values(loose)).positions_m[0](2, 0) + 0.002);
+}
+
+/// Tangents of a hold against central differences, for the modulus.
+TEST(Holds, KnowTheirDerivatives) {
+    const test::Folder folder("hold_tangent");
+    setup::Setup setup = held_beam(folder, experiment::TendonDrive::shortening, 0.002);
+    setup.trials[0].options.solver.tolerance = 1e-10;
+    setup.trials[0].options.solver.tangent_tolerance = 1e-10;
+    const ParameterValues values = declared_values(setup);
+    std::vector<ModelParameter> parameters = free_parameters(setup, {"youngs_modulus"});
+    ASSERT_FALSE(parameters.empty());
+    const ModelParameter& modulus = parameters.front();
+    const TrialPrediction here = predict_trial(setup, 0, values, {modulus});
+    ASSERT_TRUE(here.ok()) << here.message;
+    const double step = 1e-4 * values.youngs_modulus_Pa;
+    const auto at = [&](double E) {
+        ParameterValues changed = values;
+        changed.youngs_modulus_Pa = E;
+        return predict_trial(setup, 0, changed).positions_m[0];
+    };
+    const Eigen::Matrix3Xd difference = (at(values.youngs_modulus_Pa + step) - at(values.youngs_modulus_Pa - step)) /
+                                        (2.0 * step);
+    EXPECT_GT(difference.norm(), 0.0);
+    EXPECT_LT((here.tangents[0][0] - difference).norm(), 1e-4 * difference.norm());
+}
+
+}  // namespace
+}  // namespace myo::prediction
