@@ -20,7 +20,7 @@ struct TrialGradientCheck {
 /// Compares the gradient over the first `steps` time steps with differences, for every input of the trial's model.
 ///
 /// So that every input influences the loss, the run starts with a smooth velocity field of up to half the body size per
-/// second, free levels are 1.05, and camera frame and clock are slightly off.
+/// second, free levels are half a scale from passive (1.05 of a muscle), and camera frame and clock are slightly off.
 ///
 /// @param trial  index into Setup::trials
 /// Errors: those of the runs, in the status of the check.
