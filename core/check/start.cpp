@@ -69,6 +69,7 @@ std::vector<Finding> check_start(const CheckedJob& job) {
     const double noise = std::sqrt(3.0) * setup::mean_noise(job.setup);  // of a distance: three independent coordinates
     for (std::size_t t = 0; t < job.setup.trials.size(); ++t) {
         const setup::PreparedTrial& trial = job.setup.trials[t];
+        if (trial.hold) continue;  // a pose has no start
         const std::vector<Eigen::Vector3d> distances = at_start(job, t);
         if (distances.empty()) continue;
         const double off = rms_of(distances), moved = travel(trial);

@@ -124,9 +124,8 @@ Result<void> read_record(const C3dWords& words, std::size_t pointer, int group, 
 
 /// End of the declared blocks [bytes]; some writers declare none.
 std::size_t end_of_section(const C3dWords& words, std::size_t start) {
-    constexpr std::size_t block_size = 512;
     const std::size_t blocks = words.holds(start, 4) ? words.byte(start + 2) : 0;
-    return blocks > 0 ? start + blocks * block_size : words.size();
+    return blocks > 0 ? start + blocks * c3d_format.block_size : words.size();
 }
 
 std::size_t end_of_values(const C3dParameter& parameter) {

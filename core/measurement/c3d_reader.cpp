@@ -16,7 +16,6 @@ namespace myo::measurement {
 namespace {
 
 struct C3dReaderFormat {
-    std::size_t block_size = 512;
     /// Ten kilometres: beyond any capture volume, but easily reached in a damaged file.
     double largest_coordinate_m = 1e4;
 };
@@ -112,7 +111,7 @@ double Reader::analog_rate_ratio(double rate_Hz) const {
 
 // Whether the samples end within the last block of the file, as they do if the counts are right.
 bool Reader::fills_file(const Layout& layout) const {
-    return layout.end() <= words_.size() && words_.size() - layout.end() < c3d_reader_format.block_size;
+    return layout.end() <= words_.size() && words_.size() - layout.end() < c3d_format.block_size;
 }
 
 // Point and analog counts are stored in the parameters and in the header. The parameters take precedence; if the two
@@ -206,7 +205,7 @@ Result<Layout> Reader::layout(std::optional<double> unit_override) const {
     double start = parameters_.number("POINT:DATA_START").value_or(header_start);
     if (!(start >= 2.0)) start = header_start;
     if (!(start >= 2.0)) return failure("POINT:DATA_START is no block behind the header");
-    layout.data_offset = (static_cast<std::size_t>(std::min(start, 65535.0)) - 1) * c3d_reader_format.block_size;
+    layout.data_offset = (static_cast<std::size_t>(std::min(start, 65535.0)) - 1) * c3d_format.block_size;
 
     if (Result<void> counts = choose_counts(layout); !counts) return counts.error();
     if (layout.points == 0) return failure("holds no 3D points (POINT:USED is 0)");
@@ -296,7 +295,7 @@ Result<Recording> Reader::read(std::optional<double> unit_override) {
 
 /// Byte where the parameter section starts, by the header of the file.
 Result<std::size_t> parameters_start_of(std::string_view bytes, const std::string& file) {
-    if (bytes.size() < c3d_reader_format.block_size) {
+    if (bytes.size() < c3d_format.block_size) {
         return Error{"is no C3D file: " + std::to_string(bytes.size()) + " bytes are too few for its header of 512",
                      file};
     }
@@ -307,7 +306,7 @@ Result<std::size_t> parameters_start_of(std::string_view bytes, const std::strin
     }
     const std::size_t parameters_block = byte_at(0);
     if (parameters_block < 2) return Error{"is damaged: byte 0 of the header points to no parameter section", file};
-    const std::size_t parameters_start = (parameters_block - 1) * c3d_reader_format.block_size;
+    const std::size_t parameters_start = (parameters_block - 1) * c3d_format.block_size;
     if (parameters_start + 4 > bytes.size()) {
         return Error{"is cut off: the parameter section should start at byte " + std::to_string(parameters_start) +
                          ", the file ends at byte " + std::to_string(bytes.size()),

@@ -7,6 +7,12 @@
 
 namespace myo::measurement {
 
+/// A file consists of blocks of this size [bytes]. Source: c3d.org, "The C3D file format".
+struct C3dFormat {
+    std::size_t block_size = 512;
+};
+inline constexpr C3dFormat c3d_format;
+
 /// Number format of a C3D file, named after the processor. The values are the codes in the file.
 enum class C3dProcessor : std::uint8_t { intel = 84, dec = 85, sgi = 86 };
 

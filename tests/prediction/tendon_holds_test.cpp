@@ -59,7 +59,7 @@ TEST(Holds, KnowTheirDerivatives) {
     const ModelParameter& modulus = parameters.front();
     const TrialPrediction here = predict_trial(setup, 0, values, {modulus});
     ASSERT_TRUE(here.ok()) << here.message;
-    const double step = 1e-4 * values.youngs_modulus_Pa;
+    const double step = 1e-3 * values.youngs_modulus_Pa;
     const auto at = [&](double E) {
         ParameterValues changed = values;
         changed.youngs_modulus_Pa = E;
