@@ -84,7 +84,7 @@ LoadSteps step_commands(const StageSolver& solver, double time_s, Eigen::Matrix3
                                (next < 1.0 ? ", less than the " + model::command_words(solver.model(), time_s, true) +
                                                  " of the start"
                                            : "") +
-                               ": beyond it the inflation runs away; check the pressure and the modulus (" +
+                               ": beyond it the body gives way; check this command, the mesh and the modulus (" +
                                modulus_words(solver.model()) + ")"};
     }
     return {true, {}};
