@@ -52,7 +52,7 @@ NaturalModes natural_modes(StageSolver& solver, const Eigen::Matrix3Xd& x, int c
     NaturalModes result;
     MatrixXd V = start_block(pattern.unknowns(), block);
     for (result.iterations = 1; result.iterations <= mode_policy.max_iterations; ++result.iterations) {
-        V = solver.solve_linear(K, stage, x, inertia_of(V));
+        V = solver.solve_linear(K, stage, x, inertia_of(V), {}, model::StiffnessForm::symmetric);
         const MatrixXd KV = K.selfadjointView<Eigen::Lower>() * V, MV = inertia_of(V);
         // Rayleigh-Ritz: best approximations of the modes within the subspace, M-orthonormal.
         const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> ritz(V.transpose() * KV, V.transpose() * MV);

@@ -21,10 +21,10 @@ using SolveOnce = std::function<bool(int limit, int& iterations, MatrixXd& solut
 /// GMRES for each column of B: H and the rest of the stiffness.
 static SolveOnce unsymmetric_solve(const solver::SymmetricSparse& H, const MatrixXd& B, double tolerance,
                                    const StageProblem& problem, const Matrix3Xd& x, const LaggedFactor& factor,
-                                   const MatrixXd& guess, model::Side side) {
-    return [&, tolerance, side](int limit, int& iterations, MatrixXd& solution) {
+                                   const MatrixXd& guess, model::StiffnessForm form) {
+    return [&, tolerance, form](int limit, int& iterations, MatrixXd& solution) {
         const auto product = [&](const VectorXd& v) {
-            return VectorXd(solver::symmetric_product(H, v) + problem.unsymmetric_product(x, v, side));
+            return VectorXd(solver::symmetric_product(H, v) + problem.unsymmetric_product(x, v, form));
         };
         const auto metric = [&](const VectorXd& v) { return VectorXd(factor.solve(problem.pattern(), v)); };
         solution.resize(B.rows(), B.cols());
@@ -60,11 +60,11 @@ static SolveOnce symmetric_solve(const solver::SymmetricSparse& H, const MatrixX
 
 bool solve_by_lagged_factor(const solver::SymmetricSparse& H, const MatrixXd& B, double tolerance,
                             const StageProblem& problem, const Matrix3Xd& x, LaggedFactor& factor, StageReport& report,
-                            MatrixXd& solution, const MatrixXd& guess, model::Side side) {
+                            MatrixXd& solution, const MatrixXd& guess, model::StiffnessForm form) {
     const model::Body& body = *problem.model().body;
-    const SolveOnce solve = model::has_potential(problem.model())
-                                ? symmetric_solve(H, B, tolerance, problem, factor, report, guess)
-                                : unsymmetric_solve(H, B, tolerance, problem, x, factor, guess, side);
+    const bool symmetric = form == model::StiffnessForm::symmetric || model::has_potential(problem.model());
+    const SolveOnce solve = symmetric ? symmetric_solve(H, B, tolerance, problem, factor, report, guess)
+                                      : unsymmetric_solve(H, B, tolerance, problem, x, factor, guess, form);
     bool fresh = false;
     // With many columns each iteration is expensive, and a factor of this very matrix needs fewer of them.
     const bool pays = B.cols() > factor.iterations_per_factorisation(body);

@@ -28,7 +28,8 @@ bool energy_newton(const StageProblem& problem, const SolverOptions& options, do
                    Eigen::Matrix3Xd& x, StageReport& report);
 
 /// Solves H X = B by conjugate gradients with the lagged factor as preconditioner. For a body with forces without
-/// potential: solves (H + N) X = B, N the rest of the stiffness, or its transpose, by GMRES.
+/// potential: solves (H + N) X = B, N the rest of the stiffness, or the transpose, by GMRES, unless the symmetric form
+/// is asked for.
 ///
 /// @param B          unknowns x k
 /// @param tolerance  relative residual
@@ -38,6 +39,6 @@ bool energy_newton(const StageProblem& problem, const SolverOptions& options, do
 bool solve_by_lagged_factor(const solver::SymmetricSparse& H, const Eigen::MatrixXd& B, double tolerance,
                             const StageProblem& problem, const Eigen::Matrix3Xd& x, LaggedFactor& factor,
                             StageReport& report, Eigen::MatrixXd& solution, const Eigen::MatrixXd& guess = {},
-                            model::Side side = model::Side::plain);
+                            model::StiffnessForm form = model::StiffnessForm::complete);
 
 }  // namespace myo::dynamics

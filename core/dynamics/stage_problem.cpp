@@ -114,10 +114,11 @@ StageProblem::Evaluation StageProblem::evaluate(const Matrix3Xd& x, model::Hessi
     return result;
 }
 
-VectorXd StageProblem::unsymmetric_product(const Matrix3Xd& x, const VectorXd& vector, model::Side side) const {
+VectorXd StageProblem::unsymmetric_product(const Matrix3Xd& x, const VectorXd& vector,
+                                           model::StiffnessForm form) const {
     const Matrix3Xd v = model::depends_on_velocity(model()) ? stage_velocities(stage_, x) : Matrix3Xd();
     return model::gather(pattern(), model::unsymmetric_product(model(), force_state(stage_, x, v),
-                                                               model::scatter(pattern(), vector), side));
+                                                               model::scatter(pattern(), vector), form));
 }
 
 double StageProblem::force_scale(const Matrix3Xd& start, double tolerance) const {

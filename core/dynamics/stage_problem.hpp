@@ -58,7 +58,7 @@ public:
     /// Product of what the stiffness at x has beyond the Hessian with a vector of the free unknowns; see
     /// ForceElement::add_unsymmetric_tangent().
     Eigen::VectorXd unsymmetric_product(const Eigen::Matrix3Xd& x, const Eigen::VectorXd& vector,
-                                        model::Side side) const;
+                                        model::StiffnessForm form) const;
 
     const model::Model& model() const { return *constants_.model; }
     const model::BlockPattern& pattern() const { return model().body->pattern; }

@@ -120,25 +120,26 @@ solver::SymmetricSparse StageSolver::hessian(const Stage& stage, const Matrix3Xd
 }
 
 MatrixXd StageSolver::solve_linear(const solver::SymmetricSparse& H, const Stage& stage, const Matrix3Xd& x,
-                                   const MatrixXd& B, const MatrixXd& guess, model::Side side) {
+                                   const MatrixXd& B, const MatrixXd& guess, model::StiffnessForm form) {
     if (B.isZero(0.0)) return MatrixXd::Zero(B.rows(), B.cols());
     StageReport unused;
     MatrixXd solution;
     if (solve_by_lagged_factor(H, B, options_.tangent_tolerance, StageProblem(constants_, stage), x, factor_, unused,
-                               solution, guess, side))
+                               solution, guess, form))
         return solution;
     // Indefinite Hessian at a converged state (a buckling body): direct factorisation in double precision.
     solver::SparseCholesky exact;
-    if (model::has_potential(model()) && exact.factorize(H)) return exact.solve(B);
+    const bool symmetric = form == model::StiffnessForm::symmetric || model::has_potential(model());
+    if (symmetric && exact.factorize(H)) return exact.solve(B);
     return MatrixXd::Constant(B.rows(), B.cols(), std::numeric_limits<double>::quiet_NaN());
 }
 
 MatrixXd StageSolver::stiffness_product(const solver::SymmetricSparse& H, const Stage& stage, const Matrix3Xd& x,
-                                        const MatrixXd& V, model::Side side) const {
+                                        const MatrixXd& V, model::StiffnessForm form) const {
     MatrixXd result = solver::symmetric_product(H, V);
     if (model::has_potential(model())) return result;
     const StageProblem problem(constants_, stage);
-    for (Eigen::Index k = 0; k < V.cols(); ++k) result.col(k) += problem.unsymmetric_product(x, V.col(k), side);
+    for (Eigen::Index k = 0; k < V.cols(); ++k) result.col(k) += problem.unsymmetric_product(x, V.col(k), form);
     return result;
 }
 

@@ -46,7 +46,7 @@ public:
     solver::SymmetricSparse hessian(const Stage& stage, const Eigen::Matrix3Xd& x);
 
     /// Solves H X = B to options.tangent_tolerance. For a body with forces without potential the rest of the stiffness
-    /// is added to H, or its transpose.
+    /// is added to H, in the form asked for.
     ///
     /// @param H      Hessian of the stage at x
     /// @param B      unknowns x k
@@ -54,12 +54,13 @@ public:
     /// Errors: NaN if H is singular.
     Eigen::MatrixXd solve_linear(const solver::SymmetricSparse& H, const Stage& stage, const Eigen::Matrix3Xd& x,
                                  const Eigen::MatrixXd& B, const Eigen::MatrixXd& guess = {},
-                                 model::Side side = model::Side::plain);
+                                 model::StiffnessForm form = model::StiffnessForm::complete);
 
-    /// Product of the stiffness of the stage at x, H and the rest of it, or of its transpose, with nodal fields, both
-    /// unknowns x k.
+    /// Product of the stiffness of the stage at x, H and the rest of it, complete or transposed, with nodal fields,
+    /// both unknowns x k.
     Eigen::MatrixXd stiffness_product(const solver::SymmetricSparse& H, const Stage& stage, const Eigen::Matrix3Xd& x,
-                                      const Eigen::MatrixXd& V, model::Side side = model::Side::plain) const;
+                                      const Eigen::MatrixXd& V,
+                                      model::StiffnessForm form = model::StiffnessForm::complete) const;
 
     /// External minus internal forces at x, 3 x n [N], zero on clamped nodes. Strain rates as in the stage; inertia is
     /// not included.

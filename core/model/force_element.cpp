@@ -1,6 +1,7 @@
 #include "model/force_element.hpp"
 
 #include <algorithm>
+#include <cassert>
 
 #include "base/text.hpp"
 
@@ -36,10 +37,11 @@ bool has_potential(const Model& model) {
                        [](const ForceElementPointer& e) { return e->has_potential(); });
 }
 
-Matrix3Xd unsymmetric_product(const Model& model, const ForceState& at, const Matrix3Xd& field, Side side) {
+Matrix3Xd unsymmetric_product(const Model& model, const ForceState& at, const Matrix3Xd& field, StiffnessForm form) {
+    assert(form != StiffnessForm::symmetric);
     Matrix3Xd result = Matrix3Xd::Zero(3, field.cols());
     for (const ForceElementPointer& element : model.force_elements)
-        if (side == Side::plain)
+        if (form == StiffnessForm::complete)
             element->add_unsymmetric_tangent(*model.body, at, field, result);
         else
             element->add_unsymmetric_pull(*model.body, at, field, result);

@@ -91,12 +91,14 @@ bool depends_on_velocity(const Model& model);
 /// True if all force elements of the model have a potential: the stiffness matrix of the body is then symmetric.
 bool has_potential(const Model& model);
 
-/// A matrix or its transpose.
-enum class Side { plain, transposed };
+/// The stiffness of a body with forces without potential: complete, its transpose, or its symmetric part alone, the
+/// Hessian, as for vibrations. Without such forces all are the same.
+enum class StiffnessForm { complete, transposed, symmetric };
 
-/// Product of the part of the stiffness that the Hessian lacks, or of its transpose, with a nodal field, 3 x n.
+/// Product of the part of the stiffness that the Hessian lacks with a nodal field, 3 x n; asserts that the form has
+/// such a part.
 Eigen::Matrix3Xd unsymmetric_product(const Model& model, const ForceState& at, const Eigen::Matrix3Xd& field,
-                                     Side side);
+                                     StiffnessForm form);
 
 /// Commands of all force elements at an instant in words, those at zero left out: "12000 Pa in chamber upper".
 ///

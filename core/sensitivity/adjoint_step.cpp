@@ -106,7 +106,7 @@ void AdjointFollower::jump(dynamics::StageSolver& solver, const JumpRecord& at) 
     const solver::SymmetricSparse K = solver.hessian(stage, s.x);
     add_to(state_.nodal[x_field], -1.0,
            model::scatter(pattern, solver.stiffness_product(K, stage, s.x, model::gather(pattern, adjoint),
-                                                            model::Side::transposed)));
+                                                            model::StiffnessForm::transposed)));
     add_to(state_.nodal[v_field], model_.velocity_force_1_s, times_M);
     if (model_.damping_s > 0.0) add_to(state_.strain[rate_field], -1.0, model::strain_tangent(model_, s.x, adjoint));
     if (model::depends_on_velocity(model_))
@@ -123,7 +123,7 @@ Matrix3Xd AdjointFollower::stage_adjoint(dynamics::StageSolver& solver, const dy
     const model::BlockPattern& pattern = model_.body->pattern;
     const solver::SymmetricSparse H = solver.hessian(stage, x);
     const VectorXd b = model::gather(pattern, load);
-    const VectorXd p = solver.solve_linear(H, stage, x, b, guess.next(H, b), model::Side::transposed);
+    const VectorXd p = solver.solve_linear(H, stage, x, b, guess.next(H, b), model::StiffnessForm::transposed);
     if (!p.allFinite()) return {3, 0};
     guess.add(p);
     return model::scatter(pattern, p);
@@ -243,7 +243,7 @@ bool AdjointFollower::start(dynamics::StageSolver& solver, const dynamics::Simul
     const dynamics::Stage stage = dynamics::static_stage(body, 0.0);
     const MatrixXd solved = solver.solve_linear(solver.hessian(stage, at.x), stage, at.x,
                                                 model::gather(body.pattern, initial_.initial_positions), {},
-                                                model::Side::transposed);
+                                                model::StiffnessForm::transposed);
     if (!solved.allFinite()) return false;
     const Matrix3Xd p = model::scatter(body.pattern, solved);
     gradient_.add({at.x, nullptr, {}, stage.time_s, stage.before_jump, stage.inertia_at_s}, p,

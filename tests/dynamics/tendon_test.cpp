@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "dynamics/natural_modes.hpp"
 #include "support/beam.hpp"
 #include "support/figures.hpp"
 #include "support/statics.hpp"
@@ -76,6 +77,31 @@ TEST(Tendon, BendsLessBeyondEachBendByFriction) {
     EXPECT_GT(drop / without, 0.8);
     EXPECT_LT(drop / without, 0.95);
     EXPECT_NEAR(tip(2) / drop, 1.0, 0.015);
+}
+
+/// While the thread pays out, friction makes the tension rise along it instead.
+TEST(Tendon, BendsMoreBeyondEachBendWhilePayingOut) {
+    const auto drop_under = [](const fibre::Signal& tension_N, double friction) {
+        SlenderBeam beam = slender_beam(fem::ElementKind::hex8, {20, 1, 1});
+        test::pull_by_tension(beam.path, tension_N, beam.model, friction);
+        return -test::tip_at_equilibrium(beam.model, beam.spec)(2);
+    };
+    const double without = drop_under(fibre::Signal::constant(0.3), 0.0);
+    EXPECT_GT(drop_under({{-1.0, 1.0}, {0.4, 0.2}}, 0.3), 1.02 * without);
+    EXPECT_LT(drop_under({{-1.0, 1.0}, {0.2, 0.4}}, 0.3), 0.98 * without);
+}
+
+/// Vibrations are those of the symmetric part of the stiffness: a little friction changes them little.
+TEST(Tendon, LeavesVibrationsToTheSymmetricPart) {
+    const auto omega_with = [](double friction) {
+        SlenderBeam beam = slender_beam(fem::ElementKind::hex8, {20, 1, 1});
+        test::pull_by_tension(beam.path, fibre::Signal::constant(0.3), beam.model, friction);
+        StageSolver solver(beam.model);
+        const NaturalModes modes = natural_modes(solver, test::equilibrium(beam.model), 2);
+        EXPECT_TRUE(modes.ok()) << modes.residual;
+        return modes.ok() ? modes.modes[0].omega_rad_s : 0.0;
+    };
+    EXPECT_NEAR(omega_with(0.3) / omega_with(0.0), 1.0, 0.05);
 }
 
 /// The thread that takes in a length pulls as hard as the one of that tension.

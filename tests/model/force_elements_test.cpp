@@ -98,7 +98,7 @@ TEST_P(ForceElements, HaveTheGradientOfTheirPotentialAndItsHessian) {
     }
     const Matrix3Xd v = factor * x + v_history;
     const ForceState state{x, &v, factor, time_s};
-    const Matrix3Xd rest = unsymmetric_product(model, state, d, Side::plain);
+    const Matrix3Xd rest = unsymmetric_product(model, state, d, StiffnessForm::complete);
     const VectorXd product = here.hessian.selfadjointView<Eigen::Lower>() * gather(model.body->pattern, d) +
                              gather(model.body->pattern, rest);
     const VectorXd difference = gather(model.body->pattern, (up.gradient - down.gradient) / (2.0 * step));
@@ -106,7 +106,7 @@ TEST_P(ForceElements, HaveTheGradientOfTheirPotentialAndItsHessian) {
     EXPECT_LT((product - difference).norm(), 1e-6 * difference.norm());
     const Matrix3Xd p = test::rough_field(X.cols(), 3.0);
     EXPECT_EQ(rest.isZero(0.0), has_potential(model));
-    EXPECT_NEAR(unsymmetric_product(model, state, p, Side::transposed).cwiseProduct(d).sum(),
+    EXPECT_NEAR(unsymmetric_product(model, state, p, StiffnessForm::transposed).cwiseProduct(d).sum(),
                 rest.cwiseProduct(p).sum(), 1e-12 * rest.norm() * p.norm());
 }
 
