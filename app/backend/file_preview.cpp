@@ -35,20 +35,22 @@ std::string size_label(std::uintmax_t bytes) {
 
 ui::commands::ReportLine cannot_be_opened(const Error& error) { return {"Cannot be opened", error.text(), true}; }
 
-/// Name, trials with role, number of markers, muscles and chambers of an experiment. Traces are not read.
+/// Name, trials with role, number of markers and actuators of an experiment. Traces are not read.
 std::vector<ui::commands::ReportLine> experiment_lines(const fs::path& path) {
     const Result<experiment::Experiment> experiment = experiment::read_experiment(path);
     if (!experiment) return {cannot_be_opened(experiment.error())};
-    std::vector<std::string> trials, muscles, chambers;
+    std::vector<std::string> trials, muscles, chambers, tendons;
     for (const experiment::TrialDeclaration& trial : experiment->trials)
         trials.push_back(trial.name + (trial.role == experiment::TrialRole::fit ? " (fit)" : " (validate)"));
     for (const experiment::MuscleDeclaration& muscle : experiment->muscles) muscles.push_back(muscle.name);
     for (const experiment::ChamberDeclaration& chamber : experiment->chambers) chambers.push_back(chamber.name);
+    for (const experiment::TendonDeclaration& tendon : experiment->tendons) tendons.push_back(tendon.name);
     std::vector<ui::commands::ReportLine> lines{{"Name", experiment->name},
                                                 {"Trials", join(trials)},
                                                 {"Markers", std::to_string(experiment->markers.on_body.size())}};
     if (!muscles.empty()) lines.push_back({"Muscles", join(muscles)});
     if (!chambers.empty()) lines.push_back({"Chambers", join(chambers)});
+    if (!tendons.empty()) lines.push_back({"Tendons", join(tendons)});
     if (!experiment->description.empty()) lines.push_back({"Description", experiment->description});
     return lines;
 }

@@ -41,4 +41,9 @@ std::string constant_key(ActuatorKind kind) {
     return {};
 }
 
+std::string quantity_word(ActuatorKind kind) {
+    const std::string key = constant_key(kind);  // with its unit behind a dash
+    return key.substr(0, key.find('_'));
+}
+
 }  // namespace myo::experiment

@@ -30,5 +30,7 @@ std::optional<std::size_t> find_actuator(const Experiment& experiment, const std
 
 /// Table of a trial for constants of a kind: "activation", "pressure_Pa", "tension_N", "shortening_m".
 std::string constant_key(ActuatorKind kind);
+/// What the signal of a kind is: "activation", "pressure", "tension", "shortening".
+std::string quantity_word(ActuatorKind kind);
 
 }  // namespace myo::experiment

@@ -57,12 +57,11 @@ std::vector<MissedSignal> missed_signals(const Setup& setup, const SignalSpanPol
     std::vector<MissedSignal> found;
     const std::vector<experiment::MuscleDeclaration>& muscles = setup.experiment.muscles;
     const std::vector<std::string> names = actuator_names(setup.experiment);
-    const std::size_t driven = muscles.size() + setup.chambers.size();
     for (std::size_t t = 0; t < setup.trials.size(); ++t) {
         const PreparedTrial& trial = setup.trials[t];
         const double end_s = trial.measured.time_s.tail(1)(0);
         const std::size_t first_of_trial = found.size();
-        for (std::size_t m = 0; m < driven; ++m) {
+        for (std::size_t m = 0; m < names.size(); ++m) {
             const fibre::Signal& signal = actuator_signal(setup.experiment, trial.model, m);
             const bool muscle = m < muscles.size();
             if ((muscle && muscles[m].follows) || meets(signal, end_s, policy)) continue;

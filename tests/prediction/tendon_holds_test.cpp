@@ -1,9 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "dynamics/statics.hpp"
 #include "prediction/prediction.hpp"
-#include "setup/actuator_signals.hpp"
+#include "setup/signal_span.hpp"
 #include "support/chambered_beam.hpp"
 
 namespace myo::prediction {
@@ -25,6 +24,7 @@ setup::Setup held_beam(const test::Folder& folder, experiment::TendonDrive drive
         tendon.friction = 0.2;
         e.tendons = {tendon};
         e.trials[0].hold = true;
+        e.trials[0].start = experiment::StartState::equilibrium;
         e.trials[0].constant_commands = {{"upper", command}};
     });
 }
@@ -45,6 +45,24 @@ TEST(Holds, AreOnePoseForAllSamples) {
     // The tendon lifts the tip against its weight.
     const setup::Setup loose = held_beam(folder, experiment::TendonDrive::tension, 0.0);
     EXPECT_GT(tip(2, 0), predict_trial(loose, 0, declared_values(loose)).positions_m[0](2, 0) + 0.002);
+}
+
+/// A signal in another clock is told of tendons, too.
+TEST(TendonSignals, ThatMissTheTrialAreFound) {
+    const test::Folder folder("tendon_signal");
+    const setup::Setup setup = test::chambered_beam(folder, 0.1, [&](Experiment& e) {
+        e.chambers.clear();
+        experiment::TendonDeclaration tendon;
+        tendon.name = "upper";
+        tendon.path_m.resize(3, 2);
+        tendon.path_m << 0.0, 0.095, 0.015, 0.015, 0.028, 0.028;
+        e.tendons = {tendon};
+        folder.write("late.csv", "time_s,upper_N\n50,0\n60,3\n");
+        e.trials[0].actuation = folder.path() / "late.csv";
+    });
+    const std::vector<setup::MissedSignal> missed = setup::missed_signals(setup);
+    ASSERT_EQ(missed.size(), 1u);
+    EXPECT_EQ(missed[0].actuators, std::vector<std::string>{"upper"});
 }
 
 /// Tangents of a hold against central differences, for the modulus.

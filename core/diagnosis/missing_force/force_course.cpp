@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "experiment/actuators.hpp"
 #include "model/internal_forces.hpp"
 #include "setup/actuator_signals.hpp"
 
@@ -81,16 +82,14 @@ std::vector<statistics::Correlate> course_correlates(const setup::Setup& setup, 
         {"strain rate", rate(elastic_course(trial.model, trace, mode.pattern, at, policy), dt)},
         {"time", at}};
     const experiment::Experiment& experiment = setup.experiment;
-    const std::vector<std::string> names = setup::actuator_names(experiment);
-    // Tendons have no signals as long as they are not in the model.
-    const std::size_t driven = experiment.muscles.size() + setup.chambers.size();
-    for (std::size_t a = 0; a < driven; ++a) {
+    const std::vector<experiment::Actuator> actuators = experiment::actuators(experiment);
+    for (std::size_t a = 0; a < actuators.size(); ++a) {
         const fibre::Signal& signal = setup::actuator_signal(experiment, trial.model, a);
         VectorXd input(policy.curve_points);
         for (Index k = 0; k < policy.curve_points; ++k)
             input(k) = signal.value(at(k)) - setup::passive_level(experiment, a);
-        const char* const what = a < experiment.muscles.size() ? "activation of " : "pressure of ";
-        if (input.maxCoeff() > input.minCoeff()) regressors.push_back({what + names[a], input});
+        if (input.maxCoeff() > input.minCoeff())
+            regressors.push_back({experiment::quantity_word(actuators[a].kind) + " of " + actuators[a].name, input});
     }
     return statistics::correlates(amplitude, regressors);
 }
