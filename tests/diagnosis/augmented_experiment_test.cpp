@@ -16,7 +16,8 @@ TEST(AugmentedExperiment, NamesTheSameFilesFromWhereItLies) {
     const test::Folder folder("augmented");
     folder.write("home/experiment.toml",
                  "file = \"body.stl\"\ntrace = 'take 1.csv'\nsignal = "
-                 "\"beat.csv\"\nmask=\"/elsewhere/mask.csv\"\nprofile = \"name.csv\"");
+                 "\"beat.csv\"\nmask=\"/elsewhere/mask.csv\"\nprofile = \"name.csv\"\n"
+                 "[[effect]]\nid = \"actuation_lag\"\nsignal = \"upper\"\n[[muscle]]\nsignal = \"late.csv\"\n");
     const Result<std::string> text = augmented_experiment(folder.path() / "home/experiment.toml",
                                                           {{"quadratic_drag", {{"coefficient_kg_m3", 900.0}}, false}},
                                                           folder.path() / "out");
@@ -26,6 +27,8 @@ TEST(AugmentedExperiment, NamesTheSameFilesFromWhereItLies) {
     EXPECT_THAT(*text, HasSubstr("signal = \"../home/beat.csv\""));
     EXPECT_THAT(*text, HasSubstr("mask=\"/elsewhere/mask.csv\""));
     EXPECT_THAT(*text, HasSubstr("profile = \"name.csv\""));
+    EXPECT_THAT(*text, HasSubstr("signal = \"upper\"")) << "an actuator, not a file";
+    EXPECT_THAT(*text, HasSubstr("signal = \"../home/late.csv\""));
     EXPECT_THAT(*text, HasSubstr("# Found by `myoloop diagnose`. Modulus and damping stay as declared"));
     EXPECT_THAT(*text, HasSubstr("[[effect]]\nid = \"quadratic_drag\"\ncoefficient_kg_m3 = 900.0\ncalibrate = true\n"));
     const Result<std::string> same = augmented_experiment(folder.path() / "home/experiment.toml", {},

@@ -41,6 +41,14 @@ std::string effect_tables(const std::vector<effect::EffectDeclaration>& effects,
     return text;
 }
 
+/// Whether a key before `place` names a file: `signal` does in a table [[muscle]], not in an [[effect]].
+static bool names_a_file(const std::string& key, const std::string& text, std::size_t place) {
+    if (key != "signal") return true;
+    const std::size_t header = text.rfind("\n[", place);
+    const std::string_view line = std::string_view(text).substr(header == std::string::npos ? 0 : header + 1);
+    return !line.starts_with("[[effect]]");
+}
+
 Result<std::string> augmented_experiment(const std::filesystem::path& written,
                                          const std::vector<effect::EffectDeclaration>& effects,
                                          const std::filesystem::path& folder) {
@@ -50,6 +58,7 @@ Result<std::string> augmented_experiment(const std::filesystem::path& written,
     std::string result;
     auto from = text->cbegin();
     for (std::sregex_iterator match(text->begin(), text->end(), named), end; match != end; ++match) {
+        if (!names_a_file((*match)[1].str(), *text, static_cast<std::size_t>(match->position()))) continue;
         result.append(from, (*match)[0].first);
         const std::string name = (*match)[3].str();
         result += (*match)[1].str() + (*match)[2].str() +
