@@ -1,11 +1,7 @@
 #include "experiment/check_robot_parts.hpp"
 
-#include <cmath>
-#include <optional>
-
+#include "experiment/cavities.hpp"
 #include "experiment/read_experiment.hpp"
-#include "mesh/surface_topology.hpp"
-#include "mesh/winding_number.hpp"
 
 namespace myo::experiment {
 namespace {
@@ -14,57 +10,9 @@ std::string robot_key(const char* table, std::size_t index, const char* key) {
     return std::string(table) + "[" + std::to_string(index) + "]." + key;
 }
 
-/// Closed parts of a surface, one mesh each with the vertices of the whole.
-std::vector<mesh::SurfaceMesh> closed_parts(const mesh::SurfaceMesh& surface) {
-    const mesh::SurfaceTopology topology = mesh::surface_topology(surface);
-    std::vector<std::vector<int>> triangles(static_cast<std::size_t>(topology.parts));
-    for (std::size_t t = 0; t < topology.part.size(); ++t)
-        triangles[static_cast<std::size_t>(topology.part[t])].push_back(static_cast<int>(t));
-    std::vector<mesh::SurfaceMesh> parts;
-    for (const std::vector<int>& part : triangles)
-        parts.push_back({surface.vertices, surface.triangles(Eigen::all, part)});
-    return parts;
-}
-
-/// The inner part of the surface that bounds the cavity around a point: the smallest one wound around it that faces
-/// inward. Empty if there is none.
-std::optional<std::size_t> cavity_around(const std::vector<mesh::SurfaceMesh>& parts, const Eigen::Vector3d& point) {
-    std::optional<std::size_t> found;
-    double smallest = 0.0;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        if (mesh::winding_number(parts[i], point) > -0.5) continue;
-        const double volume = std::abs(mesh::enclosed_volume(parts[i]));
-        if (found && volume >= smallest) continue;
-        found = i;
-        smallest = volume;
-    }
-    return found;
-}
-
 Result<void> check_chambers(const Experiment& experiment, const BodyQueries& body) {
-    if (experiment.chambers.empty()) return {};
-    const std::vector<mesh::SurfaceMesh> parts = closed_parts(body.surface());
-    std::vector<std::size_t> cavities;
-    for (std::size_t i = 0; i < experiment.chambers.size(); ++i) {
-        const Eigen::Vector3d& point = experiment.chambers[i].inside_m;
-        const std::string key = robot_key("chamber", i, "inside_m");
-        if (body.in_material(point) || body.distance_to_surface(point) <= body.tolerance())
-            return declaration_error(experiment, key, "lies in the material; give a point in the cavity");
-        const std::optional<std::size_t> cavity = cavity_around(parts, point);
-        if (!cavity && !mesh::bounding_box(body.surface().vertices).contains(point))
-            return declaration_error(experiment, key, "lies outside the body");
-        if (!cavity)
-            return declaration_error(experiment, key,
-                                     "lies in no closed cavity: no inner part of the surface surrounds it, so it is "
-                                     "outside the body or the cavity is open");
-        for (std::size_t j = 0; j < i; ++j)
-            if (cavities[j] == *cavity)
-                return declaration_error(
-                    experiment, key,
-                    "lies in the cavity of chamber \"" + experiment.chambers[j].name + "\"; a cavity is one chamber");
-        cavities.push_back(*cavity);
-    }
-    return {};
+    const Result<std::vector<Cavity>> cavities = chamber_cavities(experiment, body);
+    return cavities ? Result<void>() : cavities.error();
 }
 
 Result<void> check_tendons(const Experiment& experiment, const BodyQueries& body) {

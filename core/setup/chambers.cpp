@@ -1,16 +1,12 @@
 #include "setup/chambers.hpp"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "base/text.hpp"
-#include "experiment/check_body.hpp"
+#include "experiment/cavities.hpp"
 #include "experiment/read_experiment.hpp"
-#include "mesh/surface_topology.hpp"
 #include "mesh/winding_number.hpp"
 #include "model/cavity_pressure.hpp"
 #include "setup/default_mesh.hpp"
@@ -23,58 +19,6 @@ using Eigen::Index;
 
 bool encloses(const mesh::SurfaceMesh& surface, const Eigen::Vector3d& point) {
     return std::abs(mesh::winding_number(surface, point)) > 0.5;
-}
-
-/// The edge-connected parts of a surface.
-std::vector<mesh::SurfaceMesh> parts_of(const mesh::SurfaceMesh& surface) {
-    const mesh::SurfaceTopology topology = mesh::surface_topology(surface);
-    std::vector<std::vector<int>> triangles(static_cast<std::size_t>(topology.parts));
-    for (Index t = 0; t < surface.triangles.cols(); ++t)
-        triangles[static_cast<std::size_t>(topology.part[static_cast<std::size_t>(t)])].push_back(static_cast<int>(t));
-    std::vector<mesh::SurfaceMesh> parts;
-    for (const std::vector<int>& part : triangles)
-        parts.push_back({surface.vertices, surface.triangles(Eigen::all, part)});
-    return parts;
-}
-
-/// A cavity of the declared surface, by its part.
-struct Cavity {
-    std::size_t part = 0;
-    double volume_m3 = 0.0;
-    double area_m2 = 0.0;
-};
-
-double area_of(const mesh::SurfaceMesh& surface) {
-    double area = 0.0;
-    for (const auto& corners : surface.triangles.colwise()) {
-        const Eigen::Vector3d a = surface.vertices.col(corners(0)), b = surface.vertices.col(corners(1)),
-                              c = surface.vertices.col(corners(2));
-        area += 0.5 * (b - a).cross(c - a).norm();
-    }
-    return area;
-}
-
-/// The smallest part around the point is the wall of its cavity; an even number of parts around it means a cavity.
-Result<Cavity> declared_cavity(const experiment::Experiment& experiment, const std::string& key,
-                               const std::vector<mesh::SurfaceMesh>& parts, const Eigen::Vector3d& inside) {
-    int around = 0;
-    Cavity cavity{0, std::numeric_limits<double>::infinity()};
-    for (std::size_t p = 0; p < parts.size(); ++p) {
-        if (!encloses(parts[p], inside)) continue;
-        ++around;
-        const double volume = std::abs(mesh::enclosed_volume(parts[p]));
-        if (volume < cavity.volume_m3) cavity = {p, volume};
-    }
-    if (around > 0) cavity.area_m2 = area_of(parts[cavity.part]);
-    if (around % 2 == 1)
-        return experiment::declaration_error(
-            experiment, key, "the point lies in the material, not in a cavity; give a point of the chamber's air");
-    if (around == 0)
-        return experiment::declaration_error(
-            experiment, key,
-            "the point lies outside the body, or in a cavity that is not closed; a chamber's walls must be a closed "
-            "inner part of the surface");
-    return cavity;
 }
 
 /// Triangles of the walls, quadrilaterals in halves; curved faces by their corners.
@@ -127,36 +71,28 @@ std::string lost_cavity(const mesh::SurfaceMesh& surface, const mesh::SurfaceMes
 
 Result<std::vector<Chamber>> find_chambers(const experiment::Experiment& experiment, const mesh::SurfaceMesh& surface,
                                            const BodyMesh& mesh, const model::Body& body) {
+    const Result<std::vector<experiment::Cavity>> declared = experiment::chamber_cavities(
+        experiment, experiment::BodyQueries(surface));
+    if (!declared) return declared.error();
     std::vector<Chamber> chambers;
-    if (experiment.chambers.empty()) return chambers;
-    const std::vector<mesh::SurfaceMesh> parts = parts_of(surface);
+    if (declared->empty()) return chambers;
     const std::vector<std::vector<int>> cavities = model::closed_cavities(body);
-    std::vector<std::size_t> taken;
-    for (std::size_t i = 0; i < experiment.chambers.size(); ++i) {
-        const experiment::ChamberDeclaration& declared = experiment.chambers[i];
-        const std::string key = "chamber[" + std::to_string(i) + "].inside_m";
-        const Result<Cavity> cavity = declared_cavity(experiment, key, parts, declared.inside_m);
-        if (!cavity) return cavity.error();
-        const auto same = std::find(taken.begin(), taken.end(), cavity->part);
-        if (same != taken.end())
-            return experiment::declaration_error(
-                experiment, key,
-                "the point lies in the cavity of chamber " +
-                    experiment.chambers[static_cast<std::size_t>(same - taken.begin())].name +
-                    "; a cavity is one chamber");
-        taken.push_back(cavity->part);
-        const std::optional<std::size_t> found = cavity_on_mesh(body, cavities, parts[cavity->part],
-                                                                point_on_mesh(mesh, declared.inside_m));
+    for (std::size_t i = 0; i < declared->size(); ++i) {
+        const experiment::Cavity& cavity = (*declared)[i];
+        const experiment::ChamberDeclaration& chamber_of = experiment.chambers[i];
+        const std::optional<std::size_t> found = cavity_on_mesh(body, cavities, cavity.wall,
+                                                                point_on_mesh(mesh, chamber_of.inside_m));
         if (!found)
-            return experiment::declaration_error(experiment, key, lost_cavity(surface, parts[cavity->part], mesh));
-        Chamber chamber{declared.name, cavities[*found]};
-        chamber.volume_m3 = cavity->volume_m3;
-        chamber.wall_area_m2 = cavity->area_m2;
+            return experiment::declaration_error(experiment, "chamber[" + std::to_string(i) + "].inside_m",
+                                                 lost_cavity(surface, cavity.wall, mesh));
+        Chamber chamber{chamber_of.name, cavities[*found]};
+        chamber.volume_m3 = cavity.volume_m3;
+        chamber.wall_area_m2 = cavity.area_m2;
         chamber.mesh_area_m2 = model::wall_area(body, chamber.walls, body.mesh.nodes);
         const double meshed = model::cavity_volume(body, chamber.walls, body.mesh.nodes);
         // Walls that meet the surface are left as they are, to the last bit.
-        if (std::abs(meshed / cavity->volume_m3 - 1.0) > chamber_policy.same_volume)
-            chamber.volume_factor = cavity->volume_m3 / meshed;
+        if (std::abs(meshed / cavity.volume_m3 - 1.0) > chamber_policy.same_volume)
+            chamber.volume_factor = cavity.volume_m3 / meshed;
         chambers.push_back(std::move(chamber));
     }
     return chambers;

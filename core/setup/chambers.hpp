@@ -34,9 +34,8 @@ inline constexpr ChamberPolicy chamber_policy;
 /// Finds the walls of all declared chambers: the closed inner part of the boundary around the point of each.
 ///
 /// @param surface  the declared surface of the body, closed
-/// Errors: a point in the material, outside the body or in a cavity that is not closed; a cavity that the mesh lost
-/// (the
-///         message names a resolution that keeps it); two chambers with one cavity. Each at the chamber's key.
+/// Errors: those of experiment::chamber_cavities(); a cavity that the mesh lost, at the key of its chamber, with a
+/// resolution that keeps it.
 Result<std::vector<Chamber>> find_chambers(const experiment::Experiment& experiment, const mesh::SurfaceMesh& surface,
                                            const BodyMesh& mesh, const model::Body& body);
 

@@ -70,7 +70,7 @@ TEST(Chambers, RefusePointsThatAreInNoCavityOfTheirOwn) {
                 testing::AllOf(HasSubstr("chamber[1].inside_m"), HasSubstr("in the material")));
     EXPECT_THAT(sentence({Vector3d(0.03, 0.04, 0.01)}), HasSubstr("outside the body"));
     EXPECT_THAT(sentence({in_wide, in_narrow, in_wide + Vector3d(0.01, 0.0, 0.0)}),
-                testing::AllOf(HasSubstr("chamber[2]"), HasSubstr("the cavity of chamber c0")));
+                testing::AllOf(HasSubstr("chamber[2]"), HasSubstr("the cavity of chamber \"c0\"")));
 }
 
 /// A block that no grid plane meets: coarse voxels fill the narrow chamber; the edge length of the message keeps it.

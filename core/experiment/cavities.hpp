@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "base/result.hpp"
+#include "experiment/body_queries.hpp"
+#include "experiment/experiment.hpp"
+
+namespace myo::experiment {
+
+/// Cavity of a chamber in the declared surface of the body.
+struct Cavity {
+    mesh::SurfaceMesh wall;  // the closed inner part that bounds it, with the vertices of the whole surface
+    double volume_m3 = 0.0;
+    double area_m2 = 0.0;
+};
+
+/// Cavities of the declared chambers, in their order: of each the smallest inner part of the surface around its point.
+///
+/// Errors, with key and line: a point in the material, outside the body or in a cavity that is not closed; two chambers
+/// with one cavity.
+Result<std::vector<Cavity>> chamber_cavities(const Experiment& experiment, const BodyQueries& body);
+
+}  // namespace myo::experiment
