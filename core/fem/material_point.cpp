@@ -7,7 +7,6 @@
 
 #include "fem/reference_coordinates.hpp"
 #include "mesh/cell_traits.hpp"
-#include "mesh/closest_point.hpp"
 
 namespace myo::fem {
 namespace {
@@ -43,12 +42,13 @@ int containing_cell(const mesh::VolumeMesh& mesh, const Vector3d& point) {
 
 }  // namespace
 
-MaterialPoint material_point(const mesh::VolumeMesh& mesh, const Vector3d& rest_m) {
+MaterialPoint material_point(const mesh::VolumeMesh& mesh, const mesh::BoundaryLocator& boundary,
+                             const Vector3d& rest_m) {
     MaterialPoint point;
     Vector3d on_mesh = rest_m;
     point.cell = containing_cell(mesh, rest_m);
     if (point.cell < 0) {
-        const mesh::BoundaryPoint nearest = mesh::closest_boundary_point(mesh::BoundaryLocator(mesh), rest_m);
+        const mesh::BoundaryPoint nearest = mesh::closest_boundary_point(boundary, rest_m);
         point.cell = nearest.cell;
         on_mesh = nearest.point;
     }

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "mesh/closest_point.hpp"
 #include "mesh/volume_mesh.hpp"
 
 namespace myo::fem {
@@ -19,6 +20,9 @@ struct MaterialPoint {
 /// Point of the body at a rest position [m]: of the cell that contains it, or, for a position outside the mesh, of the
 /// cell behind the nearest point of the boundary, whose shape functions are continued linearly from there: the point
 /// moves as if the material went on with the deformation gradient of the boundary.
-MaterialPoint material_point(const mesh::VolumeMesh& mesh, const Eigen::Vector3d& rest_m);
+///
+/// @param boundary  of the mesh
+MaterialPoint material_point(const mesh::VolumeMesh& mesh, const mesh::BoundaryLocator& boundary,
+                             const Eigen::Vector3d& rest_m);
 
 }  // namespace myo::fem

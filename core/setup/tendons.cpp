@@ -13,6 +13,7 @@ std::vector<Tendon> find_tendons(const experiment::Experiment& experiment, const
     std::vector<Tendon> tendons;
     if (experiment.tendons.empty()) return tendons;
     const experiment::BodyQueries body(surface);
+    const mesh::BoundaryLocator boundary(mesh.mesh);
     std::size_t coupling = 0;
     for (const experiment::TendonDeclaration& declared : experiment.tendons) {
         Tendon tendon;
@@ -23,7 +24,7 @@ std::vector<Tendon> find_tendons(const experiment::Experiment& experiment, const
             model::TendonGuide& placed = tendon.route.guides.emplace_back();
             placed.rest_m = point_on_mesh(mesh, guide);
             if (experiment::guide_moves(experiment, body, guide))
-                placed.on_body = fem::material_point(mesh.mesh, placed.rest_m);
+                placed.on_body = fem::material_point(mesh.mesh, boundary, placed.rest_m);
         }
         const double length = (declared.path_m.rightCols(declared.path_m.cols() - 1) -
                                declared.path_m.leftCols(declared.path_m.cols() - 1))

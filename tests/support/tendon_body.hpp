@@ -13,8 +13,10 @@ namespace myo::test {
 /// Guides at these points: the first stands still, the others move with the body.
 inline std::vector<model::TendonGuide> guides_along(const mesh::VolumeMesh& mesh,
                                                     const std::vector<Eigen::Vector3d>& path) {
+    const mesh::BoundaryLocator boundary(mesh);
     std::vector<model::TendonGuide> guides{{std::nullopt, path.front()}};
-    for (std::size_t i = 1; i < path.size(); ++i) guides.push_back({fem::material_point(mesh, path[i]), path[i]});
+    for (std::size_t i = 1; i < path.size(); ++i)
+        guides.push_back({fem::material_point(mesh, boundary, path[i]), path[i]});
     return guides;
 }
 
