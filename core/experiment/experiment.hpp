@@ -173,7 +173,7 @@ struct TrialDeclaration {
     std::optional<std::filesystem::path> actuation;  // recorded a(t) per muscle, resolved
     std::vector<ActuationStep> actuation_steps;
     std::vector<ConstantCommand> constant_commands;
-    bool hold = false;  // at rest all along: all samples are measurements of one pose; `start` is not used
+    bool hold = false;  // at rest all along: all samples are measurements of one pose; `start` is equilibrium
     std::optional<std::filesystem::path> sensors;  // recorded columns of the sensors, resolved
     std::map<std::string, double> sensor_values;   // readings of a hold, by column name
     std::optional<double> start_s;                 // file time that is t = 0

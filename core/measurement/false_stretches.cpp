@@ -46,12 +46,11 @@ double threshold_m(const MarkerPredictor& predictor, const MarkerPredictor::Fit&
 /// First sample behind the longest gap between two visible samples; without a gap, behind the longest step.
 Index first_behind_break(const Eigen::Matrix3Xd& track, Index before, Index after) {
     Index last = before, first = after;
-    double longest = -1.0;
+    std::pair<Index, double> longest{0, -1.0};  // gap, then step: any gap counts more than any step
     for (Index t = before + 1; t <= after; ++t) {
         if (!is_seen(track, t)) continue;
-        // Any gap counts more than any step.
-        const double length = t - last > 1 ? 1e3 * static_cast<double>(t - last)
-                                           : (track.col(t) - track.col(last)).norm();
+        const bool gap = t - last > 1;
+        const std::pair<Index, double> length{gap ? t - last : 1, gap ? 0.0 : (track.col(t) - track.col(last)).norm()};
         if (length > longest) longest = length, first = t;
         last = t;
     }

@@ -22,7 +22,7 @@ void add_command_work(const fibre::Signal& command, const ForceState& at, double
 
 /// The knots as parameters "<key>, knot <k>"; their scale is the largest magnitude, or `scale` if all are zero.
 std::vector<ForceParameter> command_parameters(const fibre::Signal& command, const std::string& key, double scale);
-/// The same times with other values: the first entries of `values`.
+/// Copy of the command with the first entries of `values` at its times.
 fibre::Signal with_values(const fibre::Signal& command, const Eigen::VectorXd& values);
 
 /// True if the command is constant throughout (from_s, to_s).

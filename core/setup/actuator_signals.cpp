@@ -13,8 +13,7 @@ namespace {
 struct LevelPolicy {
     LevelBounds muscle{0.05, 10.0, 0.1};
     double vacuum_Pa = -101325.0;  // lowest gauge pressure
-    /// Pressure and tension over the modulus of the body, and shortening in m: beyond the largest the body would be
-    /// torn.
+    /// Pressures over the modulus of the body: beyond the largest the body would be torn.
     double largest_pressure_share = 10.0, pressure_scale_share = 0.02;
     LevelBounds tension_N{0.0, 1e4, 1.0};
     LevelBounds shortening_m{0.0, 10.0, 0.005};
@@ -57,18 +56,6 @@ void set_level(const experiment::Experiment& experiment, std::size_t actuator, d
     } else {
         model.activation = with_level(experiment, std::move(model.activation), actuator, level);
     }
-}
-
-void set_constant(const experiment::Experiment& experiment, std::size_t actuator, double value, model::Model& model) {
-    if (const std::optional<std::size_t> element = actuator_element(experiment, actuator)) {
-        model::ForceElementPointer& driven = model.force_elements[*element];
-        driven = driven->with_command(fibre::Signal::constant(value));
-        return;
-    }
-    const std::vector<experiment::MuscleLeader> leaders = experiment::muscle_leaders(experiment);
-    for (std::size_t m = 0; m < leaders.size(); ++m)
-        if (leaders[m].leader == actuator)
-            model.activation[m] = fibre::Signal::constant(1.0 + leaders[m].factor * (value - 1.0));
 }
 
 sensitivity::ModelTangent level_model_tangent(const experiment::Experiment& experiment, std::size_t actuator,

@@ -34,9 +34,6 @@ std::string signal_unit(const experiment::Experiment& experiment, std::size_t ac
 /// Replaces the signal of an actuator, and of the muscles that follow it, by a step at t = 0 from passive to `level`.
 void set_level(const experiment::Experiment& experiment, std::size_t actuator, double level, model::Model& model);
 
-/// Replaces the signal of an actuator, and of the muscles that follow it, by a constant.
-void set_constant(const experiment::Experiment& experiment, std::size_t actuator, double value, model::Model& model);
-
 /// Derivative of a model after set_level() with respect to the level; exact.
 sensitivity::ModelTangent level_model_tangent(const experiment::Experiment& experiment, std::size_t actuator,
                                               const model::Model& model);

@@ -56,19 +56,13 @@ Result<void> add_loads(const Setup& setup, const experiment::TrialDeclaration& t
     return {};
 }
 
-/// Recorded signal of an actuator; passive if nothing was recorded.
-fibre::Signal recorded_signal(const experiment::Experiment& experiment, const measurement::ActuationTable& table,
-                              std::size_t actuator) {
-    fibre::Signal signal = fibre::Signal::constant(passive_level(experiment, actuator));
-    const auto row_number = static_cast<Eigen::Index>(actuator);
-    if (table.time_s.size() == 0 || row_number >= table.values.rows()) return signal;
-    signal.times_s.assign(table.time_s.begin(), table.time_s.end());
-    const Eigen::VectorXd row = table.values.row(row_number).transpose();
-    signal.values.assign(row.begin(), row.end());
-    return signal;
+/// Signal of an actuator without steps: recorded, constant, or passive.
+fibre::Signal signal_of(const measurement::ActuationTable& table, std::size_t actuator) {
+    const Eigen::VectorXd row = table.values.row(static_cast<Eigen::Index>(actuator)).transpose();
+    return {{table.time_s.begin(), table.time_s.end()}, {row.begin(), row.end()}};
 }
 
-// Order: recorded rows, then constants and steps, then the muscles' own signals, which take precedence over them.
+// Order: recorded and constant rows, then steps, then the muscles' own signals, which take precedence over them.
 Result<void> add_actuation(const Setup& setup, const experiment::TrialDeclaration& declaration, PreparedTrial& trial) {
     const experiment::Experiment& experiment = setup.experiment;
     const Result<measurement::ActuationTable> table = experiment::read_trial_actuation(experiment, declaration);
@@ -77,22 +71,17 @@ Result<void> add_actuation(const Setup& setup, const experiment::TrialDeclaratio
         if (const Result<void> positive = check_recorded_activation(experiment, declaration, *table); !positive)
             return positive.error();
     const std::size_t muscles = experiment.muscles.size();
-    for (std::size_t m = 0; m < muscles; ++m) trial.model.activation.push_back(recorded_signal(experiment, *table, m));
+    for (std::size_t m = 0; m < muscles; ++m) trial.model.activation.push_back(signal_of(*table, m));
     // Force elements of actuators are the first of the model, see actuator_signals.hpp.
     for (std::size_t c = 0; c < setup.chambers.size(); ++c)
         trial.model.force_elements.push_back(
-            chamber_pressure(*setup.body, setup.chambers[c], recorded_signal(experiment, *table, muscles + c)));
+            chamber_pressure(*setup.body, setup.chambers[c], signal_of(*table, muscles + c)));
     const std::size_t before_tendons = muscles + setup.chambers.size();
     for (std::size_t t = 0; t < setup.tendons.size(); ++t)
-        trial.model.force_elements.push_back(
-            tendon_element(setup.tendons[t], recorded_signal(experiment, *table, before_tendons + t)));
+        trial.model.force_elements.push_back(tendon_element(setup.tendons[t], signal_of(*table, before_tendons + t)));
     const auto own_signal = [&](std::size_t actuator) {
         return actuator < muscles && experiment.muscles[actuator].signal;
     };
-    for (const experiment::ConstantCommand& command : declaration.constant_commands)
-        if (const auto actuator = experiment::find_actuator(experiment, command.actuator);
-            actuator && !own_signal(*actuator))
-            set_constant(experiment, *actuator, command.value, trial.model);
     for (const experiment::ActuationStep& step : declaration.actuation_steps) {
         const std::optional<std::size_t> actuator = experiment::find_actuator(experiment, step.muscle);
         if (!actuator || own_signal(*actuator)) continue;
@@ -105,8 +94,8 @@ Result<void> add_actuation(const Setup& setup, const experiment::TrialDeclaratio
 
 /// Start, scheme, step and end of the runs of a trial.
 void set_time_integration(const Setup& setup, experiment::StartState start, PreparedTrial& trial) {
-    trial.options.start = start == experiment::StartState::straight && !trial.hold ? dynamics::StartKind::straight
-                                                                                   : dynamics::StartKind::equilibrium;
+    trial.options.start = start == experiment::StartState::straight ? dynamics::StartKind::straight
+                                                                    : dynamics::StartKind::equilibrium;
     trial.options.integrator = setup.settings.scheme();
     trial.options.solver.strategy = setup.settings.strategy;
     // Provisional step of half a sampling interval; choose_steps() may replace it.

@@ -59,7 +59,7 @@ struct RefinedRuns {
     /// Predictions of the setup with values.setup, one per trial, traces not needed; failed ones are skipped.
     const std::vector<prediction::TrialPrediction>& base;
     const NumericalError* known;  // with similar values, null: none; its step part is reused if far below the noise
-    /// Of the setup, whose modulus factor is set accordingly; sets that of the refined runs.
+    /// Effective modulus of the setup, whose modulus factor is set accordingly; the refined runs follow it.
     const EffectiveModulus& effective_modulus;
 };
 
