@@ -37,6 +37,6 @@ awk 'BEGIN { print "time_s,left"; for (k = 0; k <= 50; ++k) { t = 0.02 * k; s = 
     printf '\n[[muscle]]\nname = "left"\nbox_m = [[0.01, 0.002, -0.03], [0.075, 0.03, 0.03]]\nfibre = [1.0, 0.0, 0.0]\nstiffness_Pa = 2.0e5\n'
     printf '\n[[muscle]]\nname = "right"\nbox_m = [[0.01, -0.03, -0.03], [0.075, -0.002, 0.03]]\nfibre = [1.0, 0.0, 0.0]\nstiffness_Pa = 2.0e5\nfollows = { muscle = "left", ratio = -1.0 }\n'
 } > "$work/experiment.toml"
-empty_trace "$work/beat.csv" "$(marker_names "$folder/experiment.toml")" 100 100
+empty_trace "$work/beat.csv" "$folder/experiment.toml" 100 100
 "$myoloop" simulate "$work" --out "$work/truth" --element tet10 --resolution 0.005 --dt 0.00125
 as_recorded 41 1e-4 < "$work/truth/beat.csv" > "$folder/beat.csv"

@@ -14,7 +14,7 @@ trap 'rm -rf "$work"' EXIT
 trials="gravity_release side_pluck tip_weight"
 
 cp "$folder/experiment.toml" "$work/"
-for trial in $trials; do empty_trace "$work/$trial.csv" "$(marker_names "$folder/experiment.toml")" 80 100; done
+for trial in $trials; do empty_trace "$work/$trial.csv" "$folder/experiment.toml" 80 100; done
 "$myoloop" simulate "$work" --out "$work/truth" --element tet10 --resolution 0.005 --dt 0.00125 \
     --set material.youngs_modulus_Pa=2.7e5 --set material.damping_s=0.0024
 seed=20

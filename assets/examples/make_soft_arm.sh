@@ -18,7 +18,7 @@ awk 'BEGIN { print "time_s,upper"; for (k = 0; k <= 50; ++k) printf "%.2f,%.5f\n
 printf 'time_s,upper\n0.1,1\n0.45,0.82\n0.7,1.06\n0.9,0.9\n' > "$work/reach_signal.csv"
 cp "$folder"/*_signal.csv "$work/"
 awk '{ print } /^trace = "reach.csv"/ { print "actuation = \"reach_signal.csv\"" }' "$folder/experiment.toml" > "$work/experiment.toml"
-for trial in $trials; do empty_trace "$work/$trial.csv" "$(marker_names "$folder/experiment.toml")" 100 100; done
+for trial in $trials; do empty_trace "$work/$trial.csv" "$folder/experiment.toml" 100 100; done
 "$myoloop" simulate "$work" --out "$work/truth" --element tet10 --resolution 0.0075 --dt 0.00125 \
     --set material.youngs_modulus_Pa=1.6e5 --set material.damping_s=0.004
 seed=30

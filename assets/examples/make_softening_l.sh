@@ -39,7 +39,7 @@ awk '
 cp "$folder/experiment.toml" "$folder/body.stl" "$work/"
 printf '\n[[effect]]\nid = "stress_softening"\ndamage_max = 0.3\nenergy_scale_J_m3 = 100.0\n' >> "$work/experiment.toml"
 for trial in $trials; do
-    empty_trace "$work/$trial.csv" "$(marker_names "$folder/experiment.toml")" 65 100
+    empty_trace "$work/$trial.csv" "$folder/experiment.toml" 65 100
 done
 "$myoloop" simulate "$work" --out "$work/truth" --element tet10 --resolution 0.0025 --dt 0.00125 \
     --set material.youngs_modulus_Pa=2.5e5 --set material.damping_s=0.003

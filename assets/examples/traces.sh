@@ -1,17 +1,18 @@
 # What the recipes of the bundled examples have in common; to be sourced.
 
-# Names of the markers of an experiment.
-marker_names() {
-    awk '/^\[markers.rest_m\]/ {on = 1; next} /^\[/ {on = 0} on && NF {print $1}' "$1"
-}
-
-# empty_trace FILE NAMES SAMPLES RATE: a trace that only gives the sampling times.
+# empty_trace FILE EXPERIMENT SAMPLES RATE: a trace that only gives the sampling times; its markers stay at their places
+# at rest.
 empty_trace() {
-    awk -v names="$2" -v samples="$3" -v rate="$4" 'BEGIN {
-        n = split(names, name, /[ \n]+/); printf "time_s"
-        for (i = 1; i <= n; ++i) printf ",%s_x_m,%s_y_m,%s_z_m", name[i], name[i], name[i]
-        print ""
-        for (k = 0; k <= samples; ++k) { printf "%.4f", k / rate; for (i = 1; i <= 3 * n; ++i) printf ",0"; print "" } }' > "$1"
+    awk -v samples="$3" -v rate="$4" '
+        /^\[/ { on = $0 ~ /^\[markers.rest_m\]/; next }
+        on && NF {
+            name = $1; sub(/^[^[]*\[/, ""); sub(/\].*/, ""); gsub(/ /, "")
+            head = head "," name "_x_m," name "_y_m," name "_z_m"; row = row "," $0
+        }
+        END {
+            print "time_s" head
+            for (k = 0; k <= samples; ++k) printf "%.4f%s\n", k / rate, row
+        }' "$2" > "$1"
 }
 
 # as_recorded SEED SIGMA < exact > recorded: noise of SIGMA metres per coordinate, one sample in a hundred begins a gap
