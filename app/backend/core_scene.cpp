@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "backend/body_actuators.hpp"
 #include "backend/check_rows.hpp"
 #include "backend/dominant_vibration.hpp"
 #include "backend/effect_settings.hpp"
@@ -90,8 +91,12 @@ void fill_from_setup(const setup::Setup& setup, ui::commands::Scene& scene) {
     for (const experiment::MarkerDeclaration& marker : experiment.markers.on_body)
         scene.markers.push_back({marker.name, marker.rest_m});
     for (const setup::PreparedTrial& trial : setup.trials) {
-        ui::commands::SceneTrial shown{
-            trial.name, trial.role == experiment::TrialRole::fit ? "fit" : "validate", trial.measured.time_s, {}, {}};
+        ui::commands::SceneTrial shown{trial.name,
+                                       trial.role == experiment::TrialRole::fit ? "fit" : "validate",
+                                       trial.measured.time_s,
+                                       {},
+                                       {},
+                                       shown_commands(setup, trial)};
         for (std::size_t m = 0; m < scene.markers.size(); ++m)
             shown.measured.push_back(shown_measurement(setup, trial, m));
         for (std::size_t m = 0; m < experiment.muscles.size(); ++m)

@@ -27,12 +27,17 @@ struct ViewSwitch {
     const char* key;
     bool ui::commands::ViewOptions::*value;
 };
-constexpr ViewSwitch view_switches[] = {
-    {"edges", &ui::commands::ViewOptions::edges},       {"grid", &ui::commands::ViewOptions::grid},
-    {"measured", &ui::commands::ViewOptions::measured}, {"simulated", &ui::commands::ViewOptions::simulated},
-    {"trails", &ui::commands::ViewOptions::trails},     {"errors", &ui::commands::ViewOptions::errors},
-    {"labels", &ui::commands::ViewOptions::labels},     {"clamp", &ui::commands::ViewOptions::clamp},
-    {"fibres", &ui::commands::ViewOptions::fibres},     {"effect_force", &ui::commands::ViewOptions::effect_force}};
+constexpr ViewSwitch view_switches[] = {{"edges", &ui::commands::ViewOptions::edges},
+                                        {"grid", &ui::commands::ViewOptions::grid},
+                                        {"measured", &ui::commands::ViewOptions::measured},
+                                        {"simulated", &ui::commands::ViewOptions::simulated},
+                                        {"trails", &ui::commands::ViewOptions::trails},
+                                        {"errors", &ui::commands::ViewOptions::errors},
+                                        {"labels", &ui::commands::ViewOptions::labels},
+                                        {"clamp", &ui::commands::ViewOptions::clamp},
+                                        {"actuators", &ui::commands::ViewOptions::actuators},
+                                        {"fibres", &ui::commands::ViewOptions::fibres},
+                                        {"effect_force", &ui::commands::ViewOptions::effect_force}};
 
 /// Relative path if it is at most three levels up, else the absolute one.
 std::string seen_from(const fs::path& path, const fs::path& folder) {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <map>
 
+#include "backend/body_actuators.hpp"
 #include "backend/check_rows.hpp"
 #include "backend/core_scene.hpp"
 #include "backend/core_search.hpp"
@@ -193,6 +194,10 @@ public:
         if (!groups) return groups.error();
         for (const fibre::FibreGroup& group : *groups)
             body.muscles[group.name] = fibre::paint_of_group(made->mesh, group);
+        Result<ui::commands::BodyActuators> actuators = body_actuators(source.experiment, source.surface, *made,
+                                                                       body.boundary);
+        if (!actuators) return actuators.error();
+        body.actuators = std::move(*actuators);
         for (const std::string& message : quality.messages) body.report.push_back({"Note", message, true});
         body.mesh = made->mesh;
         body.source = std::move(made);

@@ -13,6 +13,7 @@
 
 #include "base/progress.hpp"
 #include "base/result.hpp"
+#include "commands/body_actuators.hpp"
 #include "commands/check_view.hpp"
 #include "commands/diagnosis_view.hpp"
 #include "commands/project.hpp"
@@ -77,6 +78,13 @@ struct ReportLine {
     std::string explanation = {};  // tooltip
 };
 
+/// Command of a chamber or tendon over time.
+struct ShownCommand {
+    fibre::Signal signal;   // SI
+    std::string unit;       // shown
+    double per_unit = 1.0;  // SI per shown unit
+};
+
 /// One trial of an experiment: measured markers in the mesh frame over time. t = 0 is the release.
 struct SceneTrial {
     std::string name;
@@ -84,6 +92,7 @@ struct SceneTrial {
     Eigen::VectorXd time_s;                                // T sample times [s], ascending
     std::vector<Eigen::Matrix3Xd> measured;                // per marker of the scene, 3 x T [m]; NaN = occluded
     std::map<std::string, fibre::Signal> activation = {};  // declared signals a(t) by muscle name
+    std::map<std::string, ShownCommand> commands = {};     // of chambers and tendons, by name
 };
 
 /// Mean interval between the samples of a trial [s]. Returns 0 if there are fewer than two.
@@ -136,6 +145,7 @@ struct MeshedBody {
     double dofs = 0.0;                                // degrees of freedom
     std::vector<ReportLine> report;                   // quality of the mesh, as shown
     std::map<std::string, fibre::CellPaint> muscles;  // declared muscles on this mesh, by name
+    BodyActuators actuators;                          // declared chambers and tendons on this mesh
     std::shared_ptr<const void> source;               // owned by the backend, opaque to the workbench
 };
 

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "commands/actuator_drawing.hpp"
 #include "commands/body_cut.hpp"
 #include "commands/force_arrows.hpp"
 #include "commands/import_drawing.hpp"
@@ -233,6 +234,7 @@ viewport::DrawnScene scene_at_time(const WorkbenchState& state, const platform::
     if (state.view.clip.on && state.body)
         add_line(drawn, outline_of(state.view.clip, motion.rest), viewport::color_of(theme.accent, 0.9f), 1.5);
     add_muscles(drawn, state, theme, live);
+    add_actuators(drawn, state, theme);
     if (drawn.field && !live) drawn.tints.resize(4, 0);  // a colour must have one meaning at a time
     add_force_arrows(drawn, state, theme);
     if (state.import)

@@ -23,6 +23,7 @@ struct ViewOptions {
     // Ranges fixed by the user, by the field's id [SI]; other fields use the range of the trial.
     std::map<std::string, std::array<double, 2>> field_ranges;
     bool fibres = true;        // muscle colours and fibre lines
+    bool actuators = true;     // walls of chambers, and tendons
     bool effect_force = true;  // force arrows of the selected diagnosis row
     double opacity = 1.0;      // of the body, 0 to 1
     ClipPlane clip;

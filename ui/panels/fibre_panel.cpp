@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "fibre/direction_field.hpp"
+#include "panels/actuator_rows.hpp"
 #include "platform/fonts.hpp"
 #include "plot/number_text.hpp"
 
@@ -184,6 +185,7 @@ void FibrePanel::draw(PanelContext& context) {
         muted_text(context.theme, "Muscles are painted on the body here.");
         return;
     }
+    draw_actuators(context);
     draw_list(context);
     if (state.chosen_muscle()) draw_muscle(context);
     if (state.chosen_muscle()) draw_brush(context);

@@ -130,6 +130,8 @@ constexpr ViewSwitch view_switches[] = {
     {"Element edges", "view/edges", &commands::ViewOptions::edges, "Edges of the elements on the body's surface"},
     {"Muscles and fibres", "view/fibres", &commands::ViewOptions::fibres,
      "Elements in the colour of their muscle, and their fibre directions F d"},
+    {"Chambers and tendons", "view/actuators", &commands::ViewOptions::actuators,
+     "Walls of the air chambers and paths of the tendons, each in the colour of its row in Muscles"},
     {"Force of the effect", "view/effect_force", &commands::ViewOptions::effect_force,
      "Arrows of the force that the selected row of the diagnosis puts on each part of the body; the body is "
      "translucent then. Available after Diagnose."},

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace myo::ui::commands {
+
+/// Guide of a thread: it moves with nodes of the mesh, or stands still.
+struct ThreadGuide {
+    std::vector<int> nodes;   // of the mesh; none: it stands still
+    Eigen::VectorXd weights;  // per node, sum to 1
+    Eigen::Vector3d rest_m = Eigen::Vector3d::Zero();
+};
+
+/// A tendon on the meshed body.
+struct ShownTendon {
+    std::string name;
+    std::vector<ThreadGuide> guides;  // motor's end first
+};
+
+/// A chamber of the meshed body.
+struct ShownChamber {
+    std::string name;
+    std::vector<int> walls;     // faces of MeshedBody::boundary
+    double volume_m3 = 0.0;     // at rest
+    double wall_area_m2 = 0.0;  // at rest
+};
+
+/// What drives the body besides muscles, on its mesh.
+struct BodyActuators {
+    std::vector<ShownChamber> chambers;
+    std::vector<ShownTendon> tendons;
+
+    bool empty() const { return chambers.empty() && tendons.empty(); }
+    std::size_t count() const { return chambers.size() + tendons.size(); }
+};
+
+}  // namespace myo::ui::commands
