@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "bench/kept_cells.hpp"
 #include "material/catalogue.hpp"
 #include "mesh/box_mesh.hpp"
 #include "mesh/region.hpp"
@@ -15,39 +16,11 @@ namespace {
 constexpr double edge_m = 3.571e-3;
 constexpr int across = 12, along = 27;
 
-/// The cells of a mesh for which `keep` holds at their middle, with the nodes that they use.
-template <class Keep>
-/// Submesh of the cells whose midpoint satisfies `keep`, with the nodes that they use, renumbered.
-mesh::VolumeMesh cells_where(const mesh::VolumeMesh& mesh, const Keep& keep) {
-    mesh::VolumeMesh kept;
-    kept.type = mesh.type;
-    std::vector<int> number(static_cast<std::size_t>(mesh.node_count()), -1), nodes;
-    std::vector<Eigen::VectorXi> cells;
-    for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
-        const Eigen::Matrix3Xd corners = mesh.nodes(Eigen::all, mesh.cells.col(c));
-        if (!keep(Eigen::Vector3d(corners.rowwise().mean()))) continue;
-        Eigen::VectorXi cell = mesh.cells.col(c);
-        for (int& node : cell) {
-            int& renumbered = number[static_cast<std::size_t>(node)];
-            if (renumbered < 0) {
-                renumbered = static_cast<int>(nodes.size());
-                nodes.push_back(node);
-            }
-            node = renumbered;
-        }
-        cells.push_back(cell);
-    }
-    kept.nodes = mesh.nodes(Eigen::all, nodes);
-    kept.cells.resize(mesh.cells.rows(), static_cast<Eigen::Index>(cells.size()));
-    for (std::size_t c = 0; c < cells.size(); ++c) kept.cells.col(static_cast<Eigen::Index>(c)) = cells[c];
-    return kept;
-}
-
 }  // namespace
 
 model::Model arm_model() {
     const Eigen::Vector3d size(across * edge_m, across * edge_m, along * edge_m);
-    mesh::VolumeMesh mesh = cells_where(
+    mesh::VolumeMesh mesh = kept_cells(
         mesh::box_hex_mesh({Eigen::Vector3d::Zero(), size}, {across, across, along}),
         [&](const Eigen::Vector3d& middle) {
             // Voxelised annulus: outer radius 6 cells, inner radius 2.4 cells.

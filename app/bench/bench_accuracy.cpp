@@ -188,7 +188,7 @@ BenchCase bench_accuracy() {
         "a bar of 200 x 5 x 5 mm against beam theory: layers, Poisson's ratio (0.49 where not stated), long "
         "and skewed cells",
         {}};
-    const auto add = [&](AccuracyRow row) {
+    const auto add = [&](const AccuracyRow& row) {
         result.runs.push_back({row.name, [row] { return measure_accuracy(row); }});
     };
     // Three series per element: layers and Poisson's ratio, aspect ratio, distortion.

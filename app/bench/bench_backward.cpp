@@ -1,12 +1,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "base/text.hpp"
 #include "bench/arm_model.hpp"
+#include "bench/backward_run.hpp"
 #include "bench/beam_run.hpp"
 #include "bench/bench_cases.hpp"
-#include "mesh/region.hpp"
-#include "sensitivity/adjoint_run.hpp"
 
 namespace myo::bench {
 namespace {
@@ -35,46 +33,6 @@ model::Model muscled_beam(const BenchBeam& beam, const dynamics::SimulationOptio
     return model;
 }
 
-/// Time of the backward pass for the gradient with respect to all moduli and signals, compared with the forward run.
-/// The loss is a function of the nodes of the tip.
-Result<BenchFigures> backward(const std::string& name, const model::Model& model, const Box& tip,
-                              const dynamics::SimulationOptions& options,
-                              const std::vector<BenchReference>& references) {
-    double start = thread_time_s();
-    const dynamics::Trace trace = dynamics::simulate(model, options);
-    const double forward_ms = 1e3 * (thread_time_s() - start) / static_cast<double>(trace.times_s.size() - 1);
-    if (!trace.complete()) return Error{trace.message, name};
-
-    sensitivity::LossOfMotion loss;
-    loss.nodes = mesh::nodes_in_box(model.body->mesh, tip);
-    loss.evaluate = [&](const sensitivity::NodeMotion& motion) {
-        sensitivity::MotionLoss result;
-        for (const Eigen::Matrix3Xd& x : motion.positions) {
-            const Eigen::Matrix3Xd distance = x - motion.positions.front();
-            result.value += 0.5 * distance.squaredNorm();
-            result.d_positions.push_back(distance);
-        }
-        // The loss is evaluated between the passes, so the clock restarts here.
-        start = thread_time_s();
-        return result;
-    };
-    const sensitivity::GradientRun run = sensitivity::simulate_with_gradient(model, options, loss);
-    BenchFigures figures;
-    figures.run_s = thread_time_s() - start;
-    if (!run.complete()) return Error{run.message, name};
-    figures.name = std::to_string(model.body->dofs()) + " DOF, " + to_string(model.body->kind) + ", backward, " + name;
-    figures.dofs = model.body->dofs();
-    figures.cells = model.body->cell_count();
-    figures.steps = run.steps;
-    figures.h_s = options.h_s;
-    figures.goal_ms = 0.8 * forward_ms;  // the backward pass should take less time than the forward run
-    figures.references = references;
-    figures.note = "forward alone " + format_number(forward_ms, 3) + " ms/step, backward over forward " +
-                   format_number(figures.ms_per_step() / forward_ms, 3) + ", kept of the run " +
-                   format_number(run.tape_bytes / 1e6, 3) + " MB";
-    return figures;
-}
-
 }  // namespace
 
 BenchCase bench_backward() {
@@ -82,8 +40,8 @@ BenchCase bench_backward() {
                          const std::vector<BenchReference>& references) {
         const auto run = [=] {
             const dynamics::SimulationOptions options = bench_options(integrator, 0.01, 160, 1e-6);
-            return backward(name, muscled_beam(which, options), Box{{0.1 - 1e-6, -1.0, -1.0}, {1.0, 1.0, 1.0}}, options,
-                            references);
+            return measure_backward(name, muscled_beam(which, options), Box{{0.1 - 1e-6, -1.0, -1.0}, {1.0, 1.0, 1.0}},
+                                    options, references);
         };
         return BenchRun{name, run};
     };
@@ -92,7 +50,7 @@ BenchCase bench_backward() {
                                                                   1e-6);
         model::Model model = arm_model();
         model.activation = {wave(0.2, options), wave(-0.1, options)};
-        return backward(
+        return measure_backward(
             "arm, muscles' waves, Euler, residual 1e-6", model, Box{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1e-6}}, options,
             {{"DiffPD projective, backward, at strong actuation", 1740.0}, {"DiffPD Newton, backward", 2330.0}});
     };

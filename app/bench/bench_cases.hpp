@@ -6,8 +6,6 @@ namespace myo::bench {
 
 // Builders of the benchmarks, one per file bench_<id>.cpp; the summary of each is in the case itself.
 
-// Builders of the benchmarks, one per file bench_<id>.cpp; the summary of each is in the case itself.
-
 /// The beam released under gravity.
 BenchCase bench_release();
 /// Sudden force on the tip of the beam.
@@ -18,6 +16,8 @@ BenchCase bench_elements();
 BenchCase bench_tetrahedra();
 /// An arm under strong actuation.
 BenchCase bench_arm();
+/// Bodies with chambers and tendons beside the plain body.
+BenchCase bench_actuators();
 /// One run on two threads.
 BenchCase bench_threads();
 /// Forward sensitivities together with the run.

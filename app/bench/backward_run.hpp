@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/box.hpp"
+#include "bench/bench_case.hpp"
+#include "dynamics/simulate.hpp"
+#include "model/model.hpp"
+
+namespace myo::bench {
+
+/// Time of the backward pass for the gradient with respect to all moduli, signals and parameters of force elements,
+/// compared with the forward run. The loss is a function of the nodes of the tip.
+///
+/// @param tip  box [m] around these nodes
+/// Errors: a run did not complete.
+Result<BenchFigures> measure_backward(const std::string& name, const model::Model& model, const Box& tip,
+                                      const dynamics::SimulationOptions& options,
+                                      const std::vector<BenchReference>& references);
+
+}  // namespace myo::bench

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <functional>
+
+#include "mesh/volume_mesh.hpp"
+
+namespace myo::bench {
+
+/// Submesh of the cells at whose midpoint [m] `keep` holds, with the nodes that they use, renumbered.
+mesh::VolumeMesh kept_cells(const mesh::VolumeMesh& mesh, const std::function<bool(const Eigen::Vector3d&)>& keep);
+
+}  // namespace myo::bench
