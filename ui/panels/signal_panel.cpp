@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "panels/signal_series.hpp"
 #include "panels/tables.hpp"
 #include "platform/fonts.hpp"
 #include "plot/number_text.hpp"
@@ -15,17 +16,6 @@ namespace {
 /// Distance to a knot within which the mouse takes it [pixels at scale 1].
 constexpr float reach = 9.0f;
 constexpr chart::Range min_range{0.9, 1.1};  // always visible, so that a constant signal is not magnified
-
-/// A signal over a time range. Beyond its knots it is constant, so points are added at the ends of the range.
-chart::Series series_of(const std::string& name, const fibre::Signal& signal, const chart::Range& span,
-                        const ImVec4& color) {
-    std::vector<double> x = signal.times_s, y = signal.values;
-    if (span.lowest < x.front()) x.insert(x.begin(), span.lowest), y.insert(y.begin(), y.front());
-    if (span.highest > x.back()) x.push_back(span.highest), y.push_back(y.back());
-    const auto count = static_cast<Eigen::Index>(x.size());
-    return plot::plot_series(name, Eigen::Map<const Eigen::VectorXd>(x.data(), count),
-                             Eigen::Map<const Eigen::VectorXd>(y.data(), count), color);
-}
 
 /// Pixel of a knot in the window.
 ImVec2 pixel_of(const plot::PlotArea& area, double time_s, double value) {
@@ -103,9 +93,9 @@ plot::Plot signals_plot(const PanelContext& context, const commands::Muscle& mus
         // Faint, so that the edited curve stands out.
         ImVec4 faint = theme.muscle(other.color);
         faint.w = 0.45f;
-        plot.panel.series.push_back(series_of(other.name, commands::signal_of(state, other), span, faint));
+        plot.panel.series.push_back(signal_series(other.name, commands::signal_of(state, other), span, faint));
     }
-    plot.panel.series.push_back(series_of(muscle.name, signal, span, theme.muscle(muscle.color)));
+    plot.panel.series.push_back(signal_series(muscle.name, signal, span, theme.muscle(muscle.color)));
     return plot;
 }
 
@@ -153,6 +143,7 @@ std::string SignalPanel::title() const { return std::string(platform::icon::bolt
 void SignalPanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     if (!state.chosen_muscle()) {
+        if (draw_commands(context)) return;
         muted_text(context.theme, "Signals of muscles are drawn here. Add a muscle under Fibres to begin.");
         return;
     }

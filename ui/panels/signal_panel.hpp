@@ -1,5 +1,7 @@
 #pragma once
 
+#include <map>
+
 #include "commands/muscle_signal.hpp"
 #include "commands/signal_shapes.hpp"
 #include "panels/widgets.hpp"
@@ -35,20 +37,23 @@ private:
     void draw_sine(PanelContext& context);
     /// Popup that reads or writes a CSV file.
     void draw_file(PanelContext& context);
+    /// Pressures, tensions and shortenings of the shown trial; false if it has none.
+    bool draw_commands(PanelContext& context);
     /// The plot with the signals of all muscles.
     void draw_curve(PanelContext& context);
     /// @param plot  result of drawing the plot that the knots lie on
     void edit_knots(PanelContext& context, const fibre::Signal& signal, const plot::PlotResult& plot);
 
-    commands::SignalRecipe recipe_;       // of the generator
-    std::string recipe_muscle_;           // muscle that the recipe's level was chosen for
-    OpenEdit edit_;                       // drag in progress in the generator
-    plot::LinkedAxis time_;               // zoom of the time axis
-    plot::PlotState plot_;                // zoom of the value axis
-    plot::HiddenSeries hidden_;           // curves switched off in the legend
-    std::optional<std::size_t> grabbed_;  // index of the dragged knot
-    bool moved_ = false;                  // the dragged knot has moved, so undo merges further changes
-    std::string followed_;                // name of the muscle that the zoom belongs to
+    commands::SignalRecipe recipe_;                         // of the generator
+    std::string recipe_muscle_;                             // muscle that the recipe's level was chosen for
+    OpenEdit edit_;                                         // drag in progress in the generator
+    plot::LinkedAxis time_;                                 // zoom of the time axis
+    plot::PlotState plot_;                                  // zoom of the value axis
+    std::map<std::string, plot::PlotState> command_plots_;  // zoom of the commands' axes, by unit
+    plot::HiddenSeries hidden_;                             // curves switched off in the legend
+    std::optional<std::size_t> grabbed_;                    // index of the dragged knot
+    bool moved_ = false;    // the dragged knot has moved, so undo merges further changes
+    std::string followed_;  // name of the muscle that the zoom belongs to
 };
 
 }  // namespace myo::ui::panels

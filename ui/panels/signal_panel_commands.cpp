@@ -1,0 +1,58 @@
+#include <imgui.h>
+
+#include <algorithm>
+#include <map>
+
+#include "commands/actuator_drawing.hpp"
+#include "panels/signal_panel.hpp"
+#include "panels/signal_series.hpp"
+
+namespace myo::ui::panels {
+namespace {
+
+/// Plots of the commands of a trial by their unit: pressures, tensions, shortenings.
+std::map<std::string, plot::Plot> plots_of(const PanelContext& context, const commands::SceneTrial& trial) {
+    const std::array<double, 2> shown = commands::time_span(context.state);
+    std::map<std::string, plot::Plot> plots;
+    std::size_t actuator = 0;
+    const auto add = [&](const std::string& name, const char* what) {
+        const viewport::Color color = commands::actuator_color(context.state, context.theme, actuator++);
+        const auto found = trial.commands.find(name);
+        if (found == trial.commands.end()) return;
+        const commands::ShownCommand& command = found->second;
+        plot::Plot& plot = plots[command.unit];
+        plot.id = "plot/command/" + command.unit;
+        plot.panel.y = {.label = what, .unit = command.unit};
+        plot.panel.y.include = {0.0};
+        plot.cursor = context.state.time_s;
+        const chart::Range span{std::min(shown[0], command.signal.times_s.front()),
+                                std::max(shown[1], command.signal.times_s.back())};
+        plot.panel.series.push_back(
+            signal_series(name, command.signal, span, ImVec4(color.x(), color.y(), color.z(), 1.0f), command.per_unit));
+        plot.legend = plot.panel.series.size() > 1;
+    };
+    for (const commands::ShownChamber& chamber : context.state.body->actuators.chambers) add(chamber.name, "pressure");
+    for (const commands::ShownTendon& tendon : context.state.body->actuators.tendons)
+        add(tendon.name,
+            trial.commands.count(tendon.name) && trial.commands.at(tendon.name).unit == "N" ? "tension" : "shortening");
+    return plots;
+}
+
+}  // namespace
+
+bool SignalPanel::draw_commands(PanelContext& context) {
+    const commands::SceneTrial* const trial = context.state.scene_trial();
+    if (!context.state.body || context.state.body->actuators.empty() || !trial || trial->commands.empty()) return false;
+    std::map<std::string, plot::Plot> plots = plots_of(context, *trial);
+    const auto count = static_cast<float>(plots.size());
+    const float gap = ImGui::GetStyle().ItemSpacing.y;
+    const float height = (ImGui::GetContentRegionAvail().y - (count - 1.0f) * gap) / count;
+    for (auto& [unit, plot] : plots) {
+        const plot::PlotResult drawn = plot::draw_plot(plot, {ImGui::GetContentRegionAvail().x, height}, context.theme,
+                                                       context.items, time_, command_plots_[unit], hidden_);
+        if (drawn.cursor) context.emit(commands::SetTime{*drawn.cursor});
+    }
+    return true;
+}
+
+}  // namespace myo::ui::panels
