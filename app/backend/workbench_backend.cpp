@@ -156,10 +156,8 @@ public:
         // The mesh of the opened experiment or file is reused while the settings request the same.
         std::shared_ptr<const setup::BodyMesh> made = source.mesh;
         if (!made || !is_mesh_of(*made, settings)) {
-            Result<setup::BodyMesh> fresh = setup::mesh_body(
-                source.surface, mesh_request(settings),
-                {setup::held_part(source.experiment.clamp_box_m, mesh::bounding_box(source.surface.vertices))},
-                progress);
+            Result<setup::BodyMesh> fresh = setup::mesh_of(source.experiment, source.surface, mesh_request(settings),
+                                                           progress);
             if (!fresh) return fresh.error();
             made = std::make_shared<const setup::BodyMesh>(std::move(*fresh));
         }

@@ -70,7 +70,7 @@ Kinematics LinearisedStep::apply(const Kinematics& deviation) {
         if (model.creep)
             load -= model::viscous_gradient(model, x_,
                                             viscous_history(model, stage.rate_factor_1_s, stage.rate_history));
-        else if (model.damping_s > 0.0)
+        else if (model::is_viscous(model))
             load -= model::viscous_gradient(model, x_, stage.rate_history);
         const LinearStage& linear = linear_stage(stage);
         if (model::depends_on_velocity(model)) {

@@ -83,7 +83,7 @@ bool set_start(const SimulationOptions& options, StageSolver& solver, Kinematics
 bool needs_euler(const model::Model& model, double h_s, Kinematics& state) {
     // Regular start: implicit Euler only for violent initial velocities of a viscous body.
     if (state.force.allFinite() && state.strain.allFinite())
-        return model.damping_s > 0.0 && tears(*model.body, state.v, h_s);
+        return model::is_viscous(model) && tears(*model.body, state.v, h_s);
     // Inverted cells: start from zero force and rest strains; implicit Euler uses neither.
     state.force.setZero();
     state.strain = model::strains(model, model.body->mesh.nodes);

@@ -97,6 +97,7 @@ struct MassEntry {
     int row = 0;
     int column = 0;
     double value = 0.0;  // [m3]
+    int cell = 0;
 };
 /// Consistent mass for unit density as triplets, both triangles; entries of shared nodes occur several times and add
 /// up. Integrated exactly for straight-sided cells.

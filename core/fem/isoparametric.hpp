@@ -51,7 +51,8 @@ std::vector<MassEntry> consistent_mass_of(const mesh::VolumeMesh& mesh) {
             M += point.weight * jacobian.determinant() * values * values.transpose();
         }
         for (int b = 0; b < N; ++b)
-            for (int a = 0; a < N; ++a) entries.push_back({mesh.cells(a, c), mesh.cells(b, c), M(a, b)});
+            for (int a = 0; a < N; ++a)
+                entries.push_back({mesh.cells(a, c), mesh.cells(b, c), M(a, b), static_cast<int>(c)});
     }
     return entries;
 }

@@ -228,6 +228,7 @@ VolumeMesh to_tet10(const VolumeMesh& mesh) {
 
     VolumeMesh quadratic;
     quadratic.type = CellType::tet10;
+    quadratic.regions = mesh.regions;
     quadratic.nodes.resize(3, mesh.node_count() + static_cast<Eigen::Index>(edges.size()));
     quadratic.nodes.leftCols(mesh.node_count()) = mesh.nodes;
     for (std::size_t e = 0; e < edges.size(); ++e) {

@@ -36,6 +36,8 @@ struct CellSoup {
     CellType type = CellType::hex8;
     std::vector<int> cells;  // nodes_per_cell each, VTK order; may be out of range: checked by read_volume()
 
+    std::vector<int> regions;  // one per cell, or none
+
     /// False if the file already contains cells of another type.
     bool accepts(CellType other) const { return cells.empty() || type == other; }
 };

@@ -1,3 +1,4 @@
+#include <array>
 #include <optional>
 #include <unordered_map>
 
@@ -67,6 +68,8 @@ public:
                 if (!nodes) return text_.error("'$Elements' before '$Nodes'");
                 section = version_ < 3.0 ? read_elements_2() : read_elements_4();
                 elements = true;
+            } else if (word == "$Entities" && version_ > 3.0) {
+                section = read_entities_4();
             } else if (word.front() == '$') {
                 // Other sections (physical names, periodicity, data) are skipped up to their end mark.
                 const std::string end = "$End" + std::string(word.substr(1));
@@ -119,6 +122,37 @@ private:
         return {};
     }
 
+    /// Version 4.1: geometric entities of all dimensions. Those of the volumes give the cells their physical numbers.
+    Result<void> read_entities_4() {
+        std::array<long long, 4> of_dimension{};
+        for (long long& number : of_dimension)
+            if (!count(number)) return text_.error("the numbers of entities cannot be read");
+        for (std::size_t dimension = 0; dimension < 4; ++dimension)
+            for (long long e = 0; e < of_dimension[dimension]; ++e)
+                if (const auto read = read_entity_4(dimension); !read) return read;
+        return end_of("$EndEntities");
+    }
+
+    /// An entity: its tag, its bounds (a point has its place), physical tags, and the tags of what bounds it.
+    Result<void> read_entity_4(std::size_t dimension) {
+        const Error garbled = text_.error("an entity cannot be read: the file is truncated or garbled");
+        long long tag = 0, physicals = 0, physical = 0, bounding = 0;
+        double skip = 0.0;
+        if (!text_.integer(tag)) return garbled;
+        for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k)
+            if (!text_.number(skip)) return garbled;
+        if (!count(physicals)) return garbled;
+        for (long long k = 0; k < physicals; ++k) {
+            if (!text_.integer(physical)) return garbled;
+            if (dimension == 3 && k == 0) physical_[tag] = static_cast<int>(physical);
+        }
+        if (dimension == 0) return {};
+        if (!count(bounding)) return garbled;
+        for (long long k = 0; k < bounding; ++k)
+            if (!text_.integer(physical)) return garbled;
+        return {};
+    }
+
     // Version 2: number of nodes, then tag and position of each.
     Result<void> read_nodes_2() {
         long long total = 0, tag = 0;
@@ -159,7 +193,9 @@ private:
     }
 
     /// Reads the nodes of one element. Elements of lower dimension are read and ignored.
-    Result<void> add_element(long long type) {
+    ///
+    /// @param region  number of the volume that the element belongs to
+    Result<void> add_element(long long type, int region) {
         const GmshCell kind = gmsh_cell(type);
         // The number of nodes of an unknown type is unknown, so the rest of the file could not be read.
         if (kind.nodes == 0 || (kind.dimension == 3 && !kind.cell)) {
@@ -184,6 +220,7 @@ private:
                                to_string(*kind.cell).append(" cells; one type is needed"));
         }
         soup_.type = *kind.cell;
+        soup_.regions.push_back(region);
         for (const int place : cell_traits(*kind.cell).gmsh_order)
             soup_.cells.push_back(own[static_cast<std::size_t>(place)]);
         return {};
@@ -197,10 +234,12 @@ private:
             if (!text_.integer(skip) || !text_.integer(type) || !count(tags)) {
                 return text_.error("an element cannot be read: the file is truncated or garbled");
             }
+            int region = 0;
             for (long long t = 0; t < tags; ++t) {
                 if (!text_.integer(skip)) return text_.error("an element's tag is not a number");
+                if (t == 0) region = static_cast<int>(skip);  // the physical entity comes first
             }
-            if (const auto added = add_element(type); !added) return added;
+            if (const auto added = add_element(type, region); !added) return added;
         }
         return end_of("$EndElements");
     }
@@ -212,14 +251,16 @@ private:
             return text_.error("the header of '$Elements' cannot be read");
         }
         for (long long b = 0; b < blocks; ++b) {
-            long long type = 0, in_block = 0;
-            if (!text_.integer(skip) || !text_.integer(skip) || !text_.integer(type) || !count(in_block)) {
+            long long entity = 0, type = 0, in_block = 0;
+            if (!text_.integer(skip) || !text_.integer(entity) || !text_.integer(type) || !count(in_block)) {
                 return text_.error("a block of elements cannot be read: the file is truncated or garbled");
             }
+            const auto physical = physical_.find(entity);
+            const int region = physical == physical_.end() ? static_cast<int>(entity) : physical->second;
             for (long long e = 0; e < in_block; ++e) {
                 if (!text_.integer(skip))
                     return text_.error("expected an element number: the file is truncated or garbled");
-                if (const auto added = add_element(type); !added) return added;
+                if (const auto added = add_element(type, region); !added) return added;
             }
         }
         return end_of("$EndElements");
@@ -228,7 +269,8 @@ private:
     TextScanner text_;
     double version_ = 0.0;
     CellSoup soup_;
-    std::unordered_map<long long, int> number_;  // node tag to index
+    std::unordered_map<long long, int> number_;    // node tag to index
+    std::unordered_map<long long, int> physical_;  // tag of a volume to its first physical tag
 };
 
 }  // namespace

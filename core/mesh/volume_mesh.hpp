@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include <string>
+#include <vector>
 
 namespace myo::mesh {
 
@@ -20,6 +21,8 @@ struct VolumeMesh {
     Eigen::Matrix3Xd nodes;  // 3 x n [m]
     Eigen::MatrixXi cells;   // nodes_per_cell x m, from 0, VTK's node order (VTK_HEXAHEDRON, VTK_TETRA,
                              // VTK_QUADRATIC_TETRA), positive volume
+
+    std::vector<int> regions{};  // number that the file gives each cell, of its material or volume; empty: none
 
     Eigen::Index node_count() const { return nodes.cols(); }
     Eigen::Index cell_count() const { return cells.cols(); }

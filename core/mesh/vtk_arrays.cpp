@@ -136,7 +136,8 @@ bool append_vtk_numbers(std::string_view type, std::string_view bytes, bool big_
 }
 
 Result<void> add_vtk_cells(const VtkArray& connectivity, const VtkArray& offsets, const VtkArray& types,
-                           std::size_t first_node, const std::filesystem::path& path, CellSoup& soup) {
+                           std::size_t first_node, const std::filesystem::path& path, CellSoup& soup,
+                           const VtkArray& regions) {
     if (types.size() != offsets.size())
         return Error{"has not one type per cell: it is truncated or garbled", path.string()};
     for (std::size_t c = 0; c < offsets.size(); ++c) {
@@ -166,9 +167,21 @@ Result<void> add_vtk_cells(const VtkArray& connectivity, const VtkArray& offsets
             std::swap((*nodes)[6], (*nodes)[7]);
         }
         soup.type = type;
+        if (regions.size() == offsets.size()) soup.regions.push_back(static_cast<int>(regions[c]));
         soup.cells.insert(soup.cells.end(), nodes->begin(), nodes->end());
     }
     return {};
+}
+
+int region_array(const std::vector<std::string>& names) {
+    // Names that mesh generators write: gmsh, meshio, TetGen, FEniCS, Salome, ParaView.
+    static constexpr std::array<std::string_view, 11> usual{
+        "region",        "regions",   "material",  "MaterialIds", "gmsh:physical", "PhysicalIds",
+        "CellEntityIds", "medit:ref", "cell_tags", "attribute",   "RegionId"};
+    for (const std::string_view name : usual)
+        for (std::size_t i = 0; i < names.size(); ++i)
+            if (names[i] == name) return static_cast<int>(i);
+    return names.size() == 1 ? 0 : -1;
 }
 
 Result<void> add_vtk_polygons(const VtkArray& connectivity, const VtkArray& offsets, bool strips,

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,9 +28,15 @@ std::size_t vtk_number_size(std::string_view type);
 ///
 /// @param types       VTK type of each cell
 /// @param first_node  added to all node numbers
+/// @param regions     number of each cell; empty: none
 /// Errors: offsets outside of the array, unsupported or mixed cells, node numbers out of range.
 Result<void> add_vtk_cells(const VtkArray& connectivity, const VtkArray& offsets, const VtkArray& types,
-                           std::size_t first_node, const std::filesystem::path& path, CellSoup& soup);
+                           std::size_t first_node, const std::filesystem::path& path, CellSoup& soup,
+                           const VtkArray& regions = {});
+
+/// Position of the array that numbers the cells' regions among the integer arrays of the cells: one of a usual name, or
+/// the only one; -1: none.
+int region_array(const std::vector<std::string>& names);
 
 /// Adds polygons or triangle strips of one piece; arguments as in add_vtk_cells().
 Result<void> add_vtk_polygons(const VtkArray& connectivity, const VtkArray& offsets, bool strips,

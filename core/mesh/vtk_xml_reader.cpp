@@ -71,8 +71,9 @@ public:
             } else if (tag.name == "Piece") {
                 found.emplace_back();
                 section.clear();
-            } else if (tag.name == "Points" || tag.name == "Cells" || tag.name == "Polys" || tag.name == "Strips") {
-                // Only arrays of the geometry are kept; PointData and CellData are skipped.
+            } else if (tag.name == "Points" || tag.name == "Cells" || tag.name == "Polys" || tag.name == "Strips" ||
+                       tag.name == "CellData") {
+                // Arrays of the geometry and the numbers of the cells are kept; PointData is skipped.
                 section = tag.empty ? "" : tag.name;
             } else if (tag.name == "DataArray") {
                 std::string_view text;
@@ -315,6 +316,26 @@ Result<VtkArray> array_named(const XmlVtkParser& parser, const Piece& piece, std
     return VtkArray{};
 }
 
+/// Numbers of the regions of the cells, see region_array(); empty: none that can be read.
+VtkArray regions_of(const XmlVtkParser& parser, const Piece& piece) {
+    const auto data = piece.sections.find("CellData");
+    if (data == piece.sections.end()) return {};
+    std::vector<std::string> names;
+    std::vector<const ArrayText*> arrays;
+    for (const ArrayText& array : data->second) {
+        const std::string_view type = value_of(array.attributes, "type");
+        const std::string_view components = value_of(array.attributes, "NumberOfComponents");
+        if (type.starts_with("Float") || !(components.empty() || components == "0" || components == "1")) continue;
+        names.emplace_back(value_of(array.attributes, "Name"));
+        arrays.push_back(&array);
+    }
+    const int chosen = region_array(names);
+    if (chosen < 0) return {};
+    // Values beside the geometry never make a mesh unreadable.
+    Result<VtkArray> numbers = parser.decode(*arrays[static_cast<std::size_t>(chosen)]);
+    return numbers ? std::move(*numbers) : VtkArray{};
+}
+
 /// Appends the points of a piece.
 Result<void> add_points(const XmlVtkParser& parser, const Piece& piece, std::vector<Eigen::Vector3d>& points) {
     const auto x = array_named(parser, piece, "Points", "");
@@ -358,7 +379,7 @@ Result<CellSoup> read_vtu(const std::filesystem::path& path) {
         for (const auto* part : {&connectivity, &offsets, &types}) {
             if (!*part) return part->error();
         }
-        return add_vtk_cells(*connectivity, *offsets, *types, first, path, soup);
+        return add_vtk_cells(*connectivity, *offsets, *types, first, path, soup, regions_of(parser, piece));
     };
     return read_pieces(path, "UnstructuredGrid", &CellSoup::nodes, add_cells);
 }

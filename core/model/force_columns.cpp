@@ -170,7 +170,7 @@ NodalColumns gradients_of(const PackedCells<Geometry>& cells, const Model& model
                 if (changes.rates.size() > 0) {
                     shared.points.emplace(points_of(cells, pack, model, xe));
                     shared.viscous_mu = lanes_of(
-                        cells, pack, [&](std::size_t c) { return viscous_scale(model) * model.moduli[c].mu; });
+                        cells, pack, [&](std::size_t c) { return viscous_scale(model, c) * model.moduli[c].mu; });
                 }
                 if (changes.softening.size() > 0) shared.of_points.emplace(point_forces_of(cells, pack, model, x));
                 for (Index k = 0; k < count; ++k) {

@@ -1,5 +1,6 @@
 #include "model/internal_forces.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 
@@ -233,16 +234,26 @@ Stiffness stiffness(const Model& model) {
     Stiffness s;
     s.elastic = model.moduli;
     s.elastic_factors = model.point_factors;
-    const double scale = viscous_scale(model);
-    if (scale > 0.0) {
+    if (model.creep || is_viscous(model)) {
         s.viscous = model.moduli;
-        for (material::Moduli& m : s.viscous) m = {m.mu * scale, m.kappa * scale};
+        for (std::size_t c = 0; c < s.viscous.size(); ++c) {
+            const double scale = viscous_scale(model, c);
+            s.viscous[c] = {s.viscous[c].mu * scale, s.viscous[c].kappa * scale};
+        }
         s.viscous_factors = model.point_factors;
     }
     return s;
 }
 
-double viscous_scale(const Model& model) { return model.creep ? 1.0 : model.damping_s; }
+double viscous_scale(const Model& model, std::size_t cell) {
+    if (model.creep) return 1.0;
+    return model.damping_excess_s.empty() ? model.damping_s : model.damping_s + model.damping_excess_s[cell];
+}
+
+bool is_viscous(const Model& model) {
+    return model.damping_s > 0.0 || std::any_of(model.damping_excess_s.begin(), model.damping_excess_s.end(),
+                                                [](double excess) { return excess > 0.0; });
+}
 
 VectorXd times_factors(const VectorXd& a, const VectorXd& b) {
     return a.size() == 0 ? b : b.size() == 0 ? a : VectorXd(a.cwiseProduct(b));

@@ -28,11 +28,14 @@ struct Stiffness {
 /// Moduli of the model itself.
 Stiffness stiffness(const Model& model);
 
-/// Ratio of viscous moduli to elastic moduli.
+/// Ratio of viscous moduli to elastic moduli of a cell.
 ///
-/// @return  the damping [s]; 1 for a body with creep, because its rates are combinations of strain rates and strains
+/// @return  the damping time of the cell [s]; 1 for a body with creep, because its rates are combinations of strain
+/// rates and strains
 ///          that already contain their factors
-double viscous_scale(const Model& model);
+double viscous_scale(const Model& model, std::size_t cell);
+/// Whether any cell has Kelvin-Voigt damping.
+bool is_viscous(const Model& model);
 
 /// Product of two fields of factors at the points; an empty field is 1.
 Eigen::VectorXd times_factors(const Eigen::VectorXd& a, const Eigen::VectorXd& b);

@@ -22,10 +22,21 @@ Eigen::SparseMatrix<double> equal_vertex_mass(const Body& body) {
     return mass;
 }
 
+/// Consistent mass of cells of different densities, in units of Model::density_kg_m3 [m3].
+Eigen::SparseMatrix<double> mixed_mass(const Body& body, const std::vector<double>& factors) {
+    std::vector<Eigen::Triplet<double>> triplets;
+    for (const fem::MassEntry& entry : fem::consistent_mass(body.mesh))
+        triplets.emplace_back(entry.row, entry.column, factors[static_cast<std::size_t>(entry.cell)] * entry.value);
+    Eigen::SparseMatrix<double> mass(body.node_count(), body.node_count());
+    mass.setFromTriplets(triplets.begin(), triplets.end());
+    return mass;
+}
+
 /// Mass matrix of the body plus attached masses, identical for the three directions.
 Eigen::SparseMatrix<double> isotropic_mass(const Model& model) {
-    Eigen::SparseMatrix<double> mass = model.mass_model == MassModel::consistent ? model.body->unit_mass
-                                                                                 : equal_vertex_mass(*model.body);
+    Eigen::SparseMatrix<double> mass = model.mass_model != MassModel::consistent ? equal_vertex_mass(*model.body)
+                                       : model.density_factors.empty()           ? model.body->unit_mass
+                                                                       : mixed_mass(*model.body, model.density_factors);
     mass *= model.density_kg_m3;
     // Attached masses are lumped on the diagonal.
     for (const AttachedMass& attached : model.masses)

@@ -51,7 +51,9 @@ struct Model {
     std::vector<double> poissons_ratio;    // per cell, for the bending of hex8 cells; constant under differentiation.
                                            // Empty: from the moduli
     double damping_s = 0.0;                // Kelvin-Voigt damping: S = 2 damping mu dev(dE/dt)
+    std::vector<double> damping_excess_s;  // per cell, damping time beyond damping_s; empty: 0. Not of creeping bodies
     double density_kg_m3 = 0.0;            // of the rest configuration
+    std::vector<double> density_factors;   // per cell, on density_kg_m3; empty: 1
     MassModel mass_model = MassModel::consistent;            // how the density is discretised
     double velocity_force_1_s = 0.0;                         // Lambda of the force f = Lambda M v ; 0: none
     Eigen::Vector3d gravity_m_s2 = Eigen::Vector3d::Zero();  // world frame

@@ -49,6 +49,23 @@ void add_material(const setup::Setup& setup, const std::vector<std::string>& nam
         }
 }
 
+/// Moduli and damping times of the parts, where they are declared as unknown; "spine.youngs_modulus_Pa".
+void add_parts(const setup::Setup& setup, ParameterList& list) {
+    for (std::size_t k = 0; k < setup.experiment.parts.size(); ++k) {
+        const experiment::PartDeclaration& part = setup.experiment.parts[k];
+        const auto fitted = [&](const char* name) {
+            return std::find(part.calibrate.begin(), part.calibrate.end(), name) != part.calibrate.end();
+        };
+        const double nominal = part.youngs_modulus_Pa, tolerance = part.youngs_modulus_tolerance;
+        if (fitted("youngs_modulus"))
+            list.add(Kind::part_modulus, 0, k, part.name + ".youngs_modulus_Pa", (1.0 - tolerance) * nominal,
+                     (1.0 + tolerance) * nominal, nominal, "Pa");
+        if (!fitted("damping")) continue;
+        list.add(Kind::part_damping, 0, k, part.name + ".damping_s", 0.0, 1.0, 1e-3, "s");
+        list.parameters.back().parameter.over_decades = true;
+    }
+}
+
 /// Placement of the cameras, within its declared limits.
 void add_registration(const setup::Setup& setup, ParameterList& list) {
     const experiment::RegistrationDeclaration& registration = setup.experiment.registration;
@@ -89,6 +106,7 @@ void add_trial_unknowns(const setup::Setup& setup, ParameterList& list) {
 std::vector<ModelParameter> free_parameters(const setup::Setup& setup, const std::vector<std::string>& names) {
     ParameterList list{declared_values(setup), {}};
     add_material(setup, names, list);
+    add_parts(setup, list);
     add_registration(setup, list);
     add_trial_unknowns(setup, list);
     for (std::size_t e = 0; e < list.start.effects.size(); ++e)

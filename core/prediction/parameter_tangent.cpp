@@ -44,6 +44,8 @@ bool moves_the_body(const setup::Setup& setup, std::size_t trial, const Paramete
     switch (parameter.kind) {
         case Kind::youngs_modulus:
         case Kind::damping:
+        case Kind::part_modulus:
+        case Kind::part_damping:
         case Kind::law: return true;
         case Kind::level: return parameter.trial == trial;
         case Kind::effect: {
@@ -59,7 +61,9 @@ bool moves_the_body(const setup::Setup& setup, std::size_t trial, const Paramete
 std::optional<sensitivity::ModelTangent> parameter_tangent(const setup::Setup& setup, std::size_t trial,
                                                            const ParameterValues& values,
                                                            const ModelParameter& parameter) {
-    if (!values.effects.empty()) return tangent_between(setup, trial, values, parameter);
+    // A cell at an interface depends on the values of several materials.
+    if (!values.effects.empty() || setup.part_shares.size() > 0)
+        return tangent_between(setup, trial, values, parameter);
     if (parameter.kind == Kind::youngs_modulus)
         return sensitivity::youngs_modulus_tangent(trial_model(setup, trial, values), values.youngs_modulus_Pa);
     if (parameter.kind == Kind::damping) return sensitivity::damping_tangent();

@@ -24,6 +24,9 @@ ParameterValues declared_values(const setup::Setup& setup) {
     values.youngs_modulus_Pa = setup.experiment.material.youngs_modulus_Pa;
     values.damping_s = setup.trials.front().model.damping_s;
     values.law = setup.trials.front().model.material->values();
+    const setup::MaterialValues materials = setup::declared_materials(setup.experiment, values.damping_s);
+    values.part_modulus_Pa = materials.part_modulus_Pa;
+    values.part_damping_s = materials.part_damping_s;
     values.start_shift_s.assign(setup.trials.size(), 0.0);
     for (const setup::PreparedTrial& trial : setup.trials) {
         std::map<std::size_t, double> levels;
@@ -53,6 +56,8 @@ double value_of(const ModelParameter& p, const ParameterValues& values) {
         case Kind::youngs_modulus: return values.youngs_modulus_Pa;
         case Kind::damping: return values.damping_s;
         case Kind::law: return values.law[p.index];
+        case Kind::part_modulus: return values.part_modulus_Pa[p.index];
+        case Kind::part_damping: return values.part_damping_s[p.index];
         case Kind::translation: return values.translation_m(static_cast<Eigen::Index>(p.index));
         case Kind::rotation: return values.rotation_rad(static_cast<Eigen::Index>(p.index));
         case Kind::start_shift: return values.start_shift_s[p.trial];
@@ -67,6 +72,8 @@ void set_value(const ModelParameter& p, double value, ParameterValues& values) {
         case Kind::youngs_modulus: values.youngs_modulus_Pa = value; break;
         case Kind::damping: values.damping_s = value; break;
         case Kind::law: values.law[p.index] = value; break;
+        case Kind::part_modulus: values.part_modulus_Pa[p.index] = value; break;
+        case Kind::part_damping: values.part_damping_s[p.index] = value; break;
         case Kind::translation: values.translation_m(static_cast<Eigen::Index>(p.index)) = value; break;
         case Kind::rotation: values.rotation_rad(static_cast<Eigen::Index>(p.index)) = value; break;
         case Kind::start_shift: values.start_shift_s[p.trial] = value; break;
@@ -79,9 +86,9 @@ void set_value(const ModelParameter& p, double value, ParameterValues& values) {
 
 model::Model trial_model(const setup::Setup& setup, std::size_t trial, const ParameterValues& values) {
     model::Model model = setup.trials[trial].model;
-    model.moduli = model::uniform_moduli(setup.body->cell_count(), setup.modulus_factor * values.youngs_modulus_Pa,
-                                         setup.experiment.material.poissons_ratio);
-    model.damping_s = values.damping_s;
+    setup::set_materials(setup,
+                         {values.youngs_modulus_Pa, values.damping_s, values.part_modulus_Pa, values.part_damping_s},
+                         setup.modulus_factor, model);
     if (!values.law.empty()) model.material = model.material->with_values(values.law);
     for (const auto& [actuator, level] : values.levels[trial])
         setup::set_level(setup.experiment, actuator, level, model);

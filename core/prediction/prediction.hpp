@@ -14,9 +14,11 @@ namespace myo::prediction {
 
 /// Values of everything a fit may change, for all trials.
 struct ParameterValues {
-    double youngs_modulus_Pa = 0.0;  // of the body; multiplied by Setup::modulus_factor in the cells
-    double damping_s = 0.0;          // Kelvin-Voigt damping time
-    std::vector<double> law = {};    // parameters of the constitutive law
+    double youngs_modulus_Pa = 0.0;            // of the body; multiplied by Setup::modulus_factor in the cells
+    double damping_s = 0.0;                    // Kelvin-Voigt damping time
+    std::vector<double> law = {};              // parameters of the constitutive law
+    std::vector<double> part_modulus_Pa = {};  // of the parts; multiplied by Setup::modulus_factor in the cells
+    std::vector<double> part_damping_s = {};   // of the parts; NaN: that of the body
     Eigen::Vector3d translation_m = Eigen::Vector3d::Zero();  // camera = rotation(rotation_rad) mesh + translation
     Eigen::Vector3d rotation_rad = Eigen::Vector3d::Zero();   // rotation vector about the mesh origin
     std::vector<double> start_shift_s;                        // per trial: t = 0 is this much later than start_s
@@ -28,10 +30,21 @@ ParameterValues declared_values(const setup::Setup& setup);
 
 /// One scalar of ParameterValues: name, initial value, bounds and scale, and where it is stored.
 struct ModelParameter {
-    enum class Kind { youngs_modulus, damping, law, translation, rotation, start_shift, level, effect };
+    enum class Kind {
+        youngs_modulus,
+        damping,
+        law,
+        part_modulus,
+        part_damping,
+        translation,
+        rotation,
+        start_shift,
+        level,
+        effect
+    };
     Kind kind = Kind::youngs_modulus;
     std::size_t trial = 0;  // start_shift, level
-    std::size_t index = 0;  // parameter of the law, axis (0 ... 2), actuator, or effect
+    std::size_t index = 0;  // parameter of the law, part, axis (0 ... 2), actuator, or effect
     inverse::Parameter parameter;
     std::string unit;                                // for messages and files
     std::string of_effect{};                         // effect: key of its parameter

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "calibration/values_at_bounds.hpp"
 #include "prediction/predict_trials.hpp"
@@ -69,6 +70,15 @@ report::Json values_json(const setup::Setup& setup, const prediction::ParameterV
                       {"velocity_force_1_s", setup.settings.velocity_force_1_s}};
     const std::vector<material::LawParameter> law = setup.trials.front().model.material->parameters();
     for (std::size_t k = 0; k < values.law.size(); ++k) json[law[k].name] = values.law[k];
+    for (std::size_t k = 0; k < setup.experiment.parts.size(); ++k) {
+        const experiment::PartDeclaration& part = setup.experiment.parts[k];
+        const double damping_s = values.part_damping_s[k];
+        json["parts"].push_back({{"name", part.name},
+                                 {"youngs_modulus_Pa", values.part_modulus_Pa[k]},
+                                 {"poissons_ratio", part.poissons_ratio},
+                                 {"density_kg_m3", part.density_kg_m3},
+                                 {"damping_s", std::isnan(damping_s) ? values.damping_s : damping_s}});
+    }
     return json;
 }
 

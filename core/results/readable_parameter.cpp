@@ -5,6 +5,8 @@
 #include <numbers>
 #include <string_view>
 
+#include "setup/actuator_signals.hpp"
+
 namespace myo::results {
 namespace {
 
@@ -83,9 +85,14 @@ ReadableParameter readable_parameter(const prediction::ModelParameter& p, const 
         case Kind::rotation: return {"Camera turn about " + axis, "°", 180.0 / std::numbers::pi};
         case Kind::start_shift: return {"Later start of " + setup.trials[p.trial].name, "ms", 1e3};
         case Kind::effect: return readable_number_of_effect(p);
-        case Kind::level:
-            return {"Level of " + setup.experiment.muscles[p.index].name + " in " + setup.trials[p.trial].name, "",
-                    1.0};
+        case Kind::part_modulus: return {"Young’s modulus of " + setup.experiment.parts[p.index].name, "kPa", 1e-3};
+        case Kind::part_damping: return {"Damping time of " + setup.experiment.parts[p.index].name, "ms", 1e3};
+        case Kind::level: {
+            const std::string unit = setup::signal_unit(setup.experiment, p.index);
+            return {
+                "Level of " + setup::actuator_names(setup.experiment)[p.index] + " in " + setup.trials[p.trial].name,
+                unit == "Pa" ? "kPa" : unit, unit == "Pa" ? 1e-3 : 1.0};
+        }
     }
     return {p.parameter.name, p.unit, 1.0};
 }

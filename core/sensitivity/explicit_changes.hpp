@@ -46,7 +46,7 @@ public:
     void soften(const Eigen::Matrix3Xd& x, const model::NodalColumns& dx, bool afresh);
 
     /// Whether strains are needed: they act only through viscous forces.
-    bool with_strains() const { return model_.damping_s > 0.0 || model_.creep; }
+    bool with_strains() const { return model::is_viscous(model_) || model_.creep; }
     /// Models on both sides of a parameter; null if the parameter has none.
     const ModelPair* pair(std::size_t parameter) const {
         return changes_[parameter] ? changes_[parameter]->pair.get() : nullptr;

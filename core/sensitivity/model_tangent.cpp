@@ -52,12 +52,13 @@ model::Stiffness stiffness_tangent(const model::Model& model, const ModelTangent
         derivative.viscous = tangent.moduli;
         return derivative;
     }
-    if (tangent.damping_s == 0.0 && (model.damping_s == 0.0 || tangent.moduli.empty())) return derivative;
+    if (tangent.damping_s == 0.0 && (!model::is_viscous(model) || tangent.moduli.empty())) return derivative;
     // Product rule for the viscous moduli damping * (mu, kappa).
     for (std::size_t c = 0; c < model.moduli.size(); ++c) {
         const material::Moduli d = tangent.moduli.empty() ? material::Moduli{} : tangent.moduli[c];
-        derivative.viscous.push_back({tangent.damping_s * model.moduli[c].mu + model.damping_s * d.mu,
-                                      tangent.damping_s * model.moduli[c].kappa + model.damping_s * d.kappa});
+        const double scale = model::viscous_scale(model, c);
+        derivative.viscous.push_back({tangent.damping_s * model.moduli[c].mu + scale * d.mu,
+                                      tangent.damping_s * model.moduli[c].kappa + scale * d.kappa});
     }
     return derivative;
 }

@@ -76,9 +76,10 @@ Result<mesh::VolumeMesh> truncated_mesh(const mesh::SurfaceMesh& surface, double
 }
 
 std::string not_conforming(const std::string& reason, double edge) {
-    return "the tetrahedra do not meet the faces of the clamp box (" + reason + "): the clamp may hold up to a cell, " +
-           format_number(1e3 * edge, 3) +
-           " mm, less than declared; choose shorter edges (--resolution) or move the box";
+    return "the tetrahedra do not meet the faces of the declared boxes (" + reason +
+           "): a clamp may hold up to a cell, " + format_number(1e3 * edge, 3) +
+           " mm, less than declared, and a part have cells of mixed material; choose shorter edges (--resolution) or "
+           "move the box";
 }
 
 /// Tetrahedra whose faces conform to the regions. If that fails or multiplies the number of cells, plain tetrahedra

@@ -6,6 +6,7 @@
 
 #include "base/progress.hpp"
 #include "base/result.hpp"
+#include "experiment/experiment.hpp"
 #include "fem/element_block.hpp"
 #include "mesh/surface_mesh.hpp"
 #include "mesh/volume_mesh.hpp"
@@ -57,6 +58,15 @@ Box box_on_mesh(const BodyMesh& mesh, const Box& declared);
 ///
 /// @param clamp, body  declared box and bounds of the body [m], mesh frame
 Box held_part(const Box& clamp, const Box& body);
+
+/// Mesh of the body of an experiment: its own cells if it declares a volume mesh, else mesh_body() with the faces of
+/// clamp and parts.
+///
+/// Linear tetrahedra of a file get nodes at the middles of their edges, unless tet4 is requested: they would lock.
+/// @param surface  of the body
+/// Errors: those of mesh_body(); a request that a volume mesh cannot meet.
+Result<BodyMesh> mesh_of(const experiment::Experiment& experiment, const mesh::SurfaceMesh& surface,
+                         const MeshRequest& request, const Progress& progress = {});
 
 /// Meshes a closed surface.
 ///

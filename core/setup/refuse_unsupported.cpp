@@ -12,11 +12,8 @@ Result<void> refuse_unsupported(const experiment::Experiment& experiment) {
         std::string key;
         std::string what;
     };
-    const bool volume = std::holds_alternative<experiment::VolumeGeometry>(experiment.geometry);
     // One line per kind: what becomes supported loses its line.
     for (const Kind& kind : {
-             Kind{volume, "geometry.kind", "a volume mesh"},
-             Kind{!experiment.parts.empty(), "part[0]", "a part"},
              Kind{experiment.mount != experiment::MountMotion::fixed, "mount.motion", "the motion of the mount"},
              Kind{!experiment.obstacles.empty(), "obstacle[0]", "an obstacle"},
              Kind{!experiment.sensors.empty(), "sensor[0]", "a sensor"},

@@ -213,13 +213,16 @@ Result<void> add_body(Setup& setup, const BodyMesh* meshed, const Progress& prog
     const experiment::Experiment& experiment = setup.experiment;
     // The mesh conforms to the part of the body that the clamp really holds, see held_part().
     const Box held = held_part(experiment.clamp_box_m, mesh::bounding_box(setup.surface.vertices));
-    Result<BodyMesh> mesh = meshed ? *meshed : mesh_body(setup.surface, setup.settings.mesh, {held}, progress);
+    Result<BodyMesh> mesh = meshed ? *meshed : mesh_of(experiment, setup.surface, setup.settings.mesh, progress);
     if (!mesh) return mesh.error();
     setup.mesh = std::move(*mesh);
     setup.warnings.insert(setup.warnings.end(), setup.mesh.warnings.begin(), setup.mesh.warnings.end());
     const Result<std::vector<int>> clamped = clamped_nodes(experiment, setup.mesh, held);
     if (!clamped) return clamped.error();
     // Effects that vary within a cell need an element that resolves them.
+    Result<Eigen::MatrixXd> shares = part_shares(experiment, setup.mesh, setup.warnings);
+    if (!shares) return shares.error();
+    setup.part_shares = std::move(*shares);
     const bool fine = setup.settings.fine_element || effect::any_varies_within_cells(experiment.effects);
     setup.tendons = find_tendons(experiment, setup.surface, setup.mesh);
     setup.body = model::make_body(setup.mesh.mesh, fine ? fem::fine_element(setup.mesh.element) : setup.mesh.element,
@@ -246,9 +249,10 @@ Result<model::Model> shared_model(Setup& setup, const material::MaterialPointer&
     model::Model model;
     model.body = setup.body;
     model.material = material;
-    model.moduli = model::uniform_moduli(setup.body->cell_count(), experiment.material.youngs_modulus_Pa,
-                                         experiment.material.poissons_ratio);
+    set_materials(setup, declared_materials(experiment, 0.0), 1.0, model);
+    model.damping_excess_s.clear();
     model.density_kg_m3 = experiment.material.density_kg_m3;
+    model.density_factors = density_factors(experiment, setup.part_shares);
     model.mass_model = setup.settings.mass_model;
     warn_of_mass(model, setup.warnings);
     model.velocity_force_1_s = setup.settings.velocity_force_1_s;
@@ -256,6 +260,8 @@ Result<model::Model> shared_model(Setup& setup, const material::MaterialPointer&
     // The assumed damping needs the first vibration, hence a complete model except for the muscles.
     model.damping_s = experiment.material.damping_s ? *experiment.material.damping_s
                                                     : assumed_damping_s(model, setup.settings);
+    model.damping_excess_s = damping_excess(experiment, setup.part_shares,
+                                            declared_materials(experiment, model.damping_s));
     Result<std::vector<fibre::FibreGroup>> muscles = muscle_groups(experiment, setup.mesh, &setup.warnings);
     if (!muscles) return muscles.error();
     model.fibres = std::make_shared<const std::vector<fibre::FibreGroup>>(std::move(*muscles));
@@ -294,6 +300,18 @@ SetupSettings published_settings() {
     settings.assumed_damping_s = 0.0;
     settings.as_published = true;
     return settings;
+}
+
+void set_materials(const Setup& setup, const MaterialValues& values, double factor, model::Model& model) {
+    const experiment::Experiment& experiment = setup.experiment;
+    model.damping_s = values.damping_s;
+    if (setup.part_shares.size() == 0) {
+        model.moduli = model::uniform_moduli(setup.body->cell_count(), factor * values.youngs_modulus_Pa,
+                                             experiment.material.poissons_ratio);
+        return;
+    }
+    model.moduli = mixed_moduli(experiment, setup.part_shares, values, factor);
+    model.damping_excess_s = damping_excess(experiment, setup.part_shares, values);
 }
 
 std::vector<fibre::Signal> with_level(const experiment::Experiment& experiment, std::vector<fibre::Signal> activation,

@@ -17,6 +17,7 @@
 #include "setup/body_mesh.hpp"
 #include "setup/chambers.hpp"
 #include "setup/integration_check.hpp"
+#include "setup/parts.hpp"
 #include "setup/tendons.hpp"
 #include "setup/trial_step.hpp"
 
@@ -76,6 +77,7 @@ struct Setup {
     mesh::SurfaceMesh surface;
     BodyMesh mesh;
     model::BodyPointer body;         // shared by the models of all trials
+    Eigen::MatrixXd part_shares;     // of the materials in the cells, see part_shares(); empty: one material
     std::vector<Chamber> chambers;   // in the order of declaration
     std::vector<Tendon> tendons;     // in the order of declaration
     measurement::MarkerSet markers;  // interpolation from nodes to the markers on the body
@@ -87,6 +89,11 @@ struct Setup {
     std::vector<TrialStep> steps;  // per trial, from choose_steps(); empty: requested steps, or not chosen yet
     std::optional<IntegrationCheck> integration;  // result of check_integration(), if it was called
 };
+
+/// Gives the cells of a model moduli [Pa] and damping times [s].
+///
+/// @param factor  on all moduli
+void set_materials(const Setup& setup, const MaterialValues& values, double factor, model::Model& model);
 
 /// Sampling interval of the recording [s]; 0.01 s if it has a single sample.
 double sampling_interval_s(const PreparedTrial& trial);

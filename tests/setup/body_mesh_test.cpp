@@ -65,7 +65,7 @@ TEST(MeshBody, OfTetrahedraMeetsTheClamp) {
                                             {{{-1, -1, -1}, {0.0099, 1, 1}}});
     ASSERT_TRUE(hair) << hair.error().text();
     ASSERT_EQ(hair->warnings.size(), 1u);
-    EXPECT_THAT(hair->warnings[0], HasSubstr("do not meet the faces of the clamp box (it would take"));
+    EXPECT_THAT(hair->warnings[0], HasSubstr("do not meet the faces of the declared boxes (it would take"));
     EXPECT_LT(hair->mesh.node_count(), 2000);
 }
 

@@ -35,12 +35,14 @@ JointFit refit(const CorrectionInput& in, const FitData& data, const prediction:
                       log);
 }
 
-/// Scales the fitted modulus such that the motion stays the same with another modulus factor of the cells.
+/// Scales the fitted moduli such that the motion stays the same with another modulus factor of the cells.
 void scale_modulus(JointFit& fit, double factor) {
     for (const prediction::ModelParameter& p : fit.parameters)
-        if (p.kind == prediction::ModelParameter::Kind::youngs_modulus)
+        if (p.kind == prediction::ModelParameter::Kind::youngs_modulus ||
+            p.kind == prediction::ModelParameter::Kind::part_modulus)
             prediction::set_value(
-                p, std::clamp(fit.values.youngs_modulus_Pa / factor, p.parameter.lower, p.parameter.upper), fit.values);
+                p, std::clamp(prediction::value_of(p, fit.values) / factor, p.parameter.lower, p.parameter.upper),
+                fit.values);
 }
 
 /// Numerical error of a fit after its own parameters have been matched between the runs. Empty if the error is small,
