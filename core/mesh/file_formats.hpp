@@ -18,6 +18,7 @@ namespace myo::mesh {
 struct PolygonSoup {
     std::vector<Eigen::Vector3d> vertices;      // in the unit of the file
     std::vector<std::array<int, 3>> triangles;  // may be out of range: checked by read_surface()
+    std::vector<std::string> warnings;          // defects that leave the file readable, one sentence each
 };
 
 /// STL, ASCII or binary.

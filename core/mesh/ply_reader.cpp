@@ -97,12 +97,26 @@ Result<Header> read_header(TextScanner& text) {
 // Numbers after the header in any encoding.
 class Body {
 public:
-    Body(TextScanner text, std::string_view bytes, Encoding encoding)
-        : text_(std::move(text)), bytes_(bytes), encoding_(encoding) {}
+    /// @param by_lines  a text with a line for every element, so that a line's end ends its element
+    Body(TextScanner text, std::string_view bytes, Encoding encoding, bool by_lines)
+        : text_(std::move(text)), bytes_(bytes), encoding_(encoding), by_lines_(by_lines) {}
 
-    /// Next number of a type; false at the end of the file.
+    /// Skips blanks and empty lines before an element.
+    void begin_element() {
+        if (by_lines_) text_.at_end();
+    }
+    /// Number of words left on the line of an element; skips them.
+    int words_left() {
+        int count = 0;
+        while (by_lines_ && !text_.word_on_line().empty()) ++count;
+        return count;
+    }
+    int line() const { return text_.line(); }
+
+    /// Next number of a type; false at the end of the file, or of the element's line.
     bool next(Number type, double& value) {
-        if (encoding_ == Encoding::ascii) return TextScanner::parse(text_.word(), value);
+        if (encoding_ == Encoding::ascii)
+            return TextScanner::parse(by_lines_ ? text_.word_on_line() : text_.word(), value);
         switch (type) {
             case Number::i8: return take<std::int8_t>(value);
             case Number::u8: return take<std::uint8_t>(value);
@@ -135,6 +149,33 @@ private:
     TextScanner text_;
     std::string_view bytes_;
     Encoding encoding_;
+    bool by_lines_;
+};
+
+/// True if a text has a line for every element.
+bool has_a_line_each(TextScanner text, const Header& header) {
+    if (header.encoding != Encoding::ascii) return false;
+    long long lines = 0, elements = 0;
+    do lines += text.word_on_line().empty() ? 0 : 1;
+    while (text.next_line());
+    for (const Element& element : header.elements) elements += element.properties.empty() ? 0 : element.count;
+    return lines >= elements;
+}
+
+/// Lines with more numbers than their element declares.
+struct SurplusWords {
+    long long lines = 0;
+    int line = 0, count = 0;  // of the first
+    std::string element;
+
+    void add(const std::string& name, int at, int words) {
+        if (words > 0 && lines++ == 0) line = at, count = words, element = name;
+    }
+    std::string sentence() const {
+        return std::to_string(lines) + (lines == 1 ? " line has" : " lines have") +
+               " more numbers than the header declares, first line " + std::to_string(line) + ": " + element +
+               " with " + std::to_string(count) + " more; they were left out";
+    }
 };
 
 }  // namespace
@@ -151,14 +192,16 @@ Result<PolygonSoup> read_ply(const std::filesystem::path& path) {
     const std::size_t begin = content->find('\n', content->find("end_header"));
     const std::string_view bytes = begin == std::string::npos ? std::string_view()
                                                               : std::string_view(*content).substr(begin + 1);
-    Body body(text, bytes, header->encoding);
+    Body body(text, bytes, header->encoding, has_a_line_each(text, *header));
 
     PolygonSoup soup;
+    SurplusWords surplus;
     std::vector<std::vector<int>> faces;
     for (const Element& element : header->elements) {
         for (long long e = 0; e < element.count; ++e) {
             Eigen::Vector3d x = Eigen::Vector3d::Constant(std::nan(""));
             std::vector<int> corners;
+            body.begin_element();
             for (const Property& property : element.properties) {
                 double count = 1.0, value = 0.0;
                 const Error short_file{
@@ -180,10 +223,12 @@ Result<PolygonSoup> read_ply(const std::filesystem::path& path) {
                 if (property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z')
                     x[property.name[0] - 'x'] = value;
             }
+            surplus.add(element.name, body.line(), body.words_left());
             if (element.name == "vertex") soup.vertices.push_back(x);
             if (element.name == "face") faces.push_back(std::move(corners));
         }
     }
+    if (surplus.lines > 0) soup.warnings.push_back(surplus.sentence());
     // Faces may precede vertices in the file, so they are triangulated at the end.
     for (const auto& corners : faces) {
         for (const int corner : corners) {

@@ -1,5 +1,6 @@
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 #include "base/files.hpp"
 #include "mesh/file_formats.hpp"
@@ -15,10 +16,10 @@ struct StlReaderFormat {
 constexpr StlReaderFormat stl_reader_format;
 
 // Little-endian as specified; all supported platforms are little-endian.
-PolygonSoup read_binary(const std::string& content, std::uint32_t count) {
+PolygonSoup read_binary(const std::string& content, std::size_t count) {
     PolygonSoup soup;
-    soup.vertices.reserve(std::size_t{count} * 3);
-    for (std::uint32_t t = 0; t < count; ++t) {
+    soup.vertices.reserve(count * 3);
+    for (std::size_t t = 0; t < count; ++t) {
         float corners[9];
         std::memcpy(corners,
                     content.data() + stl_reader_format.stl_header_bytes + t * stl_reader_format.triangle_bytes + 12,
@@ -26,7 +27,7 @@ PolygonSoup read_binary(const std::string& content, std::uint32_t count) {
         for (int i = 0; i < 3; ++i) {
             soup.vertices.emplace_back(double{corners[3 * i]}, double{corners[3 * i + 1]}, double{corners[3 * i + 2]});
         }
-        const int first = static_cast<int>(3 * t);
+        const int first = static_cast<int>(soup.vertices.size()) - 3;
         soup.triangles.push_back({first, first + 1, first + 2});
     }
     return soup;
@@ -81,6 +82,34 @@ Result<PolygonSoup> read_ascii(const std::string& content, const std::string& pa
     }
 }
 
+/// Binary STL whose size does not agree with its count of triangles: read where it is clear what is meant.
+Result<PolygonSoup> read_binary_of_other_size(const std::string& content, std::uint32_t count,
+                                              const std::string& path) {
+    const StlReaderFormat& format = stl_reader_format;
+    const std::size_t held = content.size() - format.stl_header_bytes;
+    // Programs that cannot go back to the header leave 0 or all bits set in it.
+    const bool no_count = count == 0 || count == std::numeric_limits<std::uint32_t>::max();
+    if (no_count && held > 0 && held % format.triangle_bytes == 0) {
+        PolygonSoup soup = read_binary(content, held / format.triangle_bytes);
+        soup.warnings.push_back("the header names no number of triangles; all " +
+                                std::to_string(held / format.triangle_bytes) + " of the file were read");
+        return soup;
+    }
+    const std::size_t needed = std::size_t{count} * format.triangle_bytes;
+    if (held < needed)
+        return Error{"the STL is truncated: " + std::to_string(count) + " triangles need " +
+                         std::to_string(needed + format.stl_header_bytes) + " bytes, it has " +
+                         std::to_string(content.size()),
+                     path};
+    const std::string more = std::to_string(held - needed) + " bytes more than its " + std::to_string(count) +
+                             " triangles need";
+    // With more bytes behind the triangles than in them the count is likely to be wrong.
+    if (held - needed > needed) return Error{"the STL has " + more + ": it is garbled", path};
+    PolygonSoup soup = read_binary(content, count);
+    soup.warnings.push_back("the STL has " + more + "; they were left out");
+    return soup;
+}
+
 }  // namespace
 
 Result<PolygonSoup> read_stl(const std::filesystem::path& path) {
@@ -93,7 +122,7 @@ Result<PolygonSoup> read_stl(const std::filesystem::path& path) {
     // 80 bytes of header, a 32-bit count, then 50 bytes per triangle.
     const std::size_t expected = stl_reader_format.stl_header_bytes +
                                  std::size_t{count} * stl_reader_format.triangle_bytes;
-    if (content->size() >= stl_reader_format.stl_header_bytes && content->size() == expected)
+    if (content->size() >= stl_reader_format.stl_header_bytes && content->size() == expected && count > 0)
         return read_binary(*content, count);
 
     TextScanner text(*content, path.string());
@@ -101,15 +130,8 @@ Result<PolygonSoup> read_stl(const std::filesystem::path& path) {
     if (is(text.word(), "solid") && !has_zero) return read_ascii(*content, path.string());
     if (content->size() < stl_reader_format.stl_header_bytes)
         return Error{"the file is too short for an STL", path.string()};
-    // Neither text nor a binary file of the right size: the message says which defect is likely.
-    if (content->size() < expected) {
-        return Error{"the STL is truncated: " + std::to_string(count).append(" triangles need ") +
-                         std::to_string(expected).append(" bytes, it has ") + std::to_string(content->size()),
-                     path.string()};
-    }
-    return Error{"the STL has " + std::to_string(content->size() - expected).append(" bytes more than its ") +
-                     std::to_string(count).append(" triangles need: it is garbled"),
-                 path.string()};
+    if (!has_zero) return Error{"is no STL: neither a text that begins with 'solid' nor binary", path.string()};
+    return read_binary_of_other_size(*content, count, path.string());
 }
 
 }  // namespace myo::mesh

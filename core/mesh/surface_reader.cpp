@@ -29,7 +29,7 @@ Result<PolygonSoup> read_polygons(const std::filesystem::path& path) {
 }  // namespace
 
 Result<SurfaceMesh> read_surface(const std::filesystem::path& path, double metres_per_unit,
-                                 const Eigen::Matrix3d& rotation) {
+                                 const Eigen::Matrix3d& rotation, std::vector<std::string>* warnings) {
     if (!(metres_per_unit > 0.0) || !std::isfinite(metres_per_unit))
         return Error{"the length unit must be positive", path.string()};
     if (!rotation.allFinite() || !(rotation.transpose() * rotation).isIdentity(1e-6) || rotation.determinant() < 0.0) {
@@ -38,6 +38,9 @@ Result<SurfaceMesh> read_surface(const std::filesystem::path& path, double metre
     }
     const auto soup = read_polygons(path);
     if (!soup) return soup.error();
+    if (warnings != nullptr)
+        for (const std::string& warning : soup->warnings)
+            warnings->push_back(path.filename().string() + ": " + warning);
     if (soup->triangles.empty()) return Error{"the file holds no triangles", path.string()};
 
     SurfaceMesh surface;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "base/result.hpp"
 #include "mesh/surface_mesh.hpp"
@@ -11,9 +13,13 @@ namespace myo::mesh {
 ///
 /// @param metres_per_unit  length of the file's unit [m]; required, because none of these formats states it
 /// @param rotation         mesh = rotation * (file * unit); orthonormal with determinant 1
+/// @param warnings         sentences on defects that leave the file readable, such as bytes behind the last triangle,
+/// are
+///                         added; may be null
 /// @return  triangles as in the file, polygons triangulated; coincident vertices are not merged, see weld()
 /// Errors: missing, empty, truncated or corrupt file; no triangles; non-finite coordinates; indices out of range.
 Result<SurfaceMesh> read_surface(const std::filesystem::path& path, double metres_per_unit,
-                                 const Eigen::Matrix3d& rotation = Eigen::Matrix3d::Identity());
+                                 const Eigen::Matrix3d& rotation = Eigen::Matrix3d::Identity(),
+                                 std::vector<std::string>* warnings = nullptr);
 
 }  // namespace myo::mesh

@@ -335,6 +335,66 @@ TEST_F(Readers, PlainMistakesAreNamed) {
     EXPECT_NE(read_volume(folder_ / "binary.msh", 1.0).error().what.find("binary"), std::string::npos);
 }
 
+TEST_F(Readers, BytesBehindTheLastTriangleAreAWarning) {
+    const std::string binary = *read_file(folder_ / "binary.stl");
+    std::vector<std::string> warnings;
+    const auto read = [&](const std::string& content) {
+        write_text(folder_ / "other.stl", content);
+        return read_surface(folder_ / "other.stl", 1e-3, Eigen::Matrix3d::Identity(), &warnings);
+    };
+    EXPECT_TRUE(read(binary) && warnings.empty());
+    for (const std::size_t bytes : {1u, 50u, 150u}) {
+        const auto surface = read(binary + std::string(bytes, 'x'));
+        ASSERT_TRUE(surface) << surface.error().text();
+        EXPECT_NEAR(check_surface(weld(*surface)).volume, 6e-5, 1e-11);
+        ASSERT_EQ(warnings.size(), 1u);
+        EXPECT_NE(warnings[0].find("other.stl: the STL has " + std::to_string(bytes) + " bytes more than its 12"),
+                  std::string::npos)
+            << warnings[0];
+        warnings.clear();
+    }
+    // More behind the triangles than in them: the count is wrong.
+    EXPECT_FALSE(read(binary + std::string(700, 'x')));
+    // Programs that cannot return to the header leave no count in it.
+    for (const char byte : {'\0', '\xff'}) {
+        std::string uncounted = binary;
+        uncounted.replace(80, 4, std::string(4, byte));
+        const auto surface = read(uncounted);
+        ASSERT_TRUE(surface) << surface.error().text();
+        EXPECT_EQ(surface->triangles.cols(), 12);
+        EXPECT_EQ(warnings.size(), 1u);
+        EXPECT_FALSE(read(uncounted.substr(0, uncounted.size() - 20)));
+        warnings.clear();
+    }
+    EXPECT_NE(read(std::string(200, 'a')).error().what.find("is no STL"), std::string::npos);
+}
+
+TEST_F(Readers, NumbersThatAPlyDoesNotDeclareAreAWarning) {
+    const std::string head =
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 4\nproperty list uchar int vertex_indices\nend_header\n";
+    const std::string faces = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
+    std::vector<std::string> warnings;
+    const auto read = [&](const std::string& content) {
+        write_text(folder_ / "other.ply", content);
+        return read_surface(folder_ / "other.ply", 1.0, Eigen::Matrix3d::Identity(), &warnings);
+    };
+    const auto more = read(head + "0 0 0 9 9\n\n1 0 0 9 9\n0 1 0\n0 0 1 9 9\n" + faces);
+    ASSERT_TRUE(more) << more.error().text();
+    EXPECT_NEAR(enclosed_volume(*more), 1.0 / 6.0, 1e-15);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("3 lines have more numbers than the header declares, first line 10: vertex with 2 more"),
+              std::string::npos)
+        << warnings[0];
+    warnings.clear();
+    EXPECT_FALSE(read(head + "0 0 0\n1 0\n0 1 0\n0 0 1\n" + faces)) << "a number is missing in a line";
+    // Without a line for every element the numbers are read one after the other.
+    const auto wrapped = read(head + "0 0 0 1 0 0\n0 1 0 0 0 1 3 0 2 1 3 0\n1 3 3 1 2 3 3 2 0 3\n");
+    ASSERT_TRUE(wrapped) << wrapped.error().text();
+    EXPECT_NEAR(enclosed_volume(*wrapped), 1.0 / 6.0, 1e-15);
+    EXPECT_TRUE(warnings.empty());
+}
+
 TEST_F(Readers, ConcavePolygonIsCutRight) {
     // An L drawn as one face; triangles that leave it would change the area.
     write_text(folder_ / "l.obj", "v 0 0 0\nv 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nf 1 2 3 4 5 6\n");
