@@ -72,5 +72,20 @@ TEST(Estimate, NearForRoundBodies) {
     }
 }
 
+TEST(Quality, FlatCellsAreCountedAndPlaced) {
+    VolumeMesh mesh{CellType::tet4, Eigen::Matrix3Xd(3, 5), Eigen::MatrixXi(4, 2)};
+    mesh.nodes << 0, 0.01, 0, 0, 0.003, 0, 0, 0.01, 0, 0.003, 0, 0, 0, 0.01, 0;
+    mesh.cells << 0, 0, 1, 2, 2, 1, 3, 4;
+    mesh.nodes(2, 4) = -0.004;
+    EXPECT_TRUE(mesh_quality(mesh).messages.empty());
+    mesh.nodes(2, 4) = -1e-6;
+    const QualityReport report = mesh_quality(mesh);
+    ASSERT_EQ(report.messages.size(), 1u);
+    EXPECT_NE(report.messages[0].find("1 of 2 cells is almost flat (mean ratio below 0.02), the worst with"),
+              std::string::npos)
+        << report.messages[0];
+    EXPECT_NE(report.messages[0].find("cell 1 at (3.25, 3.25, -0.00025) mm"), std::string::npos) << report.messages[0];
+}
+
 }  // namespace
 }  // namespace myo::mesh
