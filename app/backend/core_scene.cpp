@@ -18,6 +18,7 @@
 #include "mesh/boundary_surface.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/surface_check.hpp"
+#include "mesh/surface_parts.hpp"
 #include "mesh/surface_reader.hpp"
 #include "mesh/surface_topology.hpp"
 #include "mesh/volume_reader.hpp"
@@ -246,7 +247,9 @@ Result<ui::commands::Scene> open_mesh(const fs::path& path, std::optional<double
                      path.string()};
     if (!metres_per_unit) return Error{"the file does not say its unit; choose m or mm", path.string()};
     if (is_volume_file(path)) return open_volume(path, *metres_per_unit);
-    const Result<mesh::SurfaceMesh> read = mesh::read_surface(path, *metres_per_unit);
+    std::vector<std::string> warnings;
+    const Result<mesh::SurfaceMesh> read = mesh::read_surface(path, *metres_per_unit, Eigen::Matrix3d::Identity(),
+                                                              &warnings);
     if (!read) return read.error();
     // Unlike an experiment, a mesh that is oriented inward is accepted and flipped.
     const mesh::SurfaceMesh surface = mesh::weld(*read);
@@ -254,8 +257,12 @@ Result<ui::commands::Scene> open_mesh(const fs::path& path, std::optional<double
     if (const Result<void> size = mesh::check_plausible_size(report.size); !size)
         return Error{size.error().what, path.string()};
     if (!report.closed) return Error{"the surface is not closed: " + join(report.messages), path.string()};
-    ui::commands::Scene scene = plain_scene(path, report.outward ? surface : mesh::flipped(surface));
-    scene.warnings = report.messages;
+    const Result<mesh::FacingParts> parts = mesh::facing_parts(report.outward ? surface : mesh::flipped(surface));
+    if (!parts) return Error{parts.error().what, path.string()};
+    ui::commands::Scene scene = plain_scene(path, parts->surface);
+    warnings.insert(warnings.end(), report.messages.begin(), report.messages.end());
+    warnings.insert(warnings.end(), parts->notes.begin(), parts->notes.end());
+    scene.warnings = warnings;
     return scene;
 }
 

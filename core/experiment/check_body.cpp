@@ -6,6 +6,7 @@
 #include "experiment/read_experiment.hpp"
 #include "mesh/boundary_surface.hpp"
 #include "mesh/surface_check.hpp"
+#include "mesh/surface_parts.hpp"
 #include "mesh/surface_reader.hpp"
 #include "mesh/volume_reader.hpp"
 
@@ -27,13 +28,13 @@ Result<mesh::SurfaceMesh> read_volume_surface(const Experiment& experiment, cons
 
 }  // namespace
 
-Result<mesh::SurfaceMesh> read_body_surface(const Experiment& experiment) {
+Result<mesh::SurfaceMesh> read_body_surface(const Experiment& experiment, std::vector<std::string>* warnings) {
     if (const auto* box = std::get_if<BoxGeometry>(&experiment.geometry))
         return mesh::box_surface(Box{box->origin_m, box->origin_m + box->size_m});
     if (const auto* volume = std::get_if<VolumeGeometry>(&experiment.geometry))
         return read_volume_surface(experiment, *volume);
     const auto& stl = std::get<StlGeometry>(experiment.geometry);
-    Result<mesh::SurfaceMesh> raw = mesh::read_surface(stl.file, stl.metres_per_unit, stl.rotation);
+    Result<mesh::SurfaceMesh> raw = mesh::read_surface(stl.file, stl.metres_per_unit, stl.rotation, warnings);
     if (!raw) return Error{"geometry.file: " + raw.error().what, raw.error().where};
     if (const Result<void> size = mesh::check_plausible_size(mesh::bounding_box(raw->vertices).size()); !size)
         return declaration_error(experiment, "geometry.unit", size.error().what);
@@ -48,7 +49,11 @@ Result<mesh::SurfaceMesh> read_body_surface(const Experiment& experiment) {
     if (report.oriented && !report.outward)
         return declaration_error(experiment, "geometry.file",
                                  file + " is turned inside out; its triangles must face outward");
-    return body;
+    Result<mesh::FacingParts> parts = mesh::facing_parts(body);
+    if (!parts) return declaration_error(experiment, "geometry.file", file + ": " + parts.error().what);
+    if (warnings != nullptr)
+        for (const std::string& note : parts->notes) warnings->push_back(file + ": " + note);
+    return std::move(parts->surface);
 }
 
 Error holds_whole_body(const Experiment& experiment) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "base/result.hpp"
 #include "experiment/experiment.hpp"
 #include "mesh/surface_mesh.hpp"
@@ -7,12 +10,14 @@
 namespace myo::experiment {
 
 /// Closed surface of the declared body: the box, or the surface file scaled, rotated and with coincident vertices
-/// merged.
+/// merged. Closed parts inside others are turned to face inward, see mesh::facing_parts().
 ///
-/// @return   vertices [m], mesh frame; triangles oriented outward
-/// Errors: a surface file that cannot be read, is open or is oriented inward; a body larger than 10 m or smaller than
-/// 1 mm. Each error carries the key and either the line of the key or the place in the surface file.
-Result<mesh::SurfaceMesh> read_body_surface(const Experiment& experiment);
+/// @param warnings  sentences on defects of the file and on turned parts are added; may be null
+/// @return          vertices [m], mesh frame; triangles oriented outward
+/// Errors: a surface file that cannot be read, is open, is oriented inward or has parts that overlap; a body larger
+/// than 10 m or smaller than 1 mm. Each error carries the key and either the line of the key or the place in the
+/// surface file.
+Result<mesh::SurfaceMesh> read_body_surface(const Experiment& experiment, std::vector<std::string>* warnings = nullptr);
 
 /// Error for a clamp box that contains the whole body, so that no degree of freedom remains.
 ///

@@ -387,7 +387,7 @@ Result<Setup> prepare_setup(const experiment::Experiment& experiment, const Setu
     setup.settings = settings;
     setup.warnings = experiment.warnings;
     if (const Result<void> supported = refuse_unsupported(experiment); !supported) return supported.error();
-    Result<mesh::SurfaceMesh> surface = experiment::read_body_surface(experiment);
+    Result<mesh::SurfaceMesh> surface = experiment::read_body_surface(experiment, &setup.warnings);
     if (!surface) return surface.error();
     setup.surface = std::move(*surface);
     if (const Result<void> fits = experiment::check_on_body(experiment, setup.surface); !fits) return fits.error();

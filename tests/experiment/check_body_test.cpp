@@ -17,6 +17,15 @@ using testing::HasSubstr;
 using testing::StartsWith;
 using namespace testing_support;
 
+/// Two surfaces in one.
+mesh::SurfaceMesh joined(const mesh::SurfaceMesh& a, const mesh::SurfaceMesh& b) {
+    mesh::SurfaceMesh both{Eigen::Matrix3Xd(3, a.vertices.cols() + b.vertices.cols()),
+                           Eigen::Matrix3Xi(3, a.triangles.cols() + b.triangles.cols())};
+    both.vertices << a.vertices, b.vertices;
+    both.triangles << a.triangles, (b.triangles.array() + static_cast<int>(a.vertices.cols())).matrix();
+    return both;
+}
+
 // The good experiment with its box given as an STL in millimetres.
 class CheckBody : public testing::Test {
 protected:
@@ -90,6 +99,22 @@ TEST_F(CheckBody, BrokenSurfacesNameTheirKey) {
     EXPECT_THAT(check().error().what, HasSubstr("not closed"));
     folder_.write("body.stl", "garbage");
     EXPECT_THAT(check().error().what, StartsWith("geometry.file: "));
+}
+
+TEST_F(CheckBody, CavitiesThatFaceOutwardAreTurnedAndOverlapIsRefused) {
+    const mesh::SurfaceMesh bar = mesh::box_surface(Box{{0, 0, 0}, {0.1, 0.03, 0.03}});
+    write(joined(bar, mesh::box_surface(Box{{0.04, 0.01, 0.01}, {0.06, 0.02, 0.02}})));
+    std::vector<std::string> warnings;
+    const Result<mesh::SurfaceMesh> hollow = read_body_surface(*read_experiment(folder_.path()), &warnings);
+    ASSERT_TRUE(hollow) << hollow.error().text();
+    EXPECT_NEAR(mesh::enclosed_volume(*hollow), 9e-5 - 2e-6, 1e-11);
+    EXPECT_THAT(warnings, testing::ElementsAre(testing::AllOf(StartsWith("body.stl: part 2, from (40, 10, 10)"),
+                                                              HasSubstr("is now a cavity of 2 ml"))));
+    write(joined(bar, mesh::box_surface(Box{{0.09, 0.01, 0.01}, {0.16, 0.02, 0.02}})));
+    const Result<void> overlap = check();
+    ASSERT_FALSE(overlap);
+    EXPECT_THAT(overlap.error().what, testing::AllOf(StartsWith("geometry.file: body.stl: two closed parts"),
+                                                     HasSubstr("from (90, 10, 10) to (160, 20, 20) mm")));
 }
 
 TEST(CheckBodyOfSharedExamples, AllFit) {
