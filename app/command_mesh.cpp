@@ -13,6 +13,7 @@
 #include "mesh/cell_traits.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/surface_check.hpp"
+#include "mesh/surface_parts.hpp"
 #include "mesh/surface_reader.hpp"
 #include "mesh/tet_mesh.hpp"
 #include "mesh/volume_reader.hpp"
@@ -20,6 +21,7 @@
 #include "options.hpp"
 #include "report/json.hpp"
 #include "setup/body_mesh.hpp"
+#include "setup/tetrahedra_surface.hpp"
 #include "standard_output.hpp"
 
 namespace myo::app {
@@ -63,7 +65,8 @@ bool contains(const std::vector<std::string>& list, const std::string& word) {
 /// Surface in metres with merged vertices, outward and of plausible size; corrections are reported as warnings.
 Result<mesh::SurfaceMesh> open_surface(const MeshCall& call, std::vector<std::string>& warnings) {
     if (!call.metres_per_unit) return Error{"a surface file does not say its unit; state m or mm", "--unit"};
-    const Result<mesh::SurfaceMesh> read = mesh::read_surface(call.file, *call.metres_per_unit);
+    const Result<mesh::SurfaceMesh> read = mesh::read_surface(call.file, *call.metres_per_unit,
+                                                              Eigen::Matrix3d::Identity(), &warnings);
     if (!read) return read.error();
     mesh::SurfaceMesh surface = mesh::weld(*read);
     const mesh::SurfaceReport report = mesh::check_surface(surface);
@@ -73,9 +76,12 @@ Result<mesh::SurfaceMesh> open_surface(const MeshCall& call, std::vector<std::st
         return Error{"cannot be meshed: " +
                          (report.messages.empty() ? "the surface is not closed" : join(report.messages, "; ")),
                      call.file.string()};
-    warnings = report.messages;
     if (report.oriented && !report.outward) surface = mesh::flipped(std::move(surface));
-    return surface;
+    Result<mesh::FacingParts> parts = mesh::facing_parts(surface);
+    if (!parts) return Error{parts.error().what, call.file.string()};
+    warnings.insert(warnings.end(), report.messages.begin(), report.messages.end());
+    warnings.insert(warnings.end(), parts->notes.begin(), parts->notes.end());
+    return std::move(parts->surface);
 }
 
 /// Checks that the options suit the element and that the number of elements is within the limit.
@@ -113,7 +119,10 @@ Result<MeshOutcome> mesh_surface(const MeshCall& call, const Progress& progress)
         options.edge = call.resolution_m;
         options.max_volume = call.max_volume_m3;
         if (call.quality) options.radius_edge_ratio = *call.quality;
-        Result<mesh::VolumeMesh> mesh = mesh::tetrahedralize(*surface, options, progress);
+        const double edge = call.max_volume_m3 ? mesh::tet_edge_for_volume(*call.max_volume_m3) : *call.resolution_m;
+        const mesh::SizedSurface sized = setup::surface_for_tetrahedra(*surface, edge, progress);
+        outcome.warnings.insert(outcome.warnings.end(), sized.notes.begin(), sized.notes.end());
+        Result<mesh::VolumeMesh> mesh = mesh::tetrahedralize(sized.surface, options, progress);
         if (!mesh) return mesh.error();
         outcome.mesh = std::move(*mesh);
     }

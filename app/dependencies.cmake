@@ -58,6 +58,15 @@ target_include_directories(myoloop_tetgen SYSTEM INTERFACE ${TETGEN_INCLUDE_DIR}
 target_link_libraries(myoloop_tetgen INTERFACE ${TETGEN_LIBRARY})
 target_compile_definitions(myoloop_tetgen INTERFACE TETLIBRARY)
 
+# CGAL is headers only. Remeshing on plain doubles needs none of its number types.
+find_path(CGAL_INCLUDE_DIR CGAL/Polygon_mesh_processing/remesh.h)
+if(NOT CGAL_INCLUDE_DIR)
+  myoloop_missing("CGAL" "libcgal-dev")
+endif()
+add_library(myoloop_cgal INTERFACE)
+target_include_directories(myoloop_cgal SYSTEM INTERFACE ${CGAL_INCLUDE_DIR})
+target_compile_definitions(myoloop_cgal INTERFACE CGAL_NDEBUG)
+
 # Only readers, writers, filters and locators: without a list VTK asks for its Qt and OpenGL parts.
 find_package(VTK 9.1 QUIET COMPONENTS CommonCore CommonDataModel FiltersCore FiltersGeometry FiltersGeneral
              FiltersVerdict IOGeometry IOLegacy IOPLY IOXML)

@@ -6,7 +6,7 @@ set -euo pipefail
 packages=(
   build-essential cmake ninja-build pkg-config git
   libeigen3-dev libboost-dev libsuitesparse-dev libopenblas0-serial libmetis-dev libceres-dev libnlopt-dev libtbb-dev
-  libvtk9-dev libtet1.5-dev
+  libvtk9-dev libtet1.5-dev libcgal-dev
   libimgui-dev libglfw3-dev libosmesa6-dev libgl-dev libstb-dev libfreetype-dev
   fonts-inter fonts-dejavu-core fonts-font-awesome
   libtomlplusplus-dev nlohmann-json3-dev libcli11-dev libspdlog-dev

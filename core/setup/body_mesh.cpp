@@ -11,6 +11,7 @@
 #include "mesh/region_facets.hpp"
 #include "mesh/tet_mesh.hpp"
 #include "mesh/voxel_mesh.hpp"
+#include "setup/tetrahedra_surface.hpp"
 
 namespace myo::setup {
 namespace {
@@ -84,9 +85,12 @@ std::string not_conforming(const std::string& reason, double edge) {
 
 /// Tetrahedra whose faces conform to the regions. If that fails or multiplies the number of cells, plain tetrahedra
 /// with a warning.
-Result<mesh::VolumeMesh> tetrahedral_mesh(const mesh::SurfaceMesh& surface, mesh::CellType type, double edge,
+Result<mesh::VolumeMesh> tetrahedral_mesh(const mesh::SurfaceMesh& declared, mesh::CellType type, double edge,
                                           const std::vector<Box>& regions, const Progress& progress,
                                           std::vector<std::string>& warnings) {
+    const mesh::SizedSurface sized = surface_for_tetrahedra(declared, edge, progress);
+    warnings.insert(warnings.end(), sized.notes.begin(), sized.notes.end());
+    const mesh::SurfaceMesh& surface = sized.surface;
     mesh::TetOptions options;
     options.type = type;
     options.edge = edge;
