@@ -102,7 +102,7 @@ public:
         double longest_s = 0.0;
         for (const setup::PreparedTrial& trial : setup_.trials) {
             onset_s_.push_back(onset(trial));
-            if (trial.role == experiment::TrialRole::fit)
+            if (trial.role == experiment::TrialRole::fit && !trial.hold)  // a pose has no phase
                 longest_s = std::max(longest_s, trial.measured.time_s.tail(1)(0) - onset_s_.back());
         }
         const double doubt_rad = doubt_rad_s_ * longest_s;

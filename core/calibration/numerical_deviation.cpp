@@ -86,6 +86,14 @@ public:
     /// Whether the calibration has residuals and a Jacobian.
     bool ready() const { return residuals_.size() > 0 && residuals_.size() == calibration_.fit.jacobian.rows(); }
 
+    /// The fit itself, where nothing changes.
+    ///
+    /// @param fit_s  its duration [s], of which one run takes a share
+    Refitted as_fitted(double fit_s) const {
+        const int runs = std::max(1, calibration_.evaluations());
+        return {calibration_.fit.values, {}, VectorXd::Zero(residuals_.size()), fit_s / runs};
+    }
+
     /// @param values  initial values
     /// @param beside  reference: corrections small relative to the change from it end the iteration
     /// @param max_s  no run but the first is started that would end later [s]
@@ -179,8 +187,9 @@ public:
         NumericalDeviations result;
         const setup::Setup longer = with_longer_steps(setup_);
         const VectorXd& fitted = calibration_.fit.values;
-        const Refitted with_longer = refit_.ready() ? refit_.on(longer, fitted, fitted, 0.3 * left_s())
-                                                    : Refitted{{}, "the fit ended without derivatives", {}};
+        const Refitted with_longer = !refit_.ready() ? Refitted{{}, "the fit ended without derivatives", {}}
+                                     : no_steps()    ? refit_.as_fitted(calibration_.seconds)
+                                                     : refit_.on(longer, fitted, fitted, 0.3 * left_s());
         const Errors steps = of_steps(with_longer);
         const Errors mesh = steps.values.size() > 0 ? of_mesh(longer, with_longer) : Errors{{}, steps.message};
         result.step = steps.values;
@@ -212,6 +221,12 @@ private:
             ++count;
         }
         return count > 0 ? std::sqrt(squares / count) / setup::mean_noise(setup_) : 0.0;
+    }
+
+    /// Whether all fit trials are poses: there is no time to step through.
+    bool no_steps() const {
+        const std::vector<std::size_t> trials = prediction::trials_with_role(setup_, experiment::TrialRole::fit);
+        return std::all_of(trials.begin(), trials.end(), [&](std::size_t t) { return setup_.trials[t].hold; });
     }
 
     double left_s() const { return max_s_ - watch_.seconds(); }

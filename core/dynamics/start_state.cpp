@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "dynamics/hold.hpp"
 #include "dynamics/statics.hpp"
 
 namespace myo::dynamics {
@@ -71,7 +72,12 @@ bool set_start(const SimulationOptions& options, StageSolver& solver, Kinematics
     }
     if (solver.model().softening) solver.soften({});
     if (options.starts_at_equilibrium()) {
-        const StageReport report = solve_equilibrium(solver, 0.0, state.x);
+        // A run without steps is a hold; the pose of a similar one is near.
+        const bool hold = options.end_s == 0.0;
+        const Matrix3Xd* const similar = hold && options.warm_start ? options.warm_start->at(0.0, options.h_s)
+                                                                    : nullptr;
+        const StageReport report = hold ? solve_hold(solver, 0.0, similar, state.x)
+                                        : solve_equilibrium(solver, 0.0, state.x);
         count(report, trace);
         trace.message = report.message;
         if (!report.ok()) return false;

@@ -78,14 +78,7 @@ LoadSteps step_commands(const StageSolver& solver, double time_s, Eigen::Matrix3
             continue;
         }
         step *= 0.5;
-        if (step < load_stepping_policy.least_step)
-            return {false, "no equilibrium was found under " +
-                               model::command_words(model::with_constant_commands(solver.model(), next, time_s), 0.0) +
-                               (next < 1.0 ? ", less than the " + model::command_words(solver.model(), time_s, true) +
-                                                 " of the start"
-                                           : "") +
-                               ": beyond it the body gives way; check this command, the mesh and the modulus (" +
-                               modulus_words(solver.model()) + ")"};
+        if (step < load_stepping_policy.least_step) return {false, collapse_words(solver.model(), next, time_s)};
     }
     return {true, {}};
 }
@@ -131,6 +124,8 @@ StageReport find_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3X
     return report;
 }
 
+}  // namespace
+
 void add_work(const StageReport& before, StageReport& report) {
     report.newton_iterations += before.newton_iterations;
     report.linear_iterations += before.linear_iterations;
@@ -138,7 +133,13 @@ void add_work(const StageReport& before, StageReport& report) {
     report.times += before.times;
 }
 
-}  // namespace
+std::string collapse_words(const model::Model& model, double part, double time_s) {
+    return "no equilibrium was found under " +
+           model::command_words(model::with_constant_commands(model, part, time_s), 0.0) +
+           (part < 1.0 ? ", less than the " + model::command_words(model, time_s, true) + " of the start" : "") +
+           ": beyond it the body gives way; check this command, the mesh and the modulus (" + modulus_words(model) +
+           ")";
+}
 
 StageReport solve_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3Xd& x) {
     const std::optional<material::StressSoftening>& softening = solver.model().softening;

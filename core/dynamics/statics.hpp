@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "dynamics/stage_solver.hpp"
 
 namespace myo::dynamics {
@@ -14,6 +16,12 @@ namespace myo::dynamics {
 /// Errors: those of the report, or softening factors that do not converge. If commands have no equilibrium, the message
 ///         names them and the values at which none was found.
 StageReport solve_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3Xd& x);
+
+/// Message: no equilibrium was found under this part of the commands.
+std::string collapse_words(const model::Model& model, double part, double time_s);
+
+/// Adds the counts and times of an earlier solve to a report.
+void add_work(const StageReport& before, StageReport& report);
 
 /// The stage that solve_equilibrium() solves: no inertia, loads from the left of `time_s`.
 Stage static_stage(const model::Body& body, double time_s);

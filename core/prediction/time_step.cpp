@@ -141,6 +141,7 @@ setup::TrialStep step_seen_in(const setup::Setup& setup, std::size_t trial, cons
                               const dynamics::Trace& trace) {
     setup::TrialStep step;
     step.h_s = setup.trials[trial].options.h_s;
+    if (setup.trials[trial].hold) return step;  // at rest
     const std::vector<Vibration> all = vibrations_in(affected_trial(setup, trial, values).model, setup.markers, trace);
     // A vibration below a third of the noise is not distinguishable in the recording.
     if (all.empty() || !(all.front().amplitude_m > step_policy.max_noise_share * setup::mean_noise(setup))) return step;
