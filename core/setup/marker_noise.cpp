@@ -2,24 +2,39 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/text.hpp"
 #include "measurement/noise.hpp"
+#include "setup/hold_recording.hpp"
 
 namespace myo::setup {
 namespace {
+
+/// Noise of a track, or how far the samples of a pose lie from their mean [m]; empty if it is not to be seen.
+std::optional<double> noise(const measurement::Recording& recording, Eigen::Index marker) {
+    const measurement::NoiseEstimate estimate = measurement::estimate_track_noise(
+        recording.tracks[static_cast<std::size_t>(marker)]);
+    return estimate.found && estimate.sigma_m > 0.0 ? std::optional(estimate.sigma_m) : std::nullopt;
+}
+std::optional<double> spread(const measurement::Recording& recording, Eigen::Index marker) {
+    const double sigma_m = spread_of_pose(recording)(marker);
+    return sigma_m > 0.0 ? std::optional(sigma_m) : std::nullopt;
+}
 
 /// Noise of the markers from their traces, all trials together. `rounded_m`: noise of the rounding of the traces, the
 /// least.
 void set_estimated_noise(const std::vector<measurement::Recording>& recordings, double rounded_m, Setup& setup) {
     const auto count = static_cast<Eigen::Index>(setup.marker_names.size());
+    // Between motions and poses the noise of the motions counts: it is the smaller one, and noise alone.
+    const bool poses = std::all_of(setup.trials.begin(), setup.trials.end(),
+                                   [](const PreparedTrial& trial) { return trial.hold; });
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(count), found = Eigen::VectorXd::Zero(count);
     for (const measurement::Recording& recording : recordings)
         for (Eigen::Index m = 0; m < count; ++m) {
-            const measurement::NoiseEstimate estimate = measurement::estimate_track_noise(
-                recording.tracks[static_cast<std::size_t>(m)]);
-            if (!estimate.found || !(estimate.sigma_m > 0.0)) continue;
-            sum(m) += estimate.sigma_m * estimate.sigma_m;
+            const std::optional<double> sigma_m = poses ? spread(recording, m) : noise(recording, m);
+            if (!sigma_m) continue;
+            sum(m) += *sigma_m * *sigma_m;
             found(m) += 1.0;
         }
     // Without any estimate, 0.1 mm: typical of mocap cameras.

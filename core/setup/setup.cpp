@@ -16,6 +16,7 @@
 #include "setup/activation_range.hpp"
 #include "setup/actuator_signals.hpp"
 #include "setup/first_vibration.hpp"
+#include "setup/hold_recording.hpp"
 #include "setup/marker_noise.hpp"
 #include "setup/mesh_suitability.hpp"
 #include "setup/muscle_groups.hpp"
@@ -147,7 +148,7 @@ Result<void> check_seen(Setup& setup) {
         any = any || (seen && trial.role == experiment::TrialRole::fit);
         if (!seen)
             setup.warnings.push_back("trial " + trial.name + ": no marker was seen in it, so it takes no part");
-        else if (trial.measured.sample_count() < 3)
+        else if (trial.measured.sample_count() < 3 && !trial.hold)
             setup.warnings.push_back("trial " + trial.name + ": " + std::to_string(trial.measured.sample_count()) +
                                      " samples contain too little information");
     }
@@ -277,6 +278,7 @@ Result<void> add_trials(Setup& setup, const model::Model& model, const Progress&
         Result<PreparedTrial> trial = prepare_trial(setup, model, declaration, setup.warnings);
         if (!trial) return trial.error();
         recordings.push_back(trial->measured);
+        if (trial->hold) trial->measured = mean_pose(trial->measured);
         setup.trials.push_back(std::move(*trial));
     }
     if (const Result<void> seen = check_seen(setup); !seen) return seen.error();

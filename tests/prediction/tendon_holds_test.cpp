@@ -40,8 +40,7 @@ TEST(Holds, AreOnePoseForAllSamples) {
     ASSERT_TRUE(held.ok()) << held.message;
     EXPECT_EQ(held.trace.times_s.size(), 1u) << "statics only";
     const Eigen::Matrix3Xd& tip = held.positions_m[0];
-    EXPECT_GT(tip.cols(), 5);
-    EXPECT_EQ((tip.rightCols(1) - tip.leftCols(1)).norm(), 0.0);
+    EXPECT_EQ(tip.cols(), 1) << "all samples are measurements of one pose";
     // The tendon lifts the tip against its weight.
     const setup::Setup loose = held_beam(folder, experiment::TendonDrive::tension, 0.0);
     EXPECT_GT(tip(2, 0), predict_trial(loose, 0, declared_values(loose)).positions_m[0](2, 0) + 0.002);
