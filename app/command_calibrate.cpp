@@ -161,7 +161,8 @@ int end_without_fit(const calibration::Calibration& calibration, Console& consol
 std::string calibration_lines(const setup::Setup& setup, const calibration::Calibration& calibration,
                               const results::RunFacts& facts) {
     return "\n" + results::findings_line(facts.findings) + "\n\n" + parameter_lines(calibration) + "\n\n" +
-           trial_lines(setup, calibration) + "\n" + start_lines(calibration);
+           trial_lines(setup, calibration) + "\n" + distance_line(calibration.before, calibration.after) + "\n" +
+           start_lines(calibration);
 }
 
 std::string cost_line(const CalibrateCall& call, const calibration::Calibration& calibration) {
@@ -224,6 +225,7 @@ std::function<int()> declare_calibrate(CLI::App& app) {
            },
            "material parameters to fit, instead of material.calibrate: " + join(material_parameters(), ","))
         ->type_name("A,B");
+    declare_leave_out(app, *call);
     add_count(
         app, "--starts", call->starts,
         "fits: the first from the declared values, the others from random ones around them (--seed); the best is kept");

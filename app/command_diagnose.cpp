@@ -167,7 +167,8 @@ int diagnose_command(const DiagnoseCall& call) {
     facts.findings = check::check_after({diagnosis::as_diagnosed(d, setup), &d.after}, before);
     tell_findings(facts.findings, before, console);
     console.print("\n" + results::findings_line(facts.findings) + "\n\n" + candidate_lines(d) + "\n\n" +
-                  trial_lines(setup, d) + "\n\n" + verdict_lines(d) + "\n\n" + cost_lines(d));
+                  trial_lines(setup, d) + "\n" + distance_line(d.before, d.after) + "\n\n" + verdict_lines(d) + "\n\n" +
+                  cost_lines(d));
     if (const Result<void> written = write_results(call, opening.experiment, setup, d, facts); !written)
         return console.fail(written.error());
     console.print("report: " + (call.out / "report.html").string());
@@ -185,6 +186,7 @@ std::function<int()> declare_diagnose(CLI::App& app) {
             *own, experiment,
             {report_name(experiment) + ".json", "report.json", "report.html", augmented_file, fits_file});
     };
+    declare_leave_out(app, *call);
     app.add_option_function<std::string>(
            "--without",
            [call](const std::string& text) {

@@ -15,6 +15,7 @@
 #include "dynamics/run_advice.hpp"
 #include "exit_status.hpp"
 #include "experiment/check_body.hpp"
+#include "experiment/leave_out.hpp"
 #include "experiment/read_experiment.hpp"
 #include "mesh/box_mesh.hpp"
 #include "mesh/quality.hpp"
@@ -70,6 +71,12 @@ Result<experiment::Experiment> open_experiment(const ExperimentCall& call, std::
                      "--spectral-radius"};
     Result<experiment::Experiment> experiment = experiment::read_experiment(call.experiment, call.setup.overrides);
     if (!experiment) return experiment;
+    if (call.leave_out > 0) {
+        const Result<std::vector<std::string>> left = experiment::leave_out(*experiment, call.leave_out,
+                                                                            call.work.seed.value_or(1));
+        if (!left) return left.error();
+        experiment->warnings.push_back("left out of the fit, and predicted: " + join(*left));
+    }
     const Result<void> kept = check_overwrites(call.writes_folder ? "--out" : "--json", call.outputs(*experiment),
                                                results::files_read(call.experiment, *experiment));
     if (!kept) return kept.error();
@@ -107,6 +114,29 @@ Result<setup::Setup> open_setup(const ExperimentCall& call, const experiment::Ex
 }
 
 }  // namespace
+
+void declare_leave_out(CLI::App& app, ExperimentCall& call) {
+    add_count(app, "--leave-out", call.leave_out,
+              "fit trials to leave out of the fit and to predict, drawn by --seed (default 1)")
+        ->default_str("");
+}
+
+std::string distance_line(const prediction::SetupRun& before, const prediction::SetupRun& after) {
+    std::string text;
+    for (const experiment::TrialRole role : {experiment::TrialRole::fit, experiment::TrialRole::validate}) {
+        const auto mean = [&](const prediction::SetupRun& run) {
+            double sum = 0.0, count = 0.0;
+            for (const prediction::TrialScore& score : run.scores)
+                if (score.role == role) sum += score.distance_m, ++count;
+            return sum / count;
+        };
+        if (std::isnan(mean(before)) && std::isnan(mean(after))) continue;
+        text += (text.empty() ? "" : "\n") + std::string("mean distance of the markers in the ") +
+                (role == experiment::TrialRole::fit ? "fitted" : "predicted") + " trials [mm] " +
+                in_millimetres(mean(before)) + "  " + in_millimetres(mean(after));
+    }
+    return text;
+}
 
 void declare_experiment_call(CLI::App& app, ExperimentCall& call) {
     app.add_option("EXP", call.experiment, "experiment folder, or a .toml file of one")->type_name("");

@@ -9,6 +9,7 @@
 #include "base/stopwatch.hpp"
 #include "console.hpp"
 #include "options.hpp"
+#include "prediction/run_trials.hpp"
 #include "results/output_json.hpp"
 #include "setup/setup.hpp"
 
@@ -31,6 +32,7 @@ struct ExperimentCall {
     bool writes_folder = true;         // false: the command has no --out
     StepChoice step_choice = StepChoice::before;
     bool fits = false;  // the command fits values, which validation trials may test
+    int leave_out = 0;  // fit trials that become validation trials, drawn by the seed
     /// Files that the command may write for an experiment; none may be an input.
     std::function<std::vector<std::filesystem::path>(const experiment::Experiment&)> outputs;
     std::string trial;  // for commands with --trial; empty: default
@@ -39,6 +41,13 @@ struct ExperimentCall {
 };
 /// Adds the common options to a command.
 void declare_experiment_call(CLI::App& app, ExperimentCall& call);
+
+/// Adds --leave-out to a command that fits.
+void declare_leave_out(CLI::App& app, ExperimentCall& call);
+
+/// Mean distances of prediction and measurement over trials of a role, of two runs: "mean distance of the predicted
+/// trials [mm]  15.2  6.1"; empty if there is none.
+std::string distance_line(const prediction::SetupRun& before, const prediction::SetupRun& after);
 
 /// Traces of all trials and files of these names in the output folder, for ExperimentCall::outputs.
 std::vector<std::filesystem::path> trace_files_and(const ExperimentCall& call, const experiment::Experiment& experiment,

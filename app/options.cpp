@@ -184,8 +184,8 @@ void add_work_options(CLI::App& app, WorkOptions& options) {
     app.add_option_function<std::string>(
            "--seed",
            [&options](const std::string& text) { options.seed = integer_of<std::uint64_t>("--seed", text, 0); },
-           "seed of random starts (calibrate, optimize, reproduce beam-modulus) and of the cases of validate, recorded "
-           "with the results")
+           "seed of random starts (calibrate, optimize, reproduce beam-modulus), of --leave-out and of the cases of "
+           "validate, recorded with the results")
         ->type_name("N");
     app.add_flag("--quiet", options.quiet, "print errors only");
     app.add_flag("--json-progress", options.json_progress, "progress as one JSON line per event on standard error");

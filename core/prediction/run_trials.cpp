@@ -27,6 +27,14 @@ double pooled_rms(const setup::Setup& setup, const SetupRun& run, const std::vec
     return rms(all);
 }
 
+/// Mean distance of prediction and measurement over the compared samples [m]; NaN if there are none.
+double mean_distance(const Matrix3Xd& residual_m) {
+    double sum = 0.0, count = 0.0;
+    for (const auto& difference : residual_m.colwise())
+        if (difference.allFinite()) sum += difference.norm(), ++count;
+    return sum / count;
+}
+
 /// A test condition that `trial` and all these fit trials have in common, over which levels can be interpolated.
 std::optional<std::string> telling_condition(const setup::Setup& setup, std::size_t trial,
                                              const std::vector<std::size_t>& fit_trials) {
@@ -43,7 +51,7 @@ std::optional<std::string> telling_condition(const setup::Setup& setup, std::siz
 
 TrialScore score(const setup::Setup& setup, std::size_t trial, const TrialPrediction& prediction) {
     const setup::PreparedTrial& data = setup.trials[trial];
-    TrialScore result{data.name, data.role, rms(prediction.residual_m), {}};
+    TrialScore result{data.name, data.role, rms(prediction.residual_m), {}, 0.0};
     const Eigen::Index samples = data.measured.sample_count();
     // Last fifth of the compared samples, at least one.
     const Eigen::Index first_steady = samples - std::max<Eigen::Index>(1, (samples - data.first_sample) / 5);
@@ -67,8 +75,13 @@ TrialScore score(const setup::Setup& setup, std::size_t trial, const TrialPredic
         marker.steady_measured_m = share * measured;
         marker.steady_simulated_m = share * (measured + error);
         marker.steady_error_m = (share * error).norm();
+        marker.distance_m = mean_distance(prediction.residual_m[m]);
         result.markers.push_back(std::move(marker));
     }
+    double sum = 0.0, count = 0.0;
+    for (const MarkerScore& marker : result.markers)
+        if (std::isfinite(marker.distance_m)) sum += marker.distance_m, ++count;
+    result.distance_m = sum / count;
     return result;
 }
 

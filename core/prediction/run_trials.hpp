@@ -16,6 +16,7 @@ struct MarkerScore {
     Eigen::Vector3d steady_simulated_m;  // position, or displacement from rest, as compared; NaN if never visible
     Eigen::Vector3d steady_measured_m;
     double steady_error_m = 0.0;  // norm of their difference
+    double distance_m = 0.0;      // mean distance of prediction and measurement over its samples
 };
 
 /// Comparison of one trial, over all markers and per marker.
@@ -24,6 +25,7 @@ struct TrialScore {
     experiment::TrialRole role = experiment::TrialRole::fit;
     double rms_m = 0.0;  // over all compared coordinates
     std::vector<MarkerScore> markers;
+    double distance_m = 0.0;  // mean of the markers' distances
 };
 /// Scores a complete prediction against the recording.
 ///

@@ -87,6 +87,7 @@ report::Json markers_json(const prediction::TrialScore& score) {
     report::Json markers = report::Json::object();
     for (const prediction::MarkerScore& marker : score.markers)
         markers[marker.name] = {{"rms_m", report::json_number(marker.rms_m)},
+                                {"mean_distance_m", report::json_number(marker.distance_m)},
                                 {"steady_state_m", report::json_array(Eigen::VectorXd(marker.steady_simulated_m))},
                                 {"steady_measured_m", report::json_array(Eigen::VectorXd(marker.steady_measured_m))},
                                 {"steady_error_m", report::json_number(marker.steady_error_m)}};
@@ -235,6 +236,8 @@ report::Json fitted_trials_json(const setup::Setup& setup, const calibration::Ca
         trial["rms_before_m"] = rms_json(before);
         trial["rms_after_m"] = rms_json(after);
         trial["rms_m"] = rms_json(after);
+        trial["mean_distance_before_m"] = before != nullptr ? report::json_number(before->distance_m) : report::Json();
+        trial["mean_distance_m"] = after != nullptr ? report::json_number(after->distance_m) : report::Json();
         trial["markers"] = after != nullptr ? markers_json(*after) : report::Json::object();
         if (before == nullptr) trial["failure_before"] = calibration.before.predictions[t].message;
         if (after == nullptr) trial["failure_after"] = calibration.after.predictions[t].message;
@@ -285,6 +288,7 @@ report::Json simulate_json(const setup::Setup& setup, const prediction::SetupRun
         add_levels(setup, t, run.values, trial);
         add_chamber_volumes(setup, trace, trial);
         trial["rms_m"] = report::json_number(score->rms_m);
+        trial["mean_distance_m"] = report::json_number(score->distance_m);
         trial["markers"] = markers_json(*score);
         trials.push_back(std::move(trial));
     }

@@ -118,9 +118,14 @@ report::Json markers_json(const setup::Setup& setup, const Diagnosis& d) {
             const auto rms = [&](const prediction::TrialScore* score) {
                 return report::json_number(score ? score->markers[m].rms_m : std::nan(""));
             };
+            const auto distance = [&](const prediction::TrialScore* score) {
+                return report::json_number(score ? score->markers[m].distance_m : std::nan(""));
+            };
             json[trial.name][setup.marker_names[m]] = {
                 {"before_rms_m", rms(before)},
                 {"after_rms_m", rms(after)},
+                {"before_mean_distance_m", distance(before)},
+                {"after_mean_distance_m", distance(after)},
                 {"noise_m", report::json_number(setup.noise_m(static_cast<Index>(m)))}};
         }
     }
