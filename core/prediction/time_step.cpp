@@ -53,6 +53,7 @@ double omega_of(const setup::TrialStep& step) { return 2.0 * std::numbers::pi * 
 double probe_step(const setup::Setup& setup, std::size_t index, const ParameterValues& values) {
     const setup::PreparedTrial& trial = setup.trials[index];
     const double interval = setup::sampling_interval_s(trial), half = 0.5 * interval;
+    if (trial.hold) return half;
     const double omega = setup::first_vibration_rad_s(affected_trial(setup, index, values).model);
     // omega h <= 1: the step resolves this vibration well enough to detect it.
     if (!(omega * half > 1.0)) return half;

@@ -17,10 +17,15 @@ LongerSteps longer_steps(const setup::Setup& setup, const prediction::ParameterV
     found.factors.assign(setup.trials.size(), 1.0);
     std::vector<std::size_t> open(setup.trials.size());
     std::iota(open.begin(), open.end(), std::size_t{0});
+    std::erase_if(open, [&](std::size_t t) { return setup.trials[t].hold; });  // a pose has no steps
+    if (open.empty()) return found;
     setup::Setup longer = setup;
     for (setup::PreparedTrial& trial : longer.trials) trial.options.keep_path = false;  // no run starts from these
-    const std::vector<prediction::TrialPrediction> fine = prediction::predict_trials_with(longer, values, open,
-                                                                                          progress);
+    std::vector<prediction::TrialPrediction> fine(setup.trials.size());
+    {
+        std::vector<prediction::TrialPrediction> runs = prediction::predict_trials_with(longer, values, open, progress);
+        for (std::size_t i = 0; i < open.size(); ++i) fine[open[i]] = std::move(runs[i]);
+    }
     found.runs = static_cast<int>(open.size());
     for (;;) {
         std::erase_if(open, [&](std::size_t t) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 #include "prediction/predict_trials.hpp"
 #include "setup/integration_check.hpp"
@@ -36,6 +38,22 @@ bool moves_modulus(const JointFit& fit) {
     return std::any_of(fit.parameters.begin(), fit.parameters.end(), [](const prediction::ModelParameter& p) {
         return p.kind == prediction::ModelParameter::Kind::youngs_modulus;
     });
+}
+
+/// Runs with other steps; poses, which have none, are those of `base`.
+std::vector<prediction::TrialPrediction> runs_with(const setup::Setup& setup,
+                                                   const prediction::ParameterValues& values,
+                                                   const std::vector<std::size_t>& trials,
+                                                   const std::vector<prediction::TrialPrediction>& base,
+                                                   const Progress& progress) {
+    std::vector<std::size_t> moving;
+    std::copy_if(trials.begin(), trials.end(), std::back_inserter(moving),
+                 [&](std::size_t t) { return !setup.trials[t].hold; });
+    std::vector<prediction::TrialPrediction> runs = prediction::predict_trials_with(setup, values, moving, progress);
+    std::vector<prediction::TrialPrediction> all;
+    for (std::size_t i = 0, next = 0; i < trials.size(); ++i)
+        all.push_back(setup.trials[trials[i]].hold ? base[i] : std::move(runs[next++]));
+    return all;
 }
 
 }  // namespace
@@ -74,7 +92,7 @@ NumericalError numerical_error(const RefinedRuns& runs, const NumericsPolicy& po
             trial.options.max_iterations = dynamics::SimulationOptions().max_iterations;  // limit for more steps
             trial.options.keep_path = false;
         }
-        finer_step = prediction::predict_trials_with(halved, values.finer_step, trials, progress);
+        finer_step = runs_with(halved, values.finer_step, trials, base, progress);
     }
     std::vector<prediction::TrialPrediction> finer_mesh(trials.size());
     if (refined) {

@@ -228,6 +228,11 @@ MissingForce infer_missing_force(const setup::Setup& declared, const Diagnosis& 
     }
     const setup::Setup setup = as_diagnosed(d, declared);
     const MissingForcePolicy& policy = d.settings.policy.force;
+    if (const std::size_t worst = worst_trial(d.data, d.augmented.fit.residual); setup.trials[worst].hold) {
+        result.trial = setup.trials[worst].name;
+        result.failure = "the worst trial, " + result.trial + ", is a hold, and the course of a force needs a motion";
+        return result;
+    }
     const ForcedTrial trial(setup, d, worst_trial(d.data, d.augmented.fit.residual));
     result.trial = setup.trials[trial.trial()].name;
     result.time_s = trial.knots().times_s();
