@@ -34,6 +34,8 @@ BenchCase bench_published();
 BenchCase bench_locking();
 /// Richardson limits of these deflections.
 BenchCase bench_converged();
+/// Calibration of many static poses.
+BenchCase bench_holds();
 /// A slender bar against beam theory.
 BenchCase bench_accuracy();
 /// Default meshes against an independent program.

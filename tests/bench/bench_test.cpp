@@ -3,6 +3,8 @@
 #include <set>
 
 #include "bench/beam_run.hpp"
+#include "bench/bench_cases.hpp"
+#include "support/figures.hpp"
 
 namespace myo::bench {
 namespace {
@@ -43,6 +45,18 @@ TEST(Bench, ARunThatFailsSaysSo) {
         "torn", beam, bench_options(dynamics::Integrator::implicit_euler, 0.05, 3, 1e-6));
     ASSERT_FALSE(figures);
     EXPECT_NE(figures.error().text().find("torn"), std::string::npos);
+}
+
+/// The cost of many holds in iterations: the first evaluation follows the commands, later ones correct a pose.
+TEST(BenchHolds, FitTheModulusInFewIterations) {
+    const BenchCase holds = bench_holds();
+    const Result<BenchFigures> figures = holds.runs.front().run();
+    ASSERT_TRUE(figures) << figures.error().text();
+    ASSERT_FALSE(figures->quantities.empty());
+    EXPECT_NEAR(*figures->quantities.front().error(), 0.0, 1e-4);
+    test::record("iterations_per_hold", figures->iterations_per_step);
+    EXPECT_GT(figures->steps, 10);
+    EXPECT_LT(figures->iterations_per_step, 9.0);
 }
 
 }  // namespace
