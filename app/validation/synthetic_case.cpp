@@ -49,7 +49,9 @@ std::vector<BodyFamily> families_of(const CaseChoice& choice) {
 bool may_be_held_deep(BodyFamily family) { return family != BodyFamily::tail; }
 
 bool fits(BodyFamily family, const effect::EffectNeeds& needs) {
-    return (!needs.muscles || may_have_muscles(family)) && (!needs.deep_clamp || may_be_held_deep(family));
+    // No synthetic body has tendons yet.
+    return !needs.tendon && (!needs.muscles || may_have_muscles(family)) &&
+           (!needs.deep_clamp || may_be_held_deep(family));
 }
 
 bool can_show(const CaseChoice& choice, const std::string& id) {
@@ -250,8 +252,9 @@ Result<void> check_choice(const CaseChoice& choice) {
         if (effect::find_effect(id) == nullptr) return Error{"no effect '" + id + "' is known", "--effects"};
         if (!can_show(choice, id))
             return Error{
-                id + (effect_draw(id).needs.muscles ? " needs muscles, which only beam and tail have"
-                                                    : " needs a clamp over a part of the length, which tail has not"),
+                id + (effect_draw(id).needs.tendon    ? " needs a tendon, which no body of the validation has"
+                      : effect_draw(id).needs.muscles ? " needs muscles, which only beam and tail have"
+                                                      : " needs a clamp over a part of the length, which tail has not"),
                 "--geometry"};
     }
     return {};

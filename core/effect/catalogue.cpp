@@ -18,6 +18,7 @@ namespace myo::effect {
     entry(dry_friction) \
     entry(hung_mass) \
     entry(gravity_tilt) \
+    entry(tendon_friction) \
     entry(clamp_compliance) \
     entry(clamp_slip) \
     entry(held_pose) \
@@ -38,6 +39,7 @@ namespace myo::effect {
     entry(frame_rate_error) \
     entry(scale_error) \
     entry(marker_swap) \
+    entry(marker_offset) \
     entry(marker_slip)
 // clang-format on
 

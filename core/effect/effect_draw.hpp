@@ -17,6 +17,7 @@ namespace myo::effect {
 /// Features that an experiment needs to show an effect.
 struct EffectNeeds {
     bool muscles = false;
+    bool tendon = false;       // pulled tight around its guides
     bool deep_clamp = false;   // otherwise clamped at the face
     bool hung_weight = false;  // a permanent force
     bool known_damping = false;

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "measurement/marker_binding.hpp"
 #include "measurement/recording.hpp"
 
 namespace myo::measurement {
@@ -21,6 +22,13 @@ struct MarkerShift {
     double from_s = 0.0;                                // by the time stamps of the recording
 };
 
+/// A marker that sits elsewhere on the body than declared, all along.
+struct MarkerPlace {
+    std::size_t marker = 0;
+    Eigen::Vector3d shift_m = Eigen::Vector3d::Zero();  // from the declared place, at rest, mesh frame
+    MarkerBinding binding;                              // at the true place
+};
+
 /// Systematic errors of a recording.
 struct ObservationError {
     double clock_offset_s = 0.0;  // a sample stamped t was taken offset later
@@ -28,6 +36,7 @@ struct ObservationError {
     double scale_error = 0.0;     // all coordinates are multiplied by 1 + error, about the mesh origin
     std::vector<MarkerSwap> swaps;
     std::vector<MarkerShift> shifts;
+    std::vector<MarkerPlace> places;  // at most one per marker; observe() takes them by seen_markers()
 };
 
 /// True times of samples with these time stamps [s]: t / (1 + rate_error) + clock_offset_s.

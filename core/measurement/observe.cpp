@@ -31,15 +31,12 @@ std::vector<Matrix3Xd> node_tangents(const sensitivity::SensitiveTrace& run, con
     return d;
 }
 
-}  // namespace
-
-MarkerSet marker_set(const mesh::VolumeMesh& mesh, const std::vector<Eigen::Vector3d>& rest_m) {
-    const mesh::BoundaryLocator locator(mesh);
+/// Markers with these bindings.
+MarkerSet of_bindings(std::vector<MarkerBinding> bindings) {
     MarkerSet set;
-    for (const Eigen::Vector3d& rest : rest_m) {
-        set.bindings.push_back(bind_marker(mesh, locator, rest));
-        set.nodes.insert(set.nodes.end(), set.bindings.back().nodes.begin(), set.bindings.back().nodes.end());
-    }
+    set.bindings = std::move(bindings);
+    for (const MarkerBinding& binding : set.bindings)
+        set.nodes.insert(set.nodes.end(), binding.nodes.begin(), binding.nodes.end());
     // Many markers share nodes: only their union has to be kept of a run.
     std::sort(set.nodes.begin(), set.nodes.end());
     set.nodes.erase(std::unique(set.nodes.begin(), set.nodes.end()), set.nodes.end());
@@ -51,6 +48,22 @@ MarkerSet marker_set(const mesh::VolumeMesh& mesh, const std::vector<Eigen::Vect
         set.positions.push_back(std::move(places));
     }
     return set;
+}
+
+}  // namespace
+
+MarkerSet marker_set(const mesh::VolumeMesh& mesh, const std::vector<Eigen::Vector3d>& rest_m) {
+    const mesh::BoundaryLocator locator(mesh);
+    std::vector<MarkerBinding> bindings;
+    for (const Eigen::Vector3d& rest : rest_m) bindings.push_back(bind_marker(mesh, locator, rest));
+    return of_bindings(std::move(bindings));
+}
+
+MarkerSet seen_markers(const MarkerSet& declared, const ObservationError& error) {
+    if (error.places.empty()) return declared;
+    std::vector<MarkerBinding> bindings = declared.bindings;
+    for (const MarkerPlace& place : error.places) bindings[place.marker] = place.binding;
+    return of_bindings(std::move(bindings));
 }
 
 SensitiveTracks observe(const sensitivity::SensitiveTrace& run, const MarkerSet& markers,

@@ -6,6 +6,7 @@
 
 #include "dynamics/simulate.hpp"
 #include "measurement/marker_binding.hpp"
+#include "measurement/observation_error.hpp"
 #include "sensitivity/adjoint_run.hpp"
 #include "sensitivity/tangent_run.hpp"
 
@@ -19,6 +20,16 @@ struct MarkerSet {
 };
 /// Binds the rest positions [m, mesh frame] of all markers.
 MarkerSet marker_set(const mesh::VolumeMesh& mesh, const std::vector<Eigen::Vector3d>& rest_m);
+
+/// The markers where they really sit: those of the error's places are bound there, the others as declared.
+MarkerSet seen_markers(const MarkerSet& declared, const ObservationError& error);
+
+/// Derivative of the position of a marker by its place on the body at rest: the deformation gradient there.
+///
+/// @param x  positions of the binding's nodes, 3 x nodes [m]
+inline Eigen::Matrix3d place_tangent(const MarkerBinding& binding, const Eigen::Matrix3Xd& x) {
+    return x * binding.gradient;
+}
 
 /// Marker motion at given times.
 struct MarkerTracks {

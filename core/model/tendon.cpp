@@ -194,6 +194,12 @@ public:
         });
     }
 
+    ForceElementPointer with_added_friction(double added) const {
+        TendonRoute route = route_;
+        route.friction += added;
+        return std::make_shared<Tendon>(std::move(route), command_, thread_, shifts_);
+    }
+
     bool steady(double from_s, double to_s) const override {
         return has_potential() && constant_between(command_, from_s, to_s);
     }
@@ -370,6 +376,11 @@ TendonState tendon_state(const ForceElement& tendon, const ForceState& at) {
     const auto* const element = dynamic_cast<const Tendon*>(&tendon);
     assert(element);
     return element->state(at);
+}
+
+ForceElementPointer with_added_friction(const ForceElement& element, double added) {
+    const auto* const tendon = dynamic_cast<const Tendon*>(&element);
+    return tendon ? tendon->with_added_friction(added) : nullptr;
 }
 
 }  // namespace myo::model

@@ -57,4 +57,7 @@ struct TendonState {
 /// State of a tendon at node positions x; asserts that the element is a tendon.
 TendonState tendon_state(const ForceElement& tendon, const ForceState& at);
 
+/// Copy of a tendon with `added` to its capstan coefficient; null if the element is no tendon.
+ForceElementPointer with_added_friction(const ForceElement& element, double added);
+
 }  // namespace myo::model

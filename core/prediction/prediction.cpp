@@ -231,7 +231,8 @@ std::vector<Matrix3Xd> start_tangent(const setup::Setup& setup, std::size_t inde
     const setup::PreparedTrial& trial = setup.trials[index];
     const measurement::ObservationError error = affected_trial(setup, index, values).observation_error;
     const measurement::MarkerTracks tracks = measurement::observe(
-        trace, setup.markers, motion_times(trial, error, values.start_shift_s[index]));
+        trace, measurement::seen_markers(setup.markers, error),
+        motion_times(trial, error, values.start_shift_s[index]));
     const Eigen::Matrix3d R = measurement::small_rotation(values.rotation_rad);
     std::vector<Matrix3Xd> tangent = measurement::observed_tangents(error, tracks.velocities, trial.measured.time_s);
     for (Matrix3Xd& marker : tangent) marker = by_displacement(setup) ? Matrix3Xd(-marker) : Matrix3Xd(-R * marker);
@@ -274,11 +275,12 @@ void set_difference(const setup::Setup& setup, std::size_t index, const Paramete
 TrialPrediction observe_trial(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
                               const dynamics::Trace& trace) {
     const measurement::ObservationError error = affected_trial(setup, index, values).observation_error;
+    const measurement::MarkerSet markers = measurement::seen_markers(setup.markers, error);
     const measurement::MarkerTracks tracks = measurement::observe(
-        trace, setup.markers, motion_times(setup.trials[index], error, values.start_shift_s[index]));
+        trace, markers, motion_times(setup.trials[index], error, values.start_shift_s[index]));
     // Observation only: the motion is taken from the trace.
     ObservedMotion observed = observed_motion(setup, index, values, error, tracks,
-                                              measurement::observe(trace, setup.markers, Eigen::VectorXd::Zero(1)));
+                                              measurement::observe(trace, markers, Eigen::VectorXd::Zero(1)));
     return {trace.status,
             trace.message,
             {},
@@ -315,8 +317,9 @@ TrialPrediction predict_trial(const setup::Setup& setup, std::size_t index, cons
     affected.options.warm_start = std::move(warm_start);
     const ModelTangents moving = model_tangents(setup, index, values, parameters);
     TrialPrediction result;
-    sensitivity::SensitiveTrace run = sensitivity::simulate_with_tangents(
-        affected.model, affected.options, moving.tangents, setup.markers.nodes, progress);
+    const measurement::MarkerSet markers = measurement::seen_markers(setup.markers, affected.observation_error);
+    sensitivity::SensitiveTrace run = sensitivity::simulate_with_tangents(affected.model, affected.options,
+                                                                          moving.tangents, markers.nodes, progress);
     result.status = run.trace.status;
     result.message = run.trace.message;
     if (!run.trace.complete()) {
@@ -325,8 +328,8 @@ TrialPrediction predict_trial(const setup::Setup& setup, std::size_t index, cons
     }
     // Sample times in the clock of the simulation, with clock errors and the fitted start shift.
     const Eigen::VectorXd times = motion_times(trial, affected.observation_error, values.start_shift_s[index]);
-    const SensitiveMotion motion{affected.observation_error, measurement::observe(run, setup.markers, times),
-                                 measurement::observe(run, setup.markers, Eigen::VectorXd::Zero(1))};
+    const SensitiveMotion motion{affected.observation_error, measurement::observe(run, markers, times),
+                                 measurement::observe(run, markers, Eigen::VectorXd::Zero(1))};
     ObservedMotion observed = observed_motion(setup, index, values, motion.error, motion.tracks.tracks,
                                               motion.origin.tracks);
     result.positions_m = std::move(observed.positions_m);

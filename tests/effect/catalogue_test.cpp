@@ -42,10 +42,11 @@ std::map<std::string, EffectParameters> visible_effects() {
 }
 
 /// What changes only what is seen.
-const std::set<std::string> seen_alone{"clock_offset", "frame_rate_error", "scale_error", "marker_swap", "marker_slip"};
+const std::set<std::string> seen_alone{"clock_offset", "frame_rate_error", "scale_error",
+                                       "marker_swap",  "marker_offset",    "marker_slip"};
 
 TEST(EffectCatalogue, NamesAreUniqueAndEntriesComplete) {
-    EXPECT_EQ(effect_catalogue().size(), 29u);
+    EXPECT_EQ(effect_catalogue().size(), 31u);
     for (const Effect& effect : effect_catalogue()) {
         EXPECT_EQ(find_effect(effect.id), &effect);
         EXPECT_FALSE(effect.parameters.empty()) << effect.id;

@@ -87,8 +87,8 @@ std::vector<TimedForce> hats(const ForceFields& fields, double spacing, bool fro
     return forces;
 }
 
-sensitivity::SensitiveTrace unit_run(const setup::Setup& setup, effect::Affected trial, std::vector<TimedForce> forces,
-                                     const Progress& progress) {
+sensitivity::SensitiveTrace unit_run(const measurement::MarkerSet& markers, effect::Affected trial,
+                                     std::vector<TimedForce> forces, const Progress& progress) {
     const std::size_t others = trial.model.force_elements.size(), count = forces.size();
     trial.model.force_elements.push_back(timed_forces(std::move(forces), 0.0));
     std::vector<sensitivity::ModelTangent> tangents(count);
@@ -96,7 +96,7 @@ sensitivity::SensitiveTrace unit_run(const setup::Setup& setup, effect::Affected
         tangents[p].force_elements.resize(others + 1);
         tangents[p].force_elements.back() = VectorXd::Unit(static_cast<Index>(count), static_cast<Index>(p));
     }
-    return sensitivity::simulate_with_tangents(trial.model, trial.options, tangents, setup.markers.nodes, progress);
+    return sensitivity::simulate_with_tangents(trial.model, trial.options, tangents, markers.nodes, progress);
 }
 
 }  // namespace
@@ -144,21 +144,22 @@ MatrixXd force_response(const setup::Setup& setup, const FitData& data, const pr
     const setup::PreparedTrial& trial = setup.trials[index];
     const effect::Affected affected = prediction::affected_trial(setup, index, values);
     const std::vector<TimedForce> forces = hats(fields, knots.spacing_s, affected.options.starts_at_equilibrium());
-    sensitivity::SensitiveTrace run = unit_run(setup, at_mean_state(affected, policy), forces, progress);
-    if (!run.trace.complete() && !progress.cancelled()) run = unit_run(setup, at_rest(affected), forces, progress);
+    const measurement::MarkerSet markers = measurement::seen_markers(setup.markers, affected.observation_error);
+    sensitivity::SensitiveTrace run = unit_run(markers, at_mean_state(affected, policy), forces, progress);
+    if (!run.trace.complete() && !progress.cancelled()) run = unit_run(markers, at_rest(affected), forces, progress);
     if (!run.trace.complete()) return {};
 
     const bool displacement = setup.experiment.markers.compare == experiment::Comparison::displacement;
     const Eigen::Matrix3d R = measurement::small_rotation(values.rotation_rad);
     const VectorXd times = measurement::true_times(affected.observation_error, trial.measured.time_s).array() -
                            values.start_shift_s[index];
-    const measurement::SensitiveTracks origin = measurement::observe(run, setup.markers, VectorXd::Zero(1));
+    const measurement::SensitiveTracks origin = measurement::observe(run, markers, VectorXd::Zero(1));
     const std::size_t count = fields.patterns.size();
     MatrixXd response(data.layout.size(), static_cast<Index>(count) * knots.count);
     for (int knot = 0; knot < knots.count; ++knot) {
         const double later = knot == 0 ? 0.0 : knots.spacing_s * (knot - 1);
         const std::size_t first = knot == 0 ? 0 : count;
-        const measurement::SensitiveTracks tracks = measurement::observe(run, setup.markers, times.array() - later);
+        const measurement::SensitiveTracks tracks = measurement::observe(run, markers, times.array() - later);
         std::vector<prediction::TrialPrediction> prediction(1);
         for (std::size_t f = first; f < first + count; ++f) {
             std::vector<Matrix3Xd> d = measurement::observed_tangents(affected.observation_error, tracks.tangents[f],
