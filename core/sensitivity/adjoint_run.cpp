@@ -23,7 +23,7 @@ public:
           options_(options),
           loss_(loss),
           progress_(progress),
-          with_strains_(model.damping_s > 0.0 || adjoint.damping_of_undamped),
+          with_strains_(model::is_viscous(model) || model.creep || adjoint.damping_of_undamped),
           follower_(model, with_strains_, adjoint.fibre_shapes) {
         options_.solver.tangent_tolerance = adjoint.tolerance;
     }
@@ -119,7 +119,7 @@ private:
         if (!tape_->start()) return true;
         follower_.jump(*solver_, *tape_->start());
         add_loss(loss);
-        return follower_.start(*solver_, options_, tape_->start()->state) || no_derivative(0.0);
+        return follower_.start(*solver_, options_, *tape_->start()) || no_derivative(0.0);
     }
 
     /// Message for a stage or start whose Hessian cannot be solved.
@@ -161,13 +161,6 @@ private:
 
 GradientRun simulate_with_gradient(const model::Model& model, const dynamics::SimulationOptions& options,
                                    const LossOfMotion& loss, const AdjointOptions& adjoint, const Progress& progress) {
-    if (model.creep || model.softening) {
-        GradientRun refused;
-        refused.status = dynamics::RunStatus::failed;
-        refused.message = std::string("the adjoint does not know bodies that ") + (model.creep ? "creep" : "soften") +
-                          ": take tangents or differences of runs";
-        return refused;
-    }
     return GradientOfRun(model, options, loss, adjoint, progress).run(adjoint.memory_bytes);
 }
 

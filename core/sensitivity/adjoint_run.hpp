@@ -68,10 +68,13 @@ struct GradientRun {
 /// within the solver tolerance, because each part starts with a new solver; whether a part is stored or repeated makes
 /// no difference at all.
 ///
+/// The memory of creeping and softening bodies is transposed as well. Parameters of the Maxwell branch and of the
+/// softening themselves have no gradient here: tangents supply it.
+///
 /// @param loss     evaluated once, on the complete motion
 /// @param adjoint  accuracy and memory
-/// Errors (status and message): those of simulate(); a creeping or softening body; a start with inverted cells; a
-/// singular equilibrium; a memory budget below the minimum.
+/// Errors (status and message): those of simulate(); a start with inverted cells; a singular equilibrium; a memory
+/// budget below the minimum.
 GradientRun simulate_with_gradient(const model::Model& model, const dynamics::SimulationOptions& options,
                                    const LossOfMotion& loss, const AdjointOptions& adjoint = {},
                                    const Progress& progress = {});

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "dynamics/statics.hpp"
+#include "model/point_energy.hpp"
+#include "sensitivity/creep_adjoint.hpp"
 #include "solver/conjugate_gradient.hpp"
 
 namespace myo::sensitivity {
@@ -19,6 +22,9 @@ struct AdjointStepPolicy {
     /// Iterations per solve to 1e-6 on the beam with 4, 8, 12 solutions: 1.5, 1.0, 0.9 (Euler), 3.1, 2.1, 1.7
     /// (TR-BDF2); with cubic extrapolation of four: 2.9, 3.9.
     Eigen::Index most = 8;
+    /// Of the start equilibrium of a softening body, whose derivative is a fixed point as in TangentRunPolicy.
+    int max_softening_rounds = 200;
+    double softening_tolerance = 1e-12;
 };
 constexpr AdjointStepPolicy adjoint_step_policy;
 
@@ -99,6 +105,7 @@ void AdjointFollower::jump(dynamics::StageSolver& solver, const JumpRecord& at) 
     const model::BlockPattern& pattern = model_.body->pattern;
     Matrix3Xd& adjoint = state_.nodal[force_field];
     if (adjoint.size() == 0) return;
+    if (model_.softening) PeakAdjoint::soften(solver, at.peak_energy_J_m3);
     // Transpose of force = f(x, rate, v, loads) + Lambda M v, see set_jump_force(). The force adjoint becomes adjoints
     // of x, v and rate, and is then zero: the force before the jump is overwritten.
     const Matrix3Xd times_M = model::times_mass(adjoint, solver.mass(at.time_s));
@@ -108,13 +115,24 @@ void AdjointFollower::jump(dynamics::StageSolver& solver, const JumpRecord& at) 
            model::scatter(pattern, solver.stiffness_product(K, stage, s.x, model::gather(pattern, adjoint),
                                                             model::StiffnessForm::transposed)));
     add_to(state_.nodal[v_field], model_.velocity_force_1_s, times_M);
-    if (model_.damping_s > 0.0) add_to(state_.strain[rate_field], -1.0, model::strain_tangent(model_, s.x, adjoint));
+    if (model::is_viscous(model_) || model_.creep)
+        add_to(state_.strain[rate_field], -1.0,
+               history_adjoint(model_, stage.rate_factor_1_s, model::strain_tangent(model_, s.x, adjoint), {}));
+    if (model_.softening) peaks_.use(model_, at.peak_energy_J_m3, s.x, adjoint);
     if (model::depends_on_velocity(model_))
         add_to(state_.nodal[v_field], -1.0,
                model::velocity_tangent(model_, dynamics::force_state(stage, s.x, s.v), adjoint));
     const Matrix3Xd u = model_.velocity_force_1_s * s.v;
-    gradient_.add({s.x, &s.v, {0.0, with_strains_ ? &s.rate : nullptr}, at.time_s, false, at.time_s, &u, &s.v}, adjoint,
-                  times_M);
+    gradient_.add({s.x,
+                   &s.v,
+                   {0.0, with_strains_ ? &s.rate : nullptr},
+                   at.time_s,
+                   false,
+                   at.time_s,
+                   &u,
+                   &s.v,
+                   &solver.softening()},
+                  adjoint, times_M);
     adjoint.resize(3, 0);
 }
 
@@ -131,6 +149,10 @@ Matrix3Xd AdjointFollower::stage_adjoint(dynamics::StageSolver& solver, const dy
 
 bool AdjointFollower::step(dynamics::StageSolver& solver, const StepRecord& record) {
     const model::Body& body = *model_.body;
+    if (model_.softening) {
+        lower_peaks(record.peak_energy_J_m3, record.solved.back().solution.x);
+        PeakAdjoint::soften(solver, record.peak_energy_J_m3);
+    }
     const Known& known = coefficients(record.scheme, record.h_s, record.start.step_before_s);
     const StepCoefficients &plain = known.plain, &by_lambda = known.by_velocity_force;
     const int stages = plain.stages();
@@ -182,14 +204,18 @@ bool AdjointFollower::step(dynamics::StageSolver& solver, const StepRecord& reco
         const auto row = static_cast<std::size_t>(nodal_fields + k);
         Matrix3Xd load = column(nodal_fields + k);
         const VectorXd strain_load = strain_column(strain_fields + k);
-        if (strain_load.size() > 0) add_to(load, 1.0, model::viscous_gradient(model_, solution.x, strain_load));
+        if (strain_load.size() > 0)
+            add_to(load, 1.0,
+                   model::viscous_gradient(model_, solution.x,
+                                           body_strain_adjoint(model_, stage.rate_factor_1_s, strain_load)));
         if (load.size() == 0) load = Matrix3Xd::Zero(3, body.node_count());
         rows[row] = stage_adjoint(solver, stage, solution.x, load, guesses_[static_cast<std::size_t>(k)]);
         if (rows[row].size() == 0) return false;
         mass_rows[row] = model::times_mass(rows[row], mass);
-        if (model_.damping_s > 0.0)
-            strain_rows[static_cast<std::size_t>(strain_fields + k)] = -model::strain_tangent(model_, solution.x,
-                                                                                              rows[row]);
+        if (model::is_viscous(model_) || model_.creep)
+            strain_rows[static_cast<std::size_t>(strain_fields + k)] = history_adjoint(
+                model_, stage.rate_factor_1_s, -model::strain_tangent(model_, solution.x, rows[row]), strain_load);
+        if (model_.softening) peaks_.use(model_, record.peak_energy_J_m3, solution.x, rows[row]);
         const Matrix3Xd v = model::depends_on_velocity(model_) ? dynamics::stage_velocities(stage, solution.x)
                                                                : Matrix3Xd();  // only force elements use it
         if (model::depends_on_velocity(model_))
@@ -199,7 +225,7 @@ bool AdjointFollower::step(dynamics::StageSolver& solver, const StepRecord& reco
                         by_velocity_force = accelerations(by_lambda, record, nodal_fields + k);
         const model::StrainRate rate{stage.rate_factor_1_s, with_strains_ ? &stage.rate_history : nullptr};
         gradient_.add({solution.x, v.size() > 0 ? &v : nullptr, rate, stage.time_s, stage.before_jump,
-                       stage.inertia_at_s, &u, &by_velocity_force},
+                       stage.inertia_at_s, &u, &by_velocity_force, &solver.softening()},
                       rows[row], mass_rows[row]);
     }
     for (int field = 0; field < nodal_fields; ++field) state_.nodal[static_cast<std::size_t>(field)] = column(field);
@@ -208,16 +234,51 @@ bool AdjointFollower::step(dynamics::StageSolver& solver, const StepRecord& reco
     return true;
 }
 
+void AdjointFollower::lower_peaks(const VectorXd& before, const Matrix3Xd& x) {
+    const VectorXd weights = peaks_.take_raised(model_, before, x);
+    if (weights.isZero(0.0)) return;
+    add_to(state_.nodal[x_field], 1.0, model::isochoric_energy_gradient(model_, x, weights));
+    gradient_.add_energies(x, weights);
+}
+
+Matrix3Xd AdjointFollower::equilibrium_adjoint(dynamics::StageSolver& solver, const dynamics::Stage& stage,
+                                               const Matrix3Xd& x, const Matrix3Xd& load, const VectorXd& peak) {
+    const model::BlockPattern& pattern = model_.body->pattern;
+    const solver::SymmetricSparse K = solver.hessian(stage, x);
+    Matrix3Xd p = Matrix3Xd::Zero(3, x.cols()), sum = load;
+    VectorXd weights;
+    for (int round = 0; round < adjoint_step_policy.max_softening_rounds; ++round) {
+        const MatrixXd solved = solver.solve_linear(K, stage, x, model::gather(pattern, sum), {},
+                                                    model::StiffnessForm::transposed);
+        if (!solved.allFinite()) return {3, 0};
+        const Matrix3Xd before = std::exchange(p, model::scatter(pattern, solved));
+        // Without softening one solve is exact.
+        if (!model_.softening || (p - before).norm() <= adjoint_step_policy.softening_tolerance * p.norm()) break;
+        // The forces of the equilibrium depend on its own energies.
+        PeakAdjoint own;
+        own.use(model_, peak, x, p);
+        weights = own.take_raised(model_, {}, x);
+        sum = load + model::isochoric_energy_gradient(model_, x, weights);
+    }
+    if (weights.size() > 0) gradient_.add_energies(x, weights);
+    return p;
+}
+
 bool AdjointFollower::start(dynamics::StageSolver& solver, const dynamics::SimulationOptions& options,
-                            const dynamics::Kinematics& at) {
+                            const JumpRecord& start) {
+    const dynamics::Kinematics& at = start.state;
     const model::Body& body = *model_.body;
+    if (model_.softening) {
+        PeakAdjoint::soften(solver, start.peak_energy_J_m3);
+        lower_peaks({}, at.x);
+    }
     const auto free_part = [&](const Matrix3Xd& X) {
         return X.size() == 0 ? Matrix3Xd(Matrix3Xd::Zero(3, body.node_count()))
                              : model::scatter(body.pattern, model::gather(body.pattern, X));
     };
     Matrix3Xd& x = state_.nodal[x_field];
-    const VectorXd& strain = state_.strain[strain_field];
-    const VectorXd& rate = state_.strain[rate_field];
+    const auto [strain, rate] = start_strain_adjoint(model_, options.start == dynamics::StartKind::equilibrium,
+                                                     state_.strain[strain_field], state_.strain[rate_field]);
     if (strain.size() > 0) add_to(x, 1.0, model::viscous_gradient(model_, at.x, strain));
     if (rate.size() > 0) {
         // Transpose of rate = strain_tangent(x, v). Its derivative with respect to x is the geometric stiffness of the
@@ -241,13 +302,11 @@ bool AdjointFollower::start(dynamics::StageSolver& solver, const dynamics::Simul
     if (!options.starts_at_equilibrium() || x.size() == 0) return true;
     // Implicit function theorem for the start equilibrium: its positions are determined by the model, not given.
     const dynamics::Stage stage = dynamics::static_stage(body, 0.0);
-    const MatrixXd solved = solver.solve_linear(solver.hessian(stage, at.x), stage, at.x,
-                                                model::gather(body.pattern, initial_.initial_positions), {},
-                                                model::StiffnessForm::transposed);
-    if (!solved.allFinite()) return false;
-    const Matrix3Xd p = model::scatter(body.pattern, solved);
-    gradient_.add({at.x, nullptr, {}, stage.time_s, stage.before_jump, stage.inertia_at_s}, p,
-                  model::times_mass(p, solver.mass(stage.inertia_at_s)));
+    const Matrix3Xd p = equilibrium_adjoint(solver, stage, at.x, initial_.initial_positions, start.peak_energy_J_m3);
+    if (p.size() == 0) return false;
+    gradient_.add(
+        {at.x, nullptr, {}, stage.time_s, stage.before_jump, stage.inertia_at_s, nullptr, nullptr, &solver.softening()},
+        p, model::times_mass(p, solver.mass(stage.inertia_at_s)));
     initial_.initial_positions.setZero();
     return true;
 }

@@ -7,6 +7,7 @@
 
 #include "sensitivity/model_gradient.hpp"
 #include "sensitivity/run_tape.hpp"
+#include "sensitivity/softening_adjoint.hpp"
 #include "sensitivity/step_coefficients.hpp"
 
 namespace myo::sensitivity {
@@ -24,7 +25,7 @@ namespace myo::sensitivity {
 /// Strains act only through the viscous forces, which are linear in the strain rates with a matrix D of the rest state
 /// (see viscous_gradient). The strain adjoints are stored without the factor D, i.e. as strains. Then the adjoint of a
 /// rate history is the strain_tangent along minus the stage adjoint, and pulling such a field back to the nodes is the
-/// viscous_gradient.
+/// viscous_gradient. The dashpots of a creeping body double the strain fields, see creep_adjoint.hpp.
 struct KinematicsAdjoint {
     std::array<Eigen::Matrix3Xd, nodal_fields> nodal;   // per NodalField, 3 x n
     std::array<Eigen::VectorXd, strain_fields> strain;  // per StrainField, one entry per strain measure
@@ -45,8 +46,7 @@ public:
     /// From the end of a step to its start. Returns false if a linear solve failed.
     bool step(dynamics::StageSolver& solver, const StepRecord& record);
     /// From the start state to the data that determine it. Returns false if the start equilibrium is singular.
-    bool start(dynamics::StageSolver& solver, const dynamics::SimulationOptions& options,
-               const dynamics::Kinematics& at);
+    bool start(dynamics::StageSolver& solver, const dynamics::SimulationOptions& options, const JumpRecord& at);
 
     /// The accumulated gradient; call once, at the end.
     ModelGradient take();
@@ -77,11 +77,20 @@ private:
     Eigen::Matrix3Xd stage_adjoint(dynamics::StageSolver& solver, const dynamics::Stage& stage,
                                    const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& load, Guess& guess) const;
 
+    /// Transposes what a softening body remembers of the positions x at the end of a step or of the start equilibrium.
+    /// @param before  peak energies before
+    void lower_peaks(const Eigen::VectorXd& before, const Eigen::Matrix3Xd& x);
+    /// Adjoint of the forces of the start equilibrium; without columns if the solve failed.
+    Eigen::Matrix3Xd equilibrium_adjoint(dynamics::StageSolver& solver, const dynamics::Stage& stage,
+                                         const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& load,
+                                         const Eigen::VectorXd& peak);
+
     const model::Model& model_;
     bool with_strains_;  // whether strain adjoints are propagated
     GradientSum gradient_;
     ModelGradient initial_;       // only the start fields are used
     KinematicsAdjoint state_;     // adjoint of the state at the present time
+    PeakAdjoint peaks_;           // softening bodies: likewise of the peak energies
     std::vector<Guess> guesses_;  // one per stage of a step
     std::vector<Known> known_;    // cache
 };

@@ -3,7 +3,9 @@
 #include <cassert>
 #include <numeric>
 
+#include "dynamics/creep.hpp"
 #include "model/force_element.hpp"
+#include "model/point_energy.hpp"
 #include "sensitivity/model_tangent.hpp"
 
 namespace myo::sensitivity {
@@ -53,6 +55,8 @@ GradientSum::GradientSum(const model::Model& model, bool fibre_shapes)
       masses_(model::mass_spans(model)),
       moduli_(model::no_moduli_work(model)),
       fibres_(model::no_fibre_work(model, fibre_shapes)) {
+    if (model.creep) damping_ = model::no_moduli_work(model);
+    if (model.softening) softened_ = model;
     for (std::size_t k = 0; k < model.material->parameters().size(); ++k)
         by_law_.push_back(stiffness_tangent(model, law_tangent(k)));
     gradient_.law.assign(by_law_.size(), 0.0);
@@ -66,12 +70,7 @@ GradientSum::GradientSum(const model::Model& model, bool fibre_shapes)
 }
 
 void GradientSum::add(const Balance& at, const Matrix3Xd& p, const Matrix3Xd& Mp) {
-    model::add_moduli_work(model_, at.x, p, at.rate, moduli_);
-    for (std::size_t k = 0; k < by_law_.size(); ++k)
-        gradient_.law[k] -= dot(
-            model::internal_energy(model_, at.x, {&by_law_[k], nullptr, {}, nullptr}, model::HessianKind::none)
-                .gradient,
-            p);
+    add_material(at, p);
     if (!model_.fibres->empty()) {
         // The work per unit activation is distributed to knots here, per equilibrium; the other works accumulate.
         std::fill(fibres_.by_activation.begin(), fibres_.by_activation.end(), 0.0);
@@ -103,6 +102,54 @@ void GradientSum::add(const Balance& at, const Matrix3Xd& p, const Matrix3Xd& Mp
     if (at.accelerations) add_momentum(at.inertia_at_s, p, Mp, *at.accelerations, at.by_velocity_force);
 }
 
+void GradientSum::add_material(const Balance& at, const Matrix3Xd& p) {
+    model::StrainRate rate = at.rate;
+    Eigen::VectorXd effective, of_body;
+    if (model_.creep && at.rate.history) {
+        // The effective rate F E + H of creep.hpp has unit viscosity; damping multiplies the strain rate of the body.
+        effective = dynamics::viscous_history(model_, at.rate.factor, *at.rate.history);
+        of_body = at.rate.history->head(effective.size());
+        rate = {dynamics::viscous_factor(model_, at.rate.factor), &effective};
+        model::ModuliWork of_damping = model::no_moduli_work(model_);
+        model::add_moduli_work(model_, at.x, p, {at.rate.factor, &of_body}, of_damping);
+        for (std::size_t c = 0; c < of_damping.viscous.size(); ++c) damping_.viscous[c] += of_damping.viscous[c];
+    }
+    const bool softened = at.softening && at.softening->size() > 0;
+    if (softened) {
+        // Softening multiplies the elastic moduli only.
+        softened_.point_factors = model::times_factors(model_.point_factors, *at.softening);
+        model::add_moduli_work(softened_, at.x, p, {}, moduli_);
+        model::ModuliWork viscous = model::no_moduli_work(model_);
+        model::add_moduli_work(model_, at.x, p, rate, viscous);
+        for (std::size_t c = 0; c < viscous.viscous.size(); ++c) moduli_.viscous[c] += viscous.viscous[c];
+    } else {
+        model::add_moduli_work(model_, at.x, p, rate, moduli_);
+    }
+    for (std::size_t k = 0; k < by_law_.size(); ++k) {
+        by_law_[k].elastic_factors = softened ? softened_.point_factors : model_.point_factors;
+        gradient_.law[k] -= dot(
+            model::internal_energy(model_, at.x, {&by_law_[k], nullptr, {}, nullptr}, model::HessianKind::none)
+                .gradient,
+            p);
+    }
+}
+
+void GradientSum::add_energies(const Matrix3Xd& x, const Eigen::VectorXd& weights) {
+    const model::Body& body = *model_.body;
+    const Eigen::VectorXd part = weights.cwiseProduct(model::isochoric_energy_densities(model_, x));
+    for (int c = 0; c < body.cell_count(); ++c) {
+        double sum = 0.0;
+        for (int q = 0; q < body.points_per_cell; ++q) sum += part(body.point_entry(c, q));
+        // Densities are proportional to mu. The sign is that of the works, see take().
+        moduli_.elastic[static_cast<std::size_t>(c)].mu -= sum / model_.moduli[static_cast<std::size_t>(c)].mu;
+    }
+    for (std::size_t k = 0; k < by_law_.size(); ++k) {
+        model::Model changed = model_;
+        changed.material = by_law_[k].law;
+        gradient_.law[k] += weights.dot(model::isochoric_energy_densities(changed, x));
+    }
+}
+
 void GradientSum::add_momentum(double at_s, const Matrix3Xd& p, const Matrix3Xd& Mp, const Matrix3Xd& u,
                                const Matrix3Xd* by_velocity_force) {
     add_isotropic(p, isotropic_part(masses_[model::span_at(masses_, at_s)].mass, p, Mp), u);
@@ -127,8 +174,9 @@ ModelGradient GradientSum::take() {
     // Forces are minus the energy gradient: hence the signs. Viscous forces are proportional to damping times mu.
     for (std::size_t c = 0; c < moduli_.elastic.size(); ++c) {
         const double viscous = moduli_.viscous[c];
-        gradient_.moduli.push_back({-moduli_.elastic[c].mu - model_.damping_s * viscous, -moduli_.elastic[c].kappa});
-        gradient_.damping_s -= model_.moduli[c].mu * viscous;
+        gradient_.moduli.push_back(
+            {-moduli_.elastic[c].mu - model::viscous_scale(model_, c) * viscous, -moduli_.elastic[c].kappa});
+        gradient_.damping_s -= model_.moduli[c].mu * (model_.creep ? damping_.viscous[c] : viscous);
     }
     for (const double work : fibres_.by_stiffness) gradient_.fibre_stiffness_Pa.push_back(-work);
     for (auto& group : fibres_.by_shape)

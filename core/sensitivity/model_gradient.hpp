@@ -60,6 +60,7 @@ public:
         const Eigen::Matrix3Xd* accelerations = nullptr;  // 3 x n: factor of M besides gravity; null: zero
         const Eigen::Matrix3Xd*
             by_velocity_force = nullptr;  // 3 x n: derivative of `accelerations` with respect to Lambda; null: zero
+        const Eigen::VectorXd* softening = nullptr;  // factors of the elastic moduli at the points; null or empty: 1
     };
     /// Adds the contribution of one equilibrium.
     ///
@@ -71,10 +72,17 @@ public:
     void add_momentum(double at_s, const Eigen::Matrix3Xd& p, const Eigen::Matrix3Xd& Mp, const Eigen::Matrix3Xd& u,
                       const Eigen::Matrix3Xd* by_velocity_force);
 
+    /// Adds the explicit dependence on moduli and law of the sum of weight times isochoric energy density at x.
+    ///
+    /// @param weights  per quadrature point [loss per J/m3]
+    void add_energies(const Eigen::Matrix3Xd& x, const Eigen::VectorXd& weights);
+
     /// The gradient; call once, at the end.
     ModelGradient take();
 
 private:
+    /// Work of elastic and viscous forces and parameters of the law.
+    void add_material(const Balance& balance, const Eigen::Matrix3Xd& p);
     /// Contribution of M u for the isotropic masses: density and attached masses.
     void add_isotropic(const Eigen::Matrix3Xd& p, const Eigen::Matrix3Xd& isotropic_p, const Eigen::Matrix3Xd& u);
 
@@ -83,6 +91,8 @@ private:
     std::vector<model::Stiffness> by_law_;  // derivative of the stiffness by each parameter of the law
     ModelGradient gradient_;
     model::ModuliWork moduli_;
+    model::ModuliWork damping_;  // creeping body: viscous work of damping alone
+    model::Model softened_;      // softening body: the model with the factors of the present equilibrium
     model::FibreWork fibres_;
     double of_mass_ = 0.0;  // sum of p . M u over the isotropic mass; the share of the density is this minus that of
                             // the attached masses

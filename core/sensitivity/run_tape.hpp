@@ -13,6 +13,7 @@ namespace myo::sensitivity {
 struct JumpRecord {
     double time_s = 0.0;
     dynamics::Kinematics state;
+    Eigen::VectorXd peak_energy_J_m3;  // softening bodies: the peaks that soften the forces at the jump
 };
 
 /// One step of a run with all data that its transposition needs.
@@ -22,6 +23,7 @@ struct StepRecord {
     dynamics::Kinematics start;                 // nodal fields only
     std::vector<dynamics::SolvedStage> solved;  // stage solutions, without strains
     std::optional<JumpRecord> jump;             // jump at the end of the step, if any
+    Eigen::VectorXd peak_energy_J_m3;           // softening bodies: the peaks that soften the step
 };
 
 /// Record of consecutive steps: all stage solutions, and whole states every few steps.
@@ -64,9 +66,10 @@ private:
         std::vector<TapedStep> steps;
         std::vector<double> positions;  // 3 n values per stage, in order
         dynamics::Kinematics start;     // state before the first step
+        Eigen::VectorXd peak;           // softening bodies: peak energies there
     };
     StepRecord replay(dynamics::StageSolver& solver, const TapedStep& step, const double* positions,
-                      dynamics::Kinematics& state) const;
+                      dynamics::Kinematics& state, Eigen::VectorXd& peak) const;
 
     int points_every_;
     bool with_strains_;

@@ -8,7 +8,7 @@ namespace myo::sensitivity {
 namespace {
 
 struct TangentColumnsPolicy {
-    Index entries_at_once = 2048;
+    Eigen::Index entries_at_once = 2048;
 };
 constexpr TangentColumnsPolicy tangent_columns_policy;
 

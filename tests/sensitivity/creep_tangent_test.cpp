@@ -106,20 +106,5 @@ TEST(SofteningTangents, AreThoseOfTheFactorsHeld) {
               1e-4 * difference.norm());
 }
 
-TEST(AdjointRun, RefusesBodiesWithAMemory) {
-    const dynamics::SimulationOptions options = test::short_run(dynamics::Integrator::tr_bdf2,
-                                                                dynamics::StartKind::straight);
-    for (const bool creep : {true, false}) {
-        model::Model model = test::driven_beam(fem::ElementKind::hex8);
-        if (creep)
-            model.creep = material::MaxwellBranch{0.6, 0.02};
-        else
-            model.softening = material::StressSoftening{0.3, 100.0};
-        const GradientRun run = simulate_with_gradient(model, options, test::rough_loss(model));
-        EXPECT_EQ(run.status, dynamics::RunStatus::failed);
-        EXPECT_NE(run.message.find(creep ? "creep" : "soften"), std::string::npos) << run.message;
-    }
-}
-
 }  // namespace
 }  // namespace myo::sensitivity
