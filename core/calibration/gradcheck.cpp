@@ -6,6 +6,7 @@
 #include "base/stopwatch.hpp"
 #include "prediction/trial_target.hpp"
 #include "setup/actuator_signals.hpp"
+#include "setup/trial_effects.hpp"
 
 namespace myo::calibration {
 namespace {
@@ -77,7 +78,9 @@ TrialGradientCheck gradcheck(const setup::Setup& setup, std::size_t index, int s
                          setup::passive_level(setup.experiment, actuator) +
                              0.5 * setup::level_bounds(setup.experiment, actuator).scale,
                          model);
-    dynamics::SimulationOptions options = trial.options;
+    effect::Affected affected = setup::with_effects(setup, index, std::move(model), setup.experiment.effects);
+    model = std::move(affected.model);
+    dynamics::SimulationOptions options = affected.options;
     options.end_s = steps * options.h_s;
     options.initial.velocities = kick(setup.mesh.mesh);
 

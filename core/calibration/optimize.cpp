@@ -10,9 +10,11 @@
 
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
+#include "effect/catalogue.hpp"
 #include "experiment/read_experiment.hpp"
 #include "experiment/read_trial.hpp"
 #include "prediction/trial_target.hpp"
+#include "setup/trial_effects.hpp"
 
 namespace myo::calibration {
 namespace {
@@ -64,6 +66,19 @@ inverse::SoughtSignals sought_signals(const setup::Setup& setup, const OptimizeS
         signal.upper = std::min(signal.upper, std::max(a, b));
     }
     return sought;
+}
+
+/// What the declared effects make of the commanded activations; null without effects on the actuation.
+inverse::ActingSignals acting_signals(const setup::Setup& setup) {
+    std::vector<effect::EffectDeclaration> effects;
+    for (const effect::EffectDeclaration& effect : setup.experiment.effects)
+        if (effect::find_effect(effect.id)->kind == effect::EffectKind::actuation) effects.push_back(effect);
+    if (effects.empty()) return nullptr;
+    return [&setup, effects](const std::vector<fibre::Signal>& commanded) {
+        model::Model model = setup.trials.front().model;
+        model.activation = commanded;
+        return setup::with_effects(setup, 0, std::move(model), effects).model.activation;
+    };
 }
 
 /// Last time at which a marker is visible [s]; 0 if none is visible after the start.
@@ -151,9 +166,18 @@ Result<inverse::ActuationProblem> actuation_problem(const setup::Setup& setup, c
     if (!(settings.lowest > 0.0) && !setup.settings.as_published)
         return Error{"must be above 0: an activation of 1 is passive, and at 0 fibres would contract to nothing",
                      "--lowest"};
+    for (const effect::EffectDeclaration& effect : setup.experiment.effects)
+        if (setup::changes_observation_only(effect))
+            return experiment::declaration_error(
+                setup.experiment, "effect",
+                "\"" + effect.id +
+                    "\" changes what is seen of the motion; signals "
+                    "cannot be sought with it: correct the recording, or leave it out");
     inverse::ActuationProblem problem;
-    problem.model = trial.model;
-    problem.options = trial.options;
+    effect::Affected affected = setup::with_effects(setup, 0, trial.model, setup.experiment.effects);
+    problem.model = std::move(affected.model);
+    problem.options = affected.options;
+    problem.acting = acting_signals(setup);
     problem.target = prediction::trial_target(setup, 0, std::numeric_limits<double>::infinity());
     // Signals after the last visible sample are not determined.
     problem.options.end_s = last_seen(problem.target);

@@ -19,25 +19,6 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Tangents of the model with respect to each value (signal index fastest). The activations are affine in the values,
-/// so that differences from zero values are exact.
-std::vector<sensitivity::ModelTangent> value_tangents(const SoughtSignals& sought, const MatrixXd& values) {
-    std::vector<sensitivity::ModelTangent> tangents;
-    const MatrixXd none = MatrixXd::Zero(values.rows(), values.cols());
-    const std::vector<fibre::Signal> zero = activations_of(sought, none);
-    for (Index i = 0; i < values.size(); ++i) {
-        MatrixXd unit = none;
-        unit(i) = 1.0;
-        sensitivity::ModelTangent tangent;
-        tangent.activation = activations_of(sought, unit);
-        for (std::size_t g = 0; g < zero.size(); ++g)
-            for (std::size_t k = 0; k < zero[g].values.size(); ++k)
-                tangent.activation[g].values[k] -= zero[g].values[k];
-        tangents.push_back(std::move(tangent));
-    }
-    return tangents;
-}
-
 /// Schur complement: information about the values alone, after eliminating the last six parameters. These are the
 /// placement, with a prior that is uniform within its bounds.
 MatrixXd without_placement(const MatrixXd& information, const PlacementBounds& bounds, double noise_m) {
@@ -225,9 +206,10 @@ ActuationDeviations actuation_deviations(const ActuationProblem& problem, const 
         return result;
     }
     model::Model model = problem.model;
-    model.activation = activations_of(problem.sought, values);
+    model.activation = acting_activations(problem.sought, problem.acting, values);
     const sensitivity::SensitiveTrace run = sensitivity::simulate_with_tangents(
-        model, problem.options, value_tangents(problem.sought, values), problem.target.markers.nodes, progress);
+        model, problem.options, value_tangents(problem.sought, problem.acting, values), problem.target.markers.nodes,
+        progress);
     if (!run.trace.complete()) {
         result.reason = run.trace.status == dynamics::RunStatus::cancelled ? "not found: stopped by the user"
                                                                            : "not found: " + run.trace.message;

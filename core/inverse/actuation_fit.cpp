@@ -183,7 +183,7 @@ void set_ending(const ActuationFitOptions& options, const Progress& progress, nl
 ActuationEvaluation evaluate_actuation(const ActuationProblem& problem, const MatrixXd& values,
                                        const Progress& progress) {
     model::Model model = problem.model;
-    model.activation = activations_of(problem.sought, values);
+    model.activation = acting_activations(problem.sought, problem.acting, values);
     ActuationEvaluation result;
     MarkerTarget target = problem.target;
     // The placement is optimised inside the loss: by the envelope theorem the gradient is that at fixed placement.
@@ -197,7 +197,7 @@ ActuationEvaluation evaluate_actuation(const ActuationProblem& problem, const Ma
     result.status = run.status;
     result.message = run.message;
     if (!run.complete()) return result;
-    result.gradient = value_gradient(problem.sought, run.gradient.activation);
+    result.gradient = acting_value_gradient(problem.sought, problem.acting, values, run.gradient.activation);
     result.rms_m = std::sqrt(run.loss);
     const double weight = problem.smoothness_m_s * problem.smoothness_m_s;
     result.loss_m2 = run.loss + weight * mean_square_rate(problem.sought, values, weight, result.gradient);

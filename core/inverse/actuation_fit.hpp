@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "inverse/acting_signals.hpp"
 #include "inverse/actuation_signals.hpp"
 #include "inverse/best_placement.hpp"
 #include "inverse/least_squares.hpp"
@@ -21,6 +22,7 @@ struct ActuationProblem {
     dynamics::SimulationOptions options;
     MarkerTarget target;
     SoughtSignals sought;
+    ActingSignals acting{};  // what the actuators make of the sought signals
     /// Weight of the smoothness: loss = mean square residual + (smoothness)^2 times the mean square rate of the
     /// signals. A rate of 1 per second costs as much as this rms error.
     double smoothness_m_s = 1e-4;
