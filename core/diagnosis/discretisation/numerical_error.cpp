@@ -41,8 +41,7 @@ bool moves_modulus(const JointFit& fit) {
 }
 
 /// Runs with other steps; poses, which have none, are those of `base`.
-std::vector<prediction::TrialPrediction> runs_with(const setup::Setup& setup,
-                                                   const prediction::ParameterValues& values,
+std::vector<prediction::TrialPrediction> runs_with(const setup::Setup& setup, const prediction::ParameterValues& values,
                                                    const std::vector<std::size_t>& trials,
                                                    const std::vector<prediction::TrialPrediction>& base,
                                                    const Progress& progress) {
