@@ -16,6 +16,7 @@ namespace myo::effect {
     entry(point_mass) \
     entry(cable_tug) \
     entry(dry_friction) \
+    entry(end_stop) \
     entry(hung_mass) \
     entry(gravity_tilt) \
     entry(tendon_friction) \

@@ -20,6 +20,11 @@ std::map<std::string, EffectParameters> visible_effects() {
          {{"stiffness_N_m", 5.0}, {"position_m", at(0.12, 0.015, 0.03)}, {"anchor_m", at(0.12, 0.015, 0.2)}}},
         {"dry_friction",
          {{"friction_force_N", 0.01}, {"position_m", at(0.12, 0.015, 0.03)}, {"normal", at(0.0, 1.0, 0.0)}}},
+        {"end_stop",
+         {{"stiffness_N_m", 50.0},
+          {"gap_m", 1e-4},
+          {"position_m", at(0.12, 0.015, 0.03)},
+          {"normal", at(0.0, 0.0, 1.0)}}},
         {"hung_mass", {{"inertia_ratio", 1.0}}},
         {"gravity_tilt", {{"tilt_deg", 5.0}, {"axis", at(1.0, 0.0, 0.0)}}},
         {"clamp_compliance", {{"stiffness_Pa_per_m", 1e7}}},
@@ -46,7 +51,7 @@ const std::set<std::string> seen_alone{"clock_offset", "frame_rate_error", "scal
                                        "marker_swap",  "marker_offset",    "marker_slip"};
 
 TEST(EffectCatalogue, NamesAreUniqueAndEntriesComplete) {
-    EXPECT_EQ(effect_catalogue().size(), 31u);
+    EXPECT_EQ(effect_catalogue().size(), 32u);
     for (const Effect& effect : effect_catalogue()) {
         EXPECT_EQ(find_effect(effect.id), &effect);
         EXPECT_FALSE(effect.parameters.empty()) << effect.id;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "dynamics/natural_modes.hpp"
@@ -85,6 +86,24 @@ TEST_P(ForceForms, DryFrictionSlowsAThrownCubeByItsLaw) {
     EXPECT_LT(v.back(), 0.5);
     friction["normal"] = VectorXd(Vector3d::UnitX());
     EXPECT_NEAR(thrown(cube(GetParam()), "dry_friction", friction).back(), 1.0, 1e-9);
+}
+
+/// v' = -omega^2 (x - gap) beyond the gap: half a cosine, after which the cube flies back as fast as it came.
+TEST_P(ForceForms, AnEndStopThrowsACubeBack) {
+    const double k = 300.0, gap = 0.02, omega = std::sqrt(k / cube_kg), meets = gap / 1.0;
+    const std::vector<double> v = thrown(cube(GetParam()), "end_stop",
+                                         {{"stiffness_N_m", k},
+                                          {"gap_m", gap},
+                                          {"normal", VectorXd(-2.0 * Vector3d::UnitX())},
+                                          {"position_m", VectorXd(Vector3d(0.03, 0.015, 0.015))}});
+    double worst = 0.0;
+    for (std::size_t i = 0; i < v.size(); ++i) {
+        const double phase = std::clamp(omega * (1e-3 * static_cast<double>(i) - meets), 0.0, std::numbers::pi);
+        worst = std::max(worst, std::abs(v[i] - std::cos(phase)));
+    }
+    test::record("worst", worst);
+    EXPECT_LT(worst, 5e-3);
+    EXPECT_LT(v.back(), -0.99);
 }
 
 /// The fluid before and behind the cube falls with it and weighs nothing; that beside it slips.
