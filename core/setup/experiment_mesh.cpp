@@ -41,8 +41,9 @@ Result<BodyMesh> mesh_of(const experiment::Experiment& experiment, const mesh::S
                          const MeshRequest& request, const Progress& progress) {
     if (const auto* volume = std::get_if<experiment::VolumeGeometry>(&experiment.geometry))
         return own_cells(experiment, *volume, request);
-    std::vector<Box> regions{held_part(experiment.clamp_box_m, mesh::bounding_box(surface.vertices))};
-    for (const Box& box : part_boxes(experiment)) regions.push_back(box);
+    std::vector<Box> regions = part_boxes(experiment);
+    if (experiment::has_clamp(experiment))
+        regions.insert(regions.begin(), held_part(experiment.clamp_box_m, mesh::bounding_box(surface.vertices)));
     return mesh_body(surface, request, regions, progress);
 }
 

@@ -20,6 +20,7 @@
 #include "setup/marker_noise.hpp"
 #include "setup/mesh_suitability.hpp"
 #include "setup/muscle_groups.hpp"
+#include "setup/obstacles.hpp"
 #include "setup/recorded_size.hpp"
 #include "setup/recording_frame.hpp"
 #include "setup/refuse_unsupported.hpp"
@@ -135,6 +136,9 @@ Result<PreparedTrial> prepare_trial(const Setup& setup, const model::Model& mode
         return framed.error();
 
     set_time_integration(setup, declaration.start, trial);
+    // After the actuators, whose elements come first.
+    for (model::ForceElementPointer& contact : obstacle_contacts(experiment, *setup.body))
+        trial.model.force_elements.push_back(std::move(contact));
     return trial;
 }
 
@@ -184,9 +188,10 @@ void add_warnings(Setup& setup) {
 
 /// Nodes in the clamp box.
 ///
-/// Errors: none, as the body would fall; or all, as nothing could move.
+/// Errors: none, as the body would fall; or all, as nothing could move. A body without a clamp has none.
 Result<std::vector<int>> clamped_nodes(const experiment::Experiment& experiment, const BodyMesh& mesh,
                                        const Box& held) {
+    if (!experiment::has_clamp(experiment)) return std::vector<int>{};
     std::vector<int> clamped = mesh::nodes_in_box(mesh.mesh, box_on_mesh(mesh, held));
     if (clamped.empty())
         return experiment::declaration_error(

@@ -1,5 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <string>
+
+#include "model/contact.hpp"
+#include "model/loaded_face.hpp"
 #include "sensitivity/driven_beam.hpp"
 #include "sensitivity/gradient_check.hpp"
 #include "sensitivity/tangent_run.hpp"
@@ -133,6 +138,39 @@ INSTANTIATE_TEST_SUITE_P(All, TendonGradient,
                          testing::Values(TendonCase{0.0, dynamics::StartKind::straight},
                                          TendonCase{0.4, dynamics::StartKind::equilibrium}),
                          [](const auto& c) { return c.param.friction > 0.0 ? "capstan" : "frictionless"; });
+
+class ContactGradient : public testing::TestWithParam<dynamics::StartKind> {};
+
+/// A block that is thrown along a rough ball on which it lies: the friction changes with positions and velocities, and
+/// has no potential. It is smooth enough (v0 = 0.5 m/s) for differences of initial velocities.
+TEST_P(ContactGradient, EqualsCentralDifferencesAndTangents) {
+    model::Model model = test::hollow_block(fem::ElementKind::hex8);
+    model.damping_s = 0.002;
+    model.gravity_m_s2 = {0.0, 4.0, -9.81};
+    model.force_elements = {model::contact(*model.body, model::free_faces(*model.body),
+                                           model::sphere_distance({0.06, 0.015, -0.039}, 0.04),
+                                           {2e7, 2e-3, 0.4, 0.5, 1e-3})};
+    dynamics::SimulationOptions options = short_run(dynamics::Integrator::tr_bdf2, GetParam());
+    options.solver.tangent_tolerance = 1e-12;
+    const LossOfMotion loss = rough_loss(model);
+    const std::vector<CheckedParameter> checked = checked_parameters(model, options);
+    EXPECT_TRUE(std::any_of(checked.begin(), checked.end(), [](const CheckedParameter& parameter) {
+        return parameter.name.starts_with("force element") && parameter.name.find("friction") != std::string::npos;
+    }));
+    const GradientCheck check = check_gradient(model, options, loss, checked);
+    ASSERT_TRUE(check.complete()) << check.message;
+    for (const GradientCheckRow& row : check.rows)
+        EXPECT_LT(row.relative_error, 1e-5)
+            << row.name << ": adjoint " << row.adjoint << ", difference " << row.difference;
+    EXPECT_LT(check.median_error(), 1e-6);
+    expect_tangents_equal_gradient(model, options, loss);
+}
+
+INSTANTIATE_TEST_SUITE_P(Starts, ContactGradient,
+                         testing::Values(dynamics::StartKind::straight, dynamics::StartKind::equilibrium),
+                         [](const auto& c) {
+                             return c.param == dynamics::StartKind::straight ? "straight" : "equilibrium";
+                         });
 
 }  // namespace
 }  // namespace myo::sensitivity

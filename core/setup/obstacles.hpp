@@ -1,0 +1,25 @@
+#pragma once
+
+#include "experiment/experiment.hpp"
+#include "model/contact.hpp"
+
+namespace myo::setup {
+
+/// How stiff obstacles are, relative to the body that meets them. A body that rests on one sinks in by half the onset
+/// and by its weight per area over the stiffness; one that falls from a metre by a tenth of a cell.
+struct ContactPolicy {
+    double stiffness = 10.0;     // of E / cell edge: ten times as stiff as the layer of cells that touches
+    double onset = 0.01;         // of a cell's edge
+    double static_slip = 0.01;   // of a cell's edge: displacement at which friction in statics is 70 % developed
+    double v0_m_s = 4e-3;        // as the effect dry_friction has it
+    double static_bed = 1e-7;    // of the stiffness, where no clamp holds the body: fixes sliding without friction
+    double rounding = 0.5;       // of a cell's edge, at the edges of a box
+    double max_rounding = 0.25;  // of the shortest side of a box
+};
+inline constexpr ContactPolicy contact_policy;
+
+/// Declared obstacles as force elements on all free faces of the body.
+std::vector<model::ForceElementPointer> obstacle_contacts(const experiment::Experiment& experiment,
+                                                          const model::Body& body);
+
+}  // namespace myo::setup
