@@ -1,4 +1,3 @@
-#include <array>
 #include <numbers>
 
 #include "effect/effect.hpp"
@@ -12,10 +11,10 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 struct EndStopPolicy {
-    double onset_m = 5e-5;                         // over which the spring becomes stiff: below what markers resolve
-    double probed_stiffness_N_m = 1.0;             // a soft stop: its response is linear in the stiffness
-    std::size_t places = 2;                        // on the surface, where a search starts
-    std::array<double, 2> probed_gaps{0.0, 0.02};  // of the length ahead of the clamp
+    double onset_m = 5e-5;              // over which the spring becomes stiff: below what markers resolve
+    double probed_stiffness_N_m = 1.0;  // a soft stop: its response is linear in the stiffness
+    std::size_t places = 2;             // on the surface, where a search starts
+    double probed_gap = 0.01;           // of the length ahead of the clamp
 };
 constexpr EndStopPolicy end_stop_policy;
 
@@ -31,15 +30,14 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     const TrialContext& context = search.trials.front();
     const ClampAxis axis = clamp_axis(context);
     std::vector<EffectProbe> list;
-    for (const double gap : end_stop_policy.probed_gaps)
-        for (const Vector3d& place : spread_surface_points(context, end_stop_policy.places))
-            for (const int turn : {2, 1})
-                for (const double sign : {1.0, -1.0})
-                    list.push_back(probe({{"stiffness_N_m", end_stop_policy.probed_stiffness_N_m},
-                                          {"gap_m", gap * axis.length_m},
-                                          {"normal", VectorXd(sign * Vector3d::Unit((axis.axis + turn) % 3))},
-                                          {"position_m", VectorXd(place)}},
-                                         "stiffness_N_m"));
+    for (const Vector3d& place : spread_surface_points(context, end_stop_policy.places))
+        for (const int turn : {2, 1})
+            for (const double sign : {1.0, -1.0})
+                list.push_back(probe({{"stiffness_N_m", end_stop_policy.probed_stiffness_N_m},
+                                      {"gap_m", end_stop_policy.probed_gap * axis.length_m},
+                                      {"normal", VectorXd(sign * Vector3d::Unit((axis.axis + turn) % 3))},
+                                      {"position_m", VectorXd(place)}},
+                                     "stiffness_N_m"));
     return list;
 }
 

@@ -5,8 +5,8 @@
 
 namespace myo::setup {
 
-/// How stiff obstacles are, relative to the body that meets them. A body that rests on one sinks in by half the onset
-/// and by its weight per area over the stiffness; one that falls from a metre by a tenth of a cell.
+/// How stiff obstacles are, relative to the body that meets them. A body that rests on one sinks in by about the onset;
+/// a cube of 30 mm with E = 0.1 MPa that meets a plane at 3 m/s by 8 % of a cell of 15 mm.
 struct ContactPolicy {
     double stiffness = 10.0;     // of E / cell edge: ten times as stiff as the layer of cells that touches
     double onset = 0.01;         // of a cell's edge

@@ -141,8 +141,8 @@ INSTANTIATE_TEST_SUITE_P(All, TendonGradient,
 
 class ContactGradient : public testing::TestWithParam<dynamics::StartKind> {};
 
-/// A block that is thrown along a rough ball on which it lies: the friction changes with positions and velocities, and
-/// has no potential. It is smooth enough (v0 = 0.5 m/s) for differences of initial velocities.
+/// A block that slides on a rough ball, on which it lies under a slanted gravity: the friction changes with positions
+/// and velocities, and has no potential. It is smooth enough (v0 = 0.5 m/s) for differences of initial velocities.
 TEST_P(ContactGradient, EqualsCentralDifferencesAndTangents) {
     model::Model model = test::hollow_block(fem::ElementKind::hex8);
     model.damping_s = 0.002;
