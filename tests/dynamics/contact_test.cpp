@@ -94,7 +94,8 @@ TEST_P(ObstacleContact, SlidesAndSticksOnAnInclineAsCoulombSays) {
 }
 
 /// A cube thrown at 3 m/s passes its own length in a step of 10 ms; the plane stops it all the same, it sinks in by
-/// less than a fifth of a cell, and never has more energy than before.
+/// less than a fifth of a cell, and never has more energy than at first. A step of 10 ms through an impact may give
+/// back some of what an earlier one took, below 0.5 % of the first energy; steps of 2 ms do not.
 TEST_P(ObstacleContact, StopsWhatFallsFastAndAddsNoEnergy) {
     for (const double friction : {0.0, 0.4})
         for (const double h : {0.01, 0.002}) {
@@ -102,17 +103,21 @@ TEST_P(ObstacleContact, StopsWhatFallsFastAndAddsNoEnergy) {
             const Trace trace = cube.run(h, 0.4, {0.5, 0.0, -3.0}, 0.02);
             if (!trace.complete()) continue;
             const auto mass = model::mass_matrix(cube.model);
-            double first = 0.0, largest = 0.0, deepest = 0.0;
+            double rise = 0.0, before = 0.0, first = 0.0, largest = 0.0, deepest = 0.0;
             for (std::size_t k = 0; k < trace.times_s.size(); ++k) {
                 const double now = energy(cube.model, mass, trace.positions[k], trace.velocities[k], trace.times_s[k])
                                        .total_J();
                 if (k == 0) first = now;
+                if (k > 0) rise = std::max(rise, (now - before) / first);
+                before = now;
                 largest = std::max(largest, now);
                 deepest = std::max(deepest, cube.deepest(trace.positions[k]));
             }
+            test::record("largest_rise_in_a_step", rise);
             test::record("largest_energy_ratio", largest / first);
             test::record("deepest_of_a_cell", deepest / edge);
             EXPECT_LE(largest, first * (1.0 + 1e-6)) << "friction " << friction << ", h " << h;
+            EXPECT_LT(rise, h < 0.005 ? 1e-6 : 5e-3) << "friction " << friction << ", h " << h;
             EXPECT_LT(deepest, 0.2 * edge) << "friction " << friction << ", h " << h;
             EXPECT_GT(cube.mean(trace.positions.back()).z(), 0.0);
         }
