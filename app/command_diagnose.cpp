@@ -149,6 +149,8 @@ int diagnose_command(const DiagnoseCall& call) {
     if (!opening.setup) return opening.status;
     const setup::Setup& setup = *opening.setup;
     for (const std::string& warning : setup.warnings) console.warn(warning);
+    if (!setup.experiment.sensors.empty())
+        console.warn("the readings of sensors take no part in the diagnosis; calibrate fits them");
     const std::vector<check::Finding> before = check::check_before(setup);
     tell_findings(before, opening.told, console);
     console.print(setup.experiment.name + "\n" + size_line(setup));

@@ -172,6 +172,8 @@ int optimize_command(const OptimizeCall& call) {
     if (!from) return console.refuse(from.error());
     for (const std::string& note : from->notes) console.warn(note);
     for (const std::string& warning : setup.warnings) console.warn(warning);
+    if (!setup.experiment.sensors.empty())
+        console.warn("the readings of sensors take no part in the search for signals; calibrate fits them");
     const std::vector<check::Finding> before = check::check_before(setup);
     tell_findings(before, opening.told, console);
     console.print(search_lines(setup, *problem, from->values.size(), settings.frequency_Hz));

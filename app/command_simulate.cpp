@@ -58,7 +58,7 @@ std::string score_table(const setup::Setup& setup, const prediction::SetupRun& r
             worst != score->markers.end() ? in_millimetres(worst->rms_m) + "  " + worst->name : "");
     }
     text.pop_back();
-    return text;
+    return text + results::sensor_lines(run);
 }
 
 /// Writes simulate.json, traces and optional VTU series.

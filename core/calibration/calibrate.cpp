@@ -19,7 +19,7 @@ using Eigen::Matrix3Xd;
 
 /// Copy without node positions, which dominate the memory; only the run after the fit is displayed in motion.
 prediction::TrialPrediction markers_only(const prediction::TrialPrediction& full) {
-    return {full.status, full.message, {}, full.positions_m, full.start_m, full.residual_m, {}};
+    return {full.status, full.message, {}, full.positions_m, full.start_m, full.residual_m, {}, full.sensor_residuals};
 }
 
 /// Predictions kept out of all evaluations of a fit: with the declared values, and with the lowest cost.

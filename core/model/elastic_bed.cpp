@@ -83,4 +83,6 @@ ForceElementPointer elastic_bed(const Body& body, const std::vector<int>& faces,
     return std::make_shared<ElasticBed>(bed, stiffness_Pa_per_m);
 }
 
+bool is_elastic_bed(const ForceElement& element) { return dynamic_cast<const ElasticBed*>(&element) != nullptr; }
+
 }  // namespace myo::model

@@ -14,4 +14,7 @@ namespace myo::model {
 /// Source: Winkler's foundation (Timoshenko & Woinowsky-Krieger 1959, ch. 8), isotropic.
 ForceElementPointer elastic_bed(const Body& body, const std::vector<int>& faces, double stiffness_Pa_per_m);
 
+/// Whether a force element is an elastic bed, hence a support of the body.
+bool is_elastic_bed(const ForceElement& element);
+
 }  // namespace myo::model

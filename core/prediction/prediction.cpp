@@ -7,6 +7,7 @@
 #include "effect/catalogue.hpp"
 #include "measurement/rigid_motion.hpp"
 #include "prediction/parameter_tangent.hpp"
+#include "prediction/sensor_tangents.hpp"
 #include "setup/actuator_signals.hpp"
 
 namespace myo::prediction {
@@ -337,6 +338,15 @@ TrialPrediction predict_trial(const setup::Setup& setup, std::size_t index, cons
     result.residual_m = std::move(observed.residual_m);
     result.trace = std::move(run.trace);
     add_tangents(setup, index, values, parameters, moving.row_of, motion, progress, result);
+    if (trial.sensors.empty()) return result;
+    result.sensor_residuals = sensor_residuals(setup, index, values, affected, result.trace);
+    for (const ModelParameter& parameter : parameters) {
+        result.sensor_tangents.push_back(sensor_tangents(setup, index, values, parameter, progress));
+        if (!result.sensor_tangents.back().empty()) continue;
+        result.status = progress.cancelled() ? dynamics::RunStatus::cancelled : dynamics::RunStatus::failed;
+        result.message = "the derivatives of the sensors by " + parameter.parameter.name + " could not be computed";
+        break;
+    }
     return result;
 }
 

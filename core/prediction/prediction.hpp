@@ -87,6 +87,8 @@ struct TrialPrediction {
     std::vector<Eigen::Matrix3Xd>
         residual_m;  // per marker: prediction minus measurement; NaN where occluded or not compared
     std::vector<std::vector<Eigen::Matrix3Xd>> tangents;  // [parameter][marker] derivative of the residual
+    std::vector<Eigen::VectorXd> sensor_residuals{};      // per series of the trial: prediction minus reading, or NaN
+    std::vector<std::vector<Eigen::VectorXd>> sensor_tangents{};  // [parameter][series]
 
     bool ok() const { return status == dynamics::RunStatus::complete; }
 };

@@ -82,6 +82,13 @@ TrialScore score(const setup::Setup& setup, std::size_t trial, const TrialPredic
     for (const MarkerScore& marker : result.markers)
         if (std::isfinite(marker.distance_m)) sum += marker.distance_m, ++count;
     result.distance_m = sum / count;
+    for (std::size_t s = 0; s < prediction.sensor_residuals.size(); ++s) {
+        const setup::SensorSeries& series = data.sensors[s];
+        double squares = 0.0, readings = 0.0;
+        for (const double r : prediction.sensor_residuals[s])
+            if (std::isfinite(r)) squares += r * r, ++readings;
+        result.sensors.push_back({series.column, series.unit, series.noise, std::sqrt(squares / readings)});
+    }
     return result;
 }
 

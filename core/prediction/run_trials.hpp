@@ -19,6 +19,13 @@ struct MarkerScore {
     double distance_m = 0.0;      // mean distance of prediction and measurement over its samples
 };
 
+/// Comparison of one column of a sensor in a trial.
+struct SensorScore {
+    std::string column, unit;
+    double noise = 0.0;  // 1 sigma, in the unit
+    double rms = 0.0;    // over its compared readings, in the unit; NaN if none lies within the run
+};
+
 /// Comparison of one trial, over all markers and per marker.
 struct TrialScore {
     std::string name;
@@ -26,6 +33,7 @@ struct TrialScore {
     double rms_m = 0.0;  // over all compared coordinates
     std::vector<MarkerScore> markers;
     double distance_m = 0.0;  // mean of the markers' distances
+    std::vector<SensorScore> sensors{};
 };
 /// Scores a complete prediction against the recording.
 ///

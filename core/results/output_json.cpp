@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "base/text.hpp"
 #include "calibration/values_at_bounds.hpp"
 #include "prediction/predict_trials.hpp"
 #include "results/finding_output.hpp"
@@ -239,6 +240,7 @@ report::Json fitted_trials_json(const setup::Setup& setup, const calibration::Ca
         trial["mean_distance_before_m"] = before != nullptr ? report::json_number(before->distance_m) : report::Json();
         trial["mean_distance_m"] = after != nullptr ? report::json_number(after->distance_m) : report::Json();
         trial["markers"] = after != nullptr ? markers_json(*after) : report::Json::object();
+        if (after != nullptr && !after->sensors.empty()) trial["sensors"] = sensor_scores_json(*after);
         if (before == nullptr) trial["failure_before"] = calibration.before.predictions[t].message;
         if (after == nullptr) trial["failure_after"] = calibration.after.predictions[t].message;
         trials.push_back(std::move(trial));
@@ -262,6 +264,25 @@ const char* ending_word(inverse::FitStatus status) {
 report::Json setup_size_json(const setup::Setup& setup) { return size_json(setup); }
 
 report::Json marker_scores_json(const prediction::TrialScore& score) { return markers_json(score); }
+
+report::Json sensor_scores_json(const prediction::TrialScore& score) {
+    report::Json sensors = report::Json::array();
+    for (const prediction::SensorScore& sensor : score.sensors)
+        sensors.push_back({{"column", sensor.column},
+                           {"unit", sensor.unit},
+                           {"noise", report::json_number(sensor.noise)},
+                           {"rms", report::json_number(sensor.rms)}});
+    return sensors;
+}
+
+std::string sensor_lines(const prediction::SetupRun& run) {
+    std::string text;
+    for (const prediction::TrialScore& score : run.scores)
+        for (const prediction::SensorScore& sensor : score.sensors)
+            text += "\nsensor " + sensor.column + " in " + score.name + ": " + format_number(sensor.rms, 3) + " " +
+                    sensor.unit + " rms, noise " + format_number(sensor.noise, 3) + " " + sensor.unit;
+    return text;
+}
 
 const prediction::TrialScore* find_score(const prediction::SetupRun& run, const std::string& trial) {
     const auto found = std::find_if(run.scores.begin(), run.scores.end(),
@@ -290,6 +311,7 @@ report::Json simulate_json(const setup::Setup& setup, const prediction::SetupRun
         trial["rms_m"] = report::json_number(score->rms_m);
         trial["mean_distance_m"] = report::json_number(score->distance_m);
         trial["markers"] = markers_json(*score);
+        if (!score->sensors.empty()) trial["sensors"] = sensor_scores_json(*score);
         trials.push_back(std::move(trial));
     }
     json["steps"] = steps;

@@ -15,7 +15,6 @@ Result<void> refuse_unsupported(const experiment::Experiment& experiment) {
     // One line per kind: what becomes supported loses its line.
     for (const Kind& kind : {
              Kind{experiment.mount != experiment::MountMotion::fixed, "mount.motion", "the motion of the mount"},
-             Kind{!experiment.sensors.empty(), "sensor[0]", "a sensor"},
          })
         if (kind.declared)
             return experiment::declaration_error(experiment, kind.key,

@@ -135,6 +135,9 @@ Result<PreparedTrial> prepare_trial(const Setup& setup, const model::Model& mode
     if (const Result<void> framed = place_recording(experiment, declaration, recording->recording, trial); !framed)
         return framed.error();
 
+    Result<std::vector<SensorSeries>> sensors = read_sensor_series(experiment, declaration, trial.start_s);
+    if (!sensors) return sensors.error();
+    trial.sensors = std::move(*sensors);
     set_time_integration(setup, declaration.start, trial);
     // After the actuators, whose elements come first.
     for (model::ForceElementPointer& contact : obstacle_contacts(experiment, *setup.body))

@@ -18,6 +18,7 @@
 #include "setup/chambers.hpp"
 #include "setup/integration_check.hpp"
 #include "setup/parts.hpp"
+#include "setup/sensors.hpp"
 #include "setup/tendons.hpp"
 #include "setup/trial_step.hpp"
 
@@ -67,6 +68,7 @@ struct PreparedTrial {
     std::optional<double> registration_rms_m;  // residual of rest-pose registration [m]
     std::vector<std::size_t> free_levels;      // actuators with an unknown step level, see actuator_signals.hpp
     std::vector<double> occluded_fraction;     // per marker, 0 ... 1
+    std::vector<SensorSeries> sensors;         // readings beside the markers
     double rounding_m = 0.0;                   // increment of the numbers in the file [m], 0 if none is detected
 };
 

@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+
+#include "prediction/parameter_tangent.hpp"
+#include "prediction/prediction.hpp"
+#include "support/chambered_beam.hpp"
+#include "support/figures.hpp"
+
+// Effects of robots with tendons and of markers that are glued on by hand.
+
+namespace myo::prediction {
+namespace {
+
+using experiment::Experiment;
+
+effect::EffectDeclaration declared(const std::string& id, effect::EffectParameters parameters) {
+    effect::EffectDeclaration effect;
+    effect.id = id;
+    effect.parameters = std::move(parameters);
+    return effect;
+}
+
+setup::Setup beam(const test::Folder& folder, const std::vector<effect::EffectDeclaration>& effects,
+                  const Eigen::Vector3d& shift_m = Eigen::Vector3d::Zero()) {
+    return test::chambered_beam(folder, 0.1, [&](Experiment& e) {
+        e.chambers.clear();
+        e.effects = effects;
+        for (experiment::MarkerDeclaration& marker : e.markers.on_body)
+            if (marker.name == "middle") marker.rest_m += shift_m;
+    });
+}
+
+/// A marker that the effect moves is one that is declared at that place.
+TEST(MarkerOffset, MovesTheMarkerOnTheBody) {
+    const test::Folder folder("marker_offset");
+    const Eigen::Vector3d shift(0.012, -0.004, 0.0);
+    const setup::Setup moved = beam(
+        folder, {declared("marker_offset", {{"marker", std::string("middle")}, {"shift_m", Eigen::VectorXd(shift)}})});
+    const setup::Setup there = beam(folder, {}, shift);
+    const TrialPrediction by_effect = predict_trial(moved, 0, declared_values(moved));
+    const TrialPrediction by_place = predict_trial(there, 0, declared_values(there));
+    ASSERT_TRUE(by_effect.ok() && by_place.ok());
+    const std::size_t middle = 3;
+    EXPECT_LT((by_effect.positions_m[middle] - by_place.positions_m[middle]).norm(), 1e-9);
+    EXPECT_GT((by_effect.positions_m[middle] - by_place.positions_m[0]).norm(), 1e-3);
+    // The others stay where they are.
+    EXPECT_LT((by_effect.positions_m[0] - by_place.positions_m[0]).norm(), 1e-9);
+}
+
+setup::Setup tendon_beam(const test::Folder& folder, double friction,
+                         const std::vector<effect::EffectDeclaration>& effects) {
+    return test::chambered_beam(folder, 0.1, [&](Experiment& e) {
+        e.chambers.clear();
+        e.effects = effects;
+        experiment::TendonDeclaration tendon;
+        tendon.name = "upper";
+        tendon.path_m.resize(3, 4);
+        tendon.path_m << 0.0, 0.03, 0.06, 0.095,  //
+            0.015, 0.015, 0.015, 0.015,           //
+            0.028, 0.014, 0.028, 0.014;
+        tendon.friction = friction;
+        e.tendons = {tendon};
+        e.trials[0].hold = true;
+        e.trials[0].start = experiment::StartState::equilibrium;
+        e.trials[0].constant_commands = {{"upper", 4.0}};
+    });
+}
+
+/// The effect adds to the declared friction, at all tendons or at the named one.
+TEST(TendonFriction, AddsToWhatIsDeclared) {
+    const test::Folder folder("tendon_friction");
+    const auto tip = [&](const setup::Setup& setup) {
+        const TrialPrediction prediction = predict_trial(setup, 0, declared_values(setup));
+        EXPECT_TRUE(prediction.ok()) << prediction.message;
+        return Eigen::Vector3d(prediction.positions_m[0].col(0));
+    };
+    const Eigen::Vector3d declared_tip = tip(tendon_beam(folder, 0.3, {}));
+    const Eigen::Vector3d added = tip(tendon_beam(folder, 0.1, {declared("tendon_friction", {{"coefficient", 0.2}})}));
+    const Eigen::Vector3d named = tip(tendon_beam(
+        folder, 0.1, {declared("tendon_friction", {{"coefficient", 0.2}, {"tendon", std::string("upper")}})}));
+    EXPECT_LT((added - declared_tip).norm(), 1e-9);
+    EXPECT_LT((named - declared_tip).norm(), 1e-9);
+    EXPECT_GT((tip(tendon_beam(folder, 0.1, {})) - declared_tip).norm(), 1e-5) << "it matters";
+}
+
+}  // namespace
+}  // namespace myo::prediction
