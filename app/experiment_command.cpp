@@ -164,13 +164,6 @@ OpenedExperiment open_command(const ExperimentCall& call, TrialChoice choice, co
         opening.status = console.refuse(trial.error());
         return opening;
     }
-    // Commands on one trial use its model without effects.
-    if (choice == TrialChoice::one && !experiment->effects.empty()) {
-        opening.status = console.refuse(experiment::declaration_error(
-            *experiment, "effect[0].id",
-            "simulate, calibrate and diagnose know declared effects; this command does not"));
-        return opening;
-    }
     Result<setup::Setup> setup = open_setup(call, *experiment, console, progress, opening.told);
     opening.experiment = std::move(*experiment);
     if (progress.cancelled())

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <random>
@@ -74,10 +75,10 @@ inverse::ActingSignals acting_signals(const setup::Setup& setup) {
     for (const effect::EffectDeclaration& effect : setup.experiment.effects)
         if (effect::find_effect(effect.id)->kind == effect::EffectKind::actuation) effects.push_back(effect);
     if (effects.empty()) return nullptr;
-    return [&setup, effects](const std::vector<fibre::Signal>& commanded) {
-        model::Model model = setup.trials.front().model;
+    return [kept = std::make_shared<const setup::Setup>(setup), effects](const std::vector<fibre::Signal>& commanded) {
+        model::Model model = kept->trials.front().model;
         model.activation = commanded;
-        return setup::with_effects(setup, 0, std::move(model), effects).model.activation;
+        return setup::with_effects(*kept, 0, std::move(model), effects).model.activation;
     };
 }
 

@@ -1,5 +1,7 @@
 #include "inverse/acting_signals.hpp"
 
+#include <cassert>
+
 namespace myo::inverse {
 namespace {
 
@@ -16,9 +18,11 @@ std::vector<fibre::Signal> derivative(const SoughtSignals& sought, const ActingS
     below(value) -= step;
     std::vector<fibre::Signal> change = acting_activations(sought, acting, above);
     const std::vector<fibre::Signal> low = acting_activations(sought, acting, below);
-    for (std::size_t g = 0; g < change.size(); ++g)
+    for (std::size_t g = 0; g < change.size(); ++g) {
+        assert(change[g].times_s == low[g].times_s);
         for (std::size_t k = 0; k < change[g].values.size(); ++k)
             change[g].values[k] = (change[g].values[k] - low[g].values[k]) / (2.0 * step);
+    }
     return change;
 }
 
@@ -26,8 +30,11 @@ std::vector<fibre::Signal> derivative(const SoughtSignals& sought, const ActingS
 
 std::vector<fibre::Signal> acting_activations(const SoughtSignals& sought, const ActingSignals& acting,
                                               const MatrixXd& values) {
-    std::vector<fibre::Signal> commanded = activations_of(sought, values);
-    return acting ? acting(commanded) : commanded;
+    if (!acting) return activations_of(sought, values);
+    MatrixXd moving = values;
+    for (Index k = 0; k < values.cols(); ++k)
+        moving.col(k).array() += k % 2 == 0 ? acting_signals_policy.nudge : -acting_signals_policy.nudge;
+    return acting(activations_of(sought, moving));
 }
 
 MatrixXd acting_value_gradient(const SoughtSignals& sought, const ActingSignals& acting, const MatrixXd& values,

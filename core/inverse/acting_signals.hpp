@@ -18,10 +18,12 @@ struct ActingSignalsPolicy {
     /// Step of the central differences of the acting signals: actuators respond linearly, but for hysteresis, whose
     /// width is 1e-4 or more; rounding leaves ten digits.
     double step = 1e-6;
+    /// Added to the values, with alternating signs: the knots of what acts depend on whether a command changes at all.
+    double nudge = 1e-9;
 };
 inline constexpr ActingSignalsPolicy acting_signals_policy;
 
-/// Activations that act for sought values, signals x knots.
+/// Activations that act for sought values, signals x knots. Their knots are the same for all values.
 std::vector<fibre::Signal> acting_activations(const SoughtSignals& sought, const ActingSignals& acting,
                                               const Eigen::MatrixXd& values);
 

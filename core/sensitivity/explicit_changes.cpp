@@ -36,6 +36,9 @@ ModelPair pair_along(const model::Model& model, const ModelTangent& parameter) {
         // Relative change of mu per unit of the parameter; without any the pair is two equal models.
         most = std::max(most, std::abs(parameter.moduli[c].mu / model.moduli[c].mu));
     if (most > 0.0) pair.width = 1e-3 / most;
+    // Derivatives hold the ratio that sets the bending of cells, see Model::poissons_ratio.
+    if (model.poissons_ratio.empty())
+        pair.over.poissons_ratio = pair.under.poissons_ratio = model::poissons_ratios(model.moduli);
     for (std::size_t c = 0; c < model.moduli.size(); ++c) {
         pair.over.moduli[c].mu += 0.5 * pair.width * parameter.moduli[c].mu;
         pair.under.moduli[c].mu -= 0.5 * pair.width * parameter.moduli[c].mu;
