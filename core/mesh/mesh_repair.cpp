@@ -29,7 +29,7 @@ VolumeMesh without_unused_nodes(const VolumeMesh& mesh) {
         number[i] = static_cast<int>(used.size());
         used.push_back(static_cast<Eigen::Index>(i));
     }
-    VolumeMesh compact{mesh.type, mesh.nodes(Eigen::all, used), mesh.cells};
+    VolumeMesh compact{mesh.type, mesh.nodes(Eigen::all, used), mesh.cells, mesh.regions};
     for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
         for (Eigen::Index i = 0; i < mesh.cells.rows(); ++i) {
             compact.cells(i, c) = number[static_cast<std::size_t>(mesh.cells(i, c))];

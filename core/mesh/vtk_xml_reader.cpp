@@ -73,8 +73,7 @@ public:
                 section.clear();
             } else if (tag.name == "Points" || tag.name == "Cells" || tag.name == "Polys" || tag.name == "Strips" ||
                        tag.name == "CellData") {
-                // Arrays of the geometry and the numbers of the cells are kept; PointData is skipped.
-                section = tag.empty ? "" : tag.name;
+                section = tag.empty ? "" : tag.name;  // PointData is skipped
             } else if (tag.name == "DataArray") {
                 std::string_view text;
                 if (!tag.empty) {
@@ -318,22 +317,19 @@ Result<VtkArray> array_named(const XmlVtkParser& parser, const Piece& piece, std
 
 /// Numbers of the regions of the cells, see region_array(); empty: none that can be read.
 VtkArray regions_of(const XmlVtkParser& parser, const Piece& piece) {
-    const auto data = piece.sections.find("CellData");
-    if (data == piece.sections.end()) return {};
     std::vector<std::string> names;
     std::vector<const ArrayText*> arrays;
-    for (const ArrayText& array : data->second) {
-        const std::string_view type = value_of(array.attributes, "type");
-        const std::string_view components = value_of(array.attributes, "NumberOfComponents");
-        if (type.starts_with("Float") || !(components.empty() || components == "0" || components == "1")) continue;
-        names.emplace_back(value_of(array.attributes, "Name"));
-        arrays.push_back(&array);
-    }
+    if (const auto data = piece.sections.find("CellData"); data != piece.sections.end())
+        for (const ArrayText& array : data->second) {
+            const std::string_view size = value_of(array.attributes, "NumberOfComponents");
+            if (value_of(array.attributes, "type").starts_with("Float") || size.size() > 1 || size > "1") continue;
+            names.emplace_back(value_of(array.attributes, "Name"));
+            arrays.push_back(&array);
+        }
     const int chosen = region_array(names);
     if (chosen < 0) return {};
-    // Values beside the geometry never make a mesh unreadable.
-    Result<VtkArray> numbers = parser.decode(*arrays[static_cast<std::size_t>(chosen)]);
-    return numbers ? std::move(*numbers) : VtkArray{};
+    const Result<VtkArray> numbers = parser.decode(*arrays[static_cast<std::size_t>(chosen)]);
+    return numbers ? *numbers : VtkArray{};  // values beside the geometry never make a mesh unreadable
 }
 
 /// Appends the points of a piece.

@@ -19,7 +19,7 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using test::BeamSpec;
 
-constexpr double gravity = 9.81, v0 = 4e-3, edge = 0.015;
+constexpr double g_m_s2 = 9.81, rubbing_m_s = 4e-3, edge = 0.015;  // gravity, regularised speed, of the cells
 
 /// A soft cube of 30 mm that nothing holds, on or above a plane through the origin, which is as stiff as a setup has
 /// it: ten times the modulus over the cell's edge.
@@ -35,17 +35,17 @@ struct Cube {
         spec.size = {0.03, 0.03, 0.03};
         spec.youngs_modulus_Pa = 1e5;
         spec.poissons_ratio = 0.45;
-        spec.gravity_m_s2 = gravity;
+        spec.gravity_m_s2 = g_m_s2;
         spec.damping_s = 0.003;
         spec.clamped = false;
-        law = {10.0 * spec.youngs_modulus_Pa / edge, 0.01 * edge, friction, v0, 0.01 * edge};
+        law = {10.0 * spec.youngs_modulus_Pa / edge, 0.01 * edge, friction, rubbing_m_s, 0.01 * edge};
         law.static_bed_Pa_m = static_bed * law.stiffness_Pa_m;
         model = test::make_beam(spec);
         model.force_elements = {model::contact(*model.body, model::free_faces(*model.body), plane, law)};
     }
 
     /// Gravity as seen on a plane that falls along x at an angle.
-    void incline(double angle) { model.gravity_m_s2 = gravity * Vector3d(std::sin(angle), 0.0, -std::cos(angle)); }
+    void incline(double angle) { model.gravity_m_s2 = g_m_s2 * Vector3d(std::sin(angle), 0.0, -std::cos(angle)); }
 
     Trace run(double h, double end, const Vector3d& velocity = Vector3d::Zero(), double above = 0.0) const {
         SimulationOptions options;
@@ -77,7 +77,7 @@ TEST_P(ObstacleContact, SlidesAndSticksOnAnInclineAsCoulombSays) {
     const double steep = 0.5, flat = 0.25;
     cube.incline(steep);
     const Trace slid = cube.run(0.005, end);
-    const double a = gravity * (std::sin(steep) - mu * std::cos(steep));
+    const double a = g_m_s2 * (std::sin(steep) - mu * std::cos(steep));
     // In the second half, where the speed is far above v0.
     const std::size_t half = slid.times_s.size() / 2;
     const double gained = (cube.mean(slid.velocities.back()) - cube.mean(slid.velocities[half])).x() /
@@ -85,12 +85,12 @@ TEST_P(ObstacleContact, SlidesAndSticksOnAnInclineAsCoulombSays) {
     test::record("sliding_error", gained - 1.0);
     EXPECT_NEAR(gained, 1.0, 2e-3);
     cube.incline(flat);
-    const double ratio = std::tan(flat) / mu, creep = v0 * ratio / std::sqrt(1.0 - ratio * ratio);
+    const double ratio = std::tan(flat) / mu, creep = rubbing_m_s * ratio / std::sqrt(1.0 - ratio * ratio);
     const Trace stuck = cube.run(0.005, end);
     const double crept = cube.mean(stuck.velocities.back()).x() / creep;
     test::record("creep_speed_error", crept - 1.0);
     EXPECT_NEAR(crept, 1.0, 0.02);
-    EXPECT_LT(creep, v0);
+    EXPECT_LT(creep, rubbing_m_s);
 }
 
 /// A cube thrown at 3 m/s passes its own length in a step of 10 ms; the plane stops it all the same, it sinks in by

@@ -47,7 +47,7 @@ experiment::Experiment bar_with(const experiment::PartDeclaration& part) {
     return experiment;
 }
 
-/// A bar clamped at x = 0 on a mesh of edges near `edge_m`.
+/// A held clamped at x = 0 on a mesh of edges near `edge_m`.
 struct Bar {
     model::Model model;
     Eigen::VectorXd end;  // shares of the end face
@@ -57,29 +57,29 @@ Bar bar_of(const experiment::Experiment& experiment, fem::ElementKind element, d
     const mesh::SurfaceMesh surface = mesh::box_surface({Vector3d::Zero(), {length, side, side}});
     const Result<BodyMesh> mesh = mesh_body(surface, {element, edge_m}, part_boxes(experiment));
     EXPECT_TRUE(mesh) << mesh.error().text();
-    Bar bar;
-    const Result<Eigen::MatrixXd> shares = part_shares(experiment, *mesh, bar.warnings);
+    Bar held;
+    const Result<Eigen::MatrixXd> shares = part_shares(experiment, *mesh, held.warnings);
     EXPECT_TRUE(shares) << shares.error().text();
     EXPECT_NEAR((shares->rowwise().sum().array() - 1.0).abs().maxCoeff(), 0.0, 1e-12);
-    bar.model.body = model::make_body(mesh->mesh, element,
-                                      mesh::nodes_in_box(mesh->mesh, {{-1.0, -1.0, -1.0}, {1e-9, 1.0, 1.0}}));
-    bar.model.material = material::find_material("neo_hookean");
-    bar.model.moduli = mixed_moduli(experiment, *shares, declared_materials(experiment, 0.0), 1.0);
-    bar.model.density_kg_m3 = experiment.material.density_kg_m3;
-    bar.model.density_factors = density_factors(experiment, *shares);
-    const mesh::SurfaceIntegral tip = mesh::surface_weights(bar.model.body->mesh, bar.model.body->boundary,
+    held.model.body = model::make_body(mesh->mesh, element,
+                                       mesh::nodes_in_box(mesh->mesh, {{-1.0, -1.0, -1.0}, {1e-9, 1.0, 1.0}}));
+    held.model.material = material::find_material("neo_hookean");
+    held.model.moduli = mixed_moduli(experiment, *shares, declared_materials(experiment, 0.0), 1.0);
+    held.model.density_kg_m3 = experiment.material.density_kg_m3;
+    held.model.density_factors = density_factors(experiment, *shares);
+    const mesh::SurfaceIntegral tip = mesh::surface_weights(held.model.body->mesh, held.model.body->boundary,
                                                             {{length, -1.0, -1.0}, {length + 1e-9, 1.0, 1.0}});
-    bar.end = tip.weight / tip.weight.sum();
+    held.end = tip.weight / tip.weight.sum();
     model::DeadForce load;
-    load.share = bar.end;
+    load.share = held.end;
     load.force_N = {0.0, 0.0, force_N};
-    bar.model.forces = {load};
-    return bar;
+    held.model.forces = {load};
+    return held;
 }
 
-double deflection(const Bar& bar) {
-    const Eigen::Matrix3Xd x = test::equilibrium(bar.model);
-    return ((x - bar.model.body->mesh.nodes) * bar.end).z();
+double deflection(const Bar& held) {
+    const Eigen::Matrix3Xd x = test::equilibrium(held.model);
+    return ((x - held.model.body->mesh.nodes) * held.end).z();
 }
 
 /// Two materials one behind the other against the beam of Timoshenko.
@@ -90,9 +90,9 @@ TEST(Parts, OneBehindTheOtherBendAsABeamOfTwoMaterials) {
     const double shear = force_N / (5.0 / 6.0 * A) * 2.0 * (1.0 + poisson) * (half / part_Pa + half / body_Pa);
     std::vector<double> errors;
     for (const fem::ElementKind element : {fem::ElementKind::hex8, fem::ElementKind::tet10}) {
-        const Bar bar = bar_of(bar_with(stiff_part(Box{{-1.0, -1.0, -1.0}, {half, 1.0, 1.0}})), element, 0.006);
-        EXPECT_TRUE(bar.warnings.empty()) << bar.warnings[0];
-        errors.push_back(deflection(bar) / (bending + shear) - 1.0);
+        const Bar held = bar_of(bar_with(stiff_part(Box{{-1.0, -1.0, -1.0}, {half, 1.0, 1.0}})), element, 0.006);
+        EXPECT_TRUE(held.warnings.empty()) << held.warnings[0];
+        errors.push_back(deflection(held) / (bending + shear) - 1.0);
         EXPECT_NEAR(errors.back(), 0.0, 0.015);
     }
     test::record("errors", errors);
@@ -106,9 +106,9 @@ TEST(Parts, OneOnTheOtherBendAsACompositeSection) {
     const double bending = force_N * std::pow(length, 3) / (3.0 * EI);
     std::vector<double> errors;
     for (const fem::ElementKind element : {fem::ElementKind::hex8, fem::ElementKind::tet10}) {
-        const Bar bar = bar_of(bar_with(stiff_part(Box{{-1.0, -1.0, -1.0}, {1.0, 1.0, side / 3.0}})), element, 0.004);
-        EXPECT_TRUE(bar.warnings.empty()) << bar.warnings[0];
-        errors.push_back(deflection(bar) / bending - 1.0);
+        const Bar held = bar_of(bar_with(stiff_part(Box{{-1.0, -1.0, -1.0}, {1.0, 1.0, side / 3.0}})), element, 0.004);
+        EXPECT_TRUE(held.warnings.empty()) << held.warnings[0];
+        errors.push_back(deflection(held) / bending - 1.0);
         EXPECT_NEAR(errors.back(), 0.01, 0.025) << "shear adds about a percent";
     }
     test::record("errors", errors);
@@ -133,26 +133,26 @@ TEST(Parts, OfASurfaceHaveMeanModuliInTheCellsThatTheyCross) {
 }
 
 TEST(Parts, HaveTheirOwnWeight) {
-    const Bar bar = bar_of(bar_with(stiff_part(Box{{-1.0, -1.0, -1.0}, {0.03, 1.0, 1.0}})), fem::ElementKind::tet10,
-                           0.006);
+    const Bar held = bar_of(bar_with(stiff_part(Box{{-1.0, -1.0, -1.0}, {0.03, 1.0, 1.0}})), fem::ElementKind::tet10,
+                            0.006);
     const double volume = length * side * side;
-    const model::MassMatrix mass = model::mass_matrix(bar.model);
+    const model::MassMatrix mass = model::mass_matrix(held.model);
     EXPECT_NEAR(mass.nodal_kg.sum(), 1000.0 * 0.75 * volume + 2000.0 * 0.25 * volume, 1e-12);
     // The centre of mass lies where the densities say.
-    const double first_moment = (bar.model.body->mesh.nodes.row(0) * mass.nodal_kg)(0);
+    const double first_moment = (held.model.body->mesh.nodes.row(0) * mass.nodal_kg)(0);
     EXPECT_NEAR(first_moment, (2000.0 * 0.03 * 0.015 + 1000.0 * 0.09 * 0.075) * side * side, 1e-12);
 }
 
 TEST(Parts, HaveTheirOwnDamping) {
     experiment::Experiment experiment = bar_with(stiff_part(Box{{-1.0, -1.0, -1.0}, {0.03, 1.0, 1.0}}));
     experiment.parts[0].damping_s = 0.02;
-    Bar bar = bar_of(experiment, fem::ElementKind::hex8, 0.006);
+    Bar held = bar_of(experiment, fem::ElementKind::hex8, 0.006);
     const mesh::SurfaceMesh surface = mesh::box_surface({Vector3d::Zero(), {length, side, side}});
     const Result<BodyMesh> mesh = mesh_body(surface, {fem::ElementKind::hex8, 0.006}, part_boxes(experiment));
-    const Eigen::MatrixXd shares = *part_shares(experiment, *mesh, bar.warnings);
-    bar.model.damping_s = 0.003;
-    bar.model.damping_excess_s = damping_excess(experiment, shares, declared_materials(experiment, 0.003));
-    const model::Stiffness stiffness = model::stiffness(bar.model);
+    const Eigen::MatrixXd shares = *part_shares(experiment, *mesh, held.warnings);
+    held.model.damping_s = 0.003;
+    held.model.damping_excess_s = damping_excess(experiment, shares, declared_materials(experiment, 0.003));
+    const model::Stiffness stiffness = model::stiffness(held.model);
     for (std::size_t c = 0; c < stiffness.viscous.size(); ++c) {
         const bool in_part = shares(static_cast<Index>(c), 1) > 0.5;
         EXPECT_NEAR(stiffness.viscous[c].mu, (in_part ? 0.02 : 0.003) * stiffness.elastic[c].mu,

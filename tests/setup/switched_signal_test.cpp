@@ -3,6 +3,7 @@
 #include "app/small_experiment.hpp"
 #include "experiment/read_experiment.hpp"
 #include "setup/setup.hpp"
+#include "support/setup_of_folder.hpp"
 
 namespace myo::setup {
 namespace {
