@@ -105,7 +105,8 @@ model::Model actuated_bar(const ActuatedBar& bar) {
 }
 
 std::string words(const ActuatedBar& bar) {
-    return bar.drive == Drive::chamber ? "finger with a chamber" : "arm with two tendons";
+    return std::string(bar.drive == Drive::chamber ? "finger with a chamber, " : "arm with two tendons, ") +
+           std::to_string(bar.cells.prod()) + " cells of the whole";
 }
 
 Box tip(const ActuatedBar& bar) {

@@ -25,8 +25,9 @@ std::string part_key(std::size_t part, const std::string& key) { return "part[" 
 
 /// Points in a cell that stand for equal parts of its volume, to first order: the middles of a grid of the reference
 /// cell.
-Matrix3Xd sample_points(const mesh::VolumeMesh& mesh, Index cell) {
-    const int n = part_policy.points_per_direction;
+///
+/// @param n  points per direction
+Matrix3Xd sample_points(const mesh::VolumeMesh& mesh, Index cell, int n) {
     const Matrix3Xd x = mesh.nodes(Eigen::all, mesh.cells.col(cell));
     std::vector<Vector3d> points;
     for (int i = 0; i < n; ++i)
@@ -57,6 +58,15 @@ Matrix3Xd sample_points(const mesh::VolumeMesh& mesh, Index cell) {
     return result;
 }
 
+/// Share of one cell within a closed surface, from points per direction.
+double share_of_points(const mesh::VolumeMesh& mesh, Index cell, const mesh::SurfaceMesh& surface, int per_direction) {
+    const Matrix3Xd points = sample_points(mesh, cell, per_direction);
+    int inside = 0;
+    for (Index p = 0; p < points.cols(); ++p)
+        if (mesh::winding_number(surface, points.col(p)) > 0.5) ++inside;
+    return static_cast<double>(inside) / static_cast<double>(points.cols());
+}
+
 /// Share of each cell within a closed surface.
 VectorXd shares_in_surface(const mesh::VolumeMesh& mesh, const mesh::SurfaceMesh& surface) {
     const Box bounds = mesh::bounding_box(surface.vertices);
@@ -66,11 +76,8 @@ VectorXd shares_in_surface(const mesh::VolumeMesh& mesh, const mesh::SurfaceMesh
         if ((x.rowwise().maxCoeff().array() <= bounds.lowest.array()).any() ||
             (x.rowwise().minCoeff().array() >= bounds.highest.array()).any())
             continue;
-        const Matrix3Xd points = sample_points(mesh, c);
-        int inside = 0;
-        for (Index p = 0; p < points.cols(); ++p)
-            if (mesh::winding_number(surface, points.col(p)) > 0.5) ++inside;
-        shares[c] = static_cast<double>(inside) / static_cast<double>(points.cols());
+        shares[c] = share_of_points(mesh, c, surface, part_policy.first_points);
+        if (shares[c] > 0.0 && shares[c] < 1.0) shares[c] = share_of_points(mesh, c, surface, part_policy.points);
     }
     return shares;
 }

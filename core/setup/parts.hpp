@@ -14,9 +14,9 @@
 namespace myo::setup {
 
 struct PartPolicy {
-    /// Points per direction of a cell at which a part given by a surface is sought: an error of the share of 2 % at
-    /// most for a flat interface.
-    int points_per_direction = 4;
+    /// Points per direction of a cell at which a part given by a surface is sought, first, and where these differ: an
+    /// error of the share of 4 % at most for a flat interface along the cell, less for an oblique one.
+    int first_points = 3, points = 12;
     double least_share = 1e-6;  // of the body's volume; below it a part holds no material
     /// Share of the cells' volume that lies in cells of mixed material, above which the error is told.
     double told_mixed = 0.02;

@@ -57,7 +57,10 @@ TEST(SyntheticCase, IsTheSameWheneverItIsDrawn) {
 TEST(SyntheticCase, ASixthHasNoEffectAndASixthADeletedOne) {
     std::map<validation::CaseKind, int> kinds;
     std::map<std::string, int> named, deleted;
-    const int cases = 6 * static_cast<int>(effect::effect_ids().size());
+    std::vector<std::string> ids = effect::effect_ids();
+    // No body of the validation has a tendon.
+    std::erase_if(ids, [](const std::string& id) { return validation::effect_draw(id).needs.tendon; });
+    const int cases = 6 * static_cast<int>(ids.size());
     for (int k = 0; k < cases; ++k) {
         const validation::SyntheticCase c = validation::drawn_case({}, k);
         ++kinds[c.kind];
@@ -67,7 +70,7 @@ TEST(SyntheticCase, ASixthHasNoEffectAndASixthADeletedOne) {
     EXPECT_EQ(kinds[validation::CaseKind::none], cases / 6);
     EXPECT_EQ(kinds[validation::CaseKind::deleted], cases / 6);
     // Four rounds of the catalogue named, one deleted: none more often than another.
-    for (const std::string& id : effect::effect_ids()) {
+    for (const std::string& id : ids) {
         EXPECT_EQ(named[id], 4) << id;
         EXPECT_EQ(deleted[id], 1) << id;
     }
