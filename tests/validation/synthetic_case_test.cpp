@@ -31,6 +31,7 @@ TEST(SyntheticCase, EveryEffectOfTheCatalogueCanBeDrawn) {
 
 TEST(SyntheticCase, EveryRequiredParameterIsDrawnWithinItsRange) {
     for (const effect::Effect& effect : effect::effect_catalogue()) {
+        if (effect.draw.needs.tendon) continue;  // no body of the validation has a tendon
         const validation::SyntheticCase c = validation::drawn_case({.seed = 1, .families = {}, .effects = {effect.id}},
                                                                    1);
         ASSERT_TRUE(c.effect) << effect.id;
