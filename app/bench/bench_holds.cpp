@@ -12,7 +12,6 @@
 namespace myo::bench {
 namespace {
 
-using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
 struct HoldsPolicy {
