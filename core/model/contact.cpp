@@ -6,8 +6,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "mesh/face_quadrature.hpp"
-#include "mesh/face_shape.hpp"
 #include "model/loaded_face.hpp"
 #include "model/one_sided.hpp"
 
@@ -18,30 +16,6 @@ using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-struct ContactPoint {
-    VectorXd shape;     // shape functions of the face nodes
-    double area = 0.0;  // [m2] rest area times weight
-};
-
-struct ContactFace : LoadedFace {
-    std::vector<ContactPoint> points;
-};
-
-std::vector<ContactFace> contact_faces(const Body& body, const std::vector<int>& faces) {
-    std::vector<ContactFace> result;
-    for (const LoadedFace& loaded : loaded_faces(body, faces)) {
-        ContactFace face{loaded, {}};
-        const auto count = static_cast<int>(face.nodes.size());
-        const Matrix3Xd X = body.mesh.nodes(Eigen::all, face.nodes);
-        for (const mesh::FacePoint& point : mesh::face_quadrature(count)) {
-            const Eigen::Matrix<double, 3, 2> T = X * mesh::face_shape_gradient(count, point.uv);
-            face.points.push_back({mesh::face_shape(count, point.uv), point.weight * T.col(0).cross(T.col(1)).norm()});
-        }
-        result.push_back(std::move(face));
-    }
-    return result;
-}
 
 /// Speed of sliding and how friction takes it.
 struct Sliding {
@@ -61,12 +35,12 @@ struct Touch {
 /// See contact().
 class Contact : public ForceElement {
 public:
-    Contact(std::shared_ptr<const std::vector<ContactFace>> faces, DistanceField obstacle, const ContactLaw& law)
+    Contact(std::shared_ptr<const std::vector<SampledFace>> faces, DistanceField obstacle, const ContactLaw& law)
         : faces_(std::move(faces)), obstacle_(std::move(obstacle)), law_(law) {}
 
     void add(const Body& body, const ForceState& at, HessianKind kind, InternalEnergy& out) const override {
         if (!at.v && law_.static_bed_Pa_m > 0.0) add_bed(body, at, kind, out);
-        for_each_touch(body, at, [&](const ContactFace& face, const ContactPoint& point, const Touch& t) {
+        for_each_touch(body, at, [&](const SampledFace& face, const SampledPoint& point, const Touch& t) {
             const double k = point.area * law_.stiffness_Pa_m, normal_N = k * t.pressed.slope;
             out.energy += k * t.pressed.value;
             add_force(face, point, normal_N * (law_.friction * t.slide.direction - t.gap.normal), out.gradient);
@@ -83,7 +57,7 @@ public:
     void add_velocity_tangent(const Body& body, const ForceState& at, const Matrix3Xd& dv,
                               Matrix3Xd& gradient) const override {
         if (!at.v || law_.friction == 0.0) return;
-        for_each_touch(body, at, [&](const ContactFace& face, const ContactPoint& point, const Touch& t) {
+        for_each_touch(body, at, [&](const SampledFace& face, const SampledPoint& point, const Touch& t) {
             const Vector3d du = dv(Eigen::all, face.nodes) * point.shape;
             add_force(face, point, friction_N(point, t) * by_velocity(t) * du, gradient);
         });
@@ -93,14 +67,14 @@ public:
     void add_unsymmetric_tangent(const Body& body, const ForceState& at, const Matrix3Xd& dx,
                                  Matrix3Xd& gradient) const override {
         if (law_.friction == 0.0) return;
-        for_each_touch(body, at, [&](const ContactFace& face, const ContactPoint& point, const Touch& t) {
+        for_each_touch(body, at, [&](const SampledFace& face, const SampledPoint& point, const Touch& t) {
             add_force(face, point, by_position(point, t) * (dx(Eigen::all, face.nodes) * point.shape), gradient);
         });
     }
     void add_unsymmetric_pull(const Body& body, const ForceState& at, const Matrix3Xd& p,
                               Matrix3Xd& by_x) const override {
         if (law_.friction == 0.0) return;
-        for_each_touch(body, at, [&](const ContactFace& face, const ContactPoint& point, const Touch& t) {
+        for_each_touch(body, at, [&](const SampledFace& face, const SampledPoint& point, const Touch& t) {
             add_force(face, point, by_position(point, t).transpose() * (p(Eigen::all, face.nodes) * point.shape), by_x);
         });
     }
@@ -117,14 +91,14 @@ public:
     void add_tangent(const Body& body, const ForceState& at, const VectorXd& change,
                      Matrix3Xd& gradient) const override {
         if (change.size() == 0) return;
-        for_each_touch(body, at, [&](const ContactFace& face, const ContactPoint& point, const Touch& t) {
+        for_each_touch(body, at, [&](const SampledFace& face, const SampledPoint& point, const Touch& t) {
             const double normal_N = point.area * law_.stiffness_Pa_m * t.pressed.slope;
             add_force(face, point, change(0) * normal_N * t.slide.direction, gradient);
         });
     }
 
 private:
-    double friction_N(const ContactPoint& point, const Touch& t) const {
+    double friction_N(const SampledPoint& point, const Touch& t) const {
         return law_.friction * point.area * law_.stiffness_Pa_m * t.pressed.slope;
     }
     /// Derivative of the direction of friction by the point's velocity; positive semidefinite.
@@ -134,7 +108,7 @@ private:
                t.slide.speed;
     }
     /// Derivative of friction by the point's position at fixed velocity: the normal force and the normal change.
-    Matrix3d by_position(const ContactPoint& point, const Touch& t) const {
+    Matrix3d by_position(const SampledPoint& point, const Touch& t) const {
         const Vector3d &n = t.gap.normal, &v = t.slide.velocity, &w = t.slide.direction;
         const Matrix3d& C = t.gap.curvature_1_m;
         const Matrix3d turned = (Matrix3d::Identity() - w * w.transpose()) / t.slide.speed *
@@ -143,7 +117,7 @@ private:
                (t.pressed.second * w * n.transpose() + t.pressed.slope * turned);
     }
 
-    Sliding sliding(const Body& body, const ForceState& at, const ContactFace& face, const ContactPoint& point,
+    Sliding sliding(const Body& body, const ForceState& at, const SampledFace& face, const SampledPoint& point,
                     const Vector3d& normal) const {
         Sliding slide;
         if (law_.friction == 0.0) return slide;
@@ -160,16 +134,16 @@ private:
         return slide;
     }
 
-    static Vector3d moved(const Body& body, const ForceState& at, const ContactFace& face, const ContactPoint& point) {
+    static Vector3d moved(const Body& body, const ForceState& at, const SampledFace& face, const SampledPoint& point) {
         return (at.x(Eigen::all, face.nodes) - body.mesh.nodes(Eigen::all, face.nodes)) * point.shape;
     }
 
     /// Calls visit(face, point, touch) for all quadrature points inside the obstacle.
     template <class Visit>
     void for_each_touch(const Body& body, const ForceState& at, const Visit& visit) const {
-        for (const ContactFace& face : *faces_) {
+        for (const SampledFace& face : *faces_) {
             const Matrix3Xd x = at.x(Eigen::all, face.nodes);
-            for (const ContactPoint& point : face.points) {
+            for (const SampledPoint& point : face.points) {
                 Touch touch;
                 touch.gap = obstacle_(x * point.shape);
                 if (!(touch.gap.distance_m < 0.0)) continue;
@@ -181,8 +155,8 @@ private:
     }
 
     void add_bed(const Body& body, const ForceState& at, HessianKind kind, InternalEnergy& out) const {
-        for (const ContactFace& face : *faces_)
-            for (const ContactPoint& point : face.points) {
+        for (const SampledFace& face : *faces_)
+            for (const SampledPoint& point : face.points) {
                 const double k = law_.static_bed_Pa_m * point.area;
                 const Vector3d u = moved(body, at, face, point);
                 out.energy += 0.5 * k * u.squaredNorm();
@@ -191,19 +165,19 @@ private:
             }
     }
 
-    static void add_hessian(const Body& body, const ContactFace& face, const ContactPoint& point, const Matrix3d& H,
+    static void add_hessian(const Body& body, const SampledFace& face, const SampledPoint& point, const Matrix3d& H,
                             InternalEnergy& out) {
         add_face_hessian(body, face, out.hessian, [&](std::size_t a, std::size_t b) {
             return Matrix3d(point.shape(static_cast<Eigen::Index>(a)) * point.shape(static_cast<Eigen::Index>(b)) * H);
         });
     }
-    static void add_force(const ContactFace& face, const ContactPoint& point, const Vector3d& force,
+    static void add_force(const SampledFace& face, const SampledPoint& point, const Vector3d& force,
                           Matrix3Xd& gradient) {
         for (std::size_t a = 0; a < face.nodes.size(); ++a)
             gradient.col(face.nodes[a]) += point.shape(static_cast<Eigen::Index>(a)) * force;
     }
 
-    std::shared_ptr<const std::vector<ContactFace>> faces_;
+    std::shared_ptr<const std::vector<SampledFace>> faces_;
     DistanceField obstacle_;
     ContactLaw law_;
 };
@@ -213,15 +187,15 @@ private:
 ForceElementPointer contact(const Body& body, const std::vector<int>& faces, const DistanceField& obstacle,
                             const ContactLaw& law) {
     assert(law.stiffness_Pa_m > 0.0 && law.onset_m > 0.0 && law.v0_m_s > 0.0 && law.static_slip_m > 0.0);
-    return std::make_shared<Contact>(std::make_shared<const std::vector<ContactFace>>(contact_faces(body, faces)),
+    return std::make_shared<Contact>(std::make_shared<const std::vector<SampledFace>>(sampled_faces(body, faces)),
                                      obstacle, law);
 }
 
 double deepest_penetration(const Body& body, const std::vector<int>& faces, const DistanceField& obstacle,
                            const Matrix3Xd& x) {
     double deepest = 0.0;
-    for (const ContactFace& face : contact_faces(body, faces))
-        for (const ContactPoint& point : face.points)
+    for (const SampledFace& face : sampled_faces(body, faces))
+        for (const SampledPoint& point : face.points)
             deepest = std::max(deepest, -obstacle(x(Eigen::all, face.nodes) * point.shape).distance_m);
     return deepest;
 }

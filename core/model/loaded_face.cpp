@@ -1,6 +1,12 @@
 #include "model/loaded_face.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <utility>
+
+#include "mesh/face_quadrature.hpp"
+#include "mesh/face_shape.hpp"
 
 namespace myo::model {
 
@@ -19,6 +25,21 @@ std::vector<LoadedFace> loaded_faces(const Body& body, const std::vector<int>& f
         loaded.push_back(loaded_nodes(body, body.boundary.cell(f), {nodes.begin(), nodes.end()}));
     }
     return loaded;
+}
+
+std::vector<SampledFace> sampled_faces(const Body& body, const std::vector<int>& faces) {
+    std::vector<SampledFace> sampled;
+    for (const LoadedFace& loaded : loaded_faces(body, faces)) {
+        SampledFace face{loaded, {}};
+        const auto count = static_cast<int>(face.nodes.size());
+        const Eigen::Matrix3Xd X = body.mesh.nodes(Eigen::all, face.nodes);
+        for (const mesh::FacePoint& point : mesh::face_quadrature(count)) {
+            const Eigen::Matrix<double, 3, 2> T = X * mesh::face_shape_gradient(count, point.uv);
+            face.points.push_back({mesh::face_shape(count, point.uv), point.weight * T.col(0).cross(T.col(1)).norm()});
+        }
+        sampled.push_back(std::move(face));
+    }
+    return sampled;
 }
 
 std::vector<int> faces_of_nodes(const Body& body, const std::vector<int>& nodes) {

@@ -19,6 +19,18 @@ struct LoadedFace {
 /// @param faces  columns of Body::boundary
 std::vector<LoadedFace> loaded_faces(const Body& body, const std::vector<int>& faces);
 
+/// Quadrature point of a face.
+struct SampledPoint {
+    Eigen::VectorXd shape;  // shape functions of the face nodes
+    double area = 0.0;      // [m2] rest area times weight
+};
+/// Loaded face with its quadrature points.
+struct SampledFace : LoadedFace {
+    std::vector<SampledPoint> points;
+};
+/// loaded_faces() with their quadrature points.
+std::vector<SampledFace> sampled_faces(const Body& body, const std::vector<int>& faces);
+
 /// Nodes of one cell, on its surface or not, as the carriers of a force at a point.
 LoadedFace loaded_nodes(const Body& body, int cell, const std::vector<int>& nodes);
 

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/face_quadrature.hpp"
-#include "mesh/face_shape.hpp"
 #include "model/loaded_face.hpp"
 
 namespace myo::model {
@@ -17,28 +15,18 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Quadrature point of a wetted face.
-struct DragPoint {
-    VectorXd shape;     // shape functions of the face nodes
-    double area = 0.0;  // [m2] rest area times weight
-};
-
-struct DragFace : LoadedFace {
-    std::vector<DragPoint> points;
-};
-
 /// See surface_drag().
 class SurfaceDrag : public ForceElement {
 public:
-    SurfaceDrag(std::shared_ptr<const std::vector<DragFace>> faces, double linear, double quadratic)
+    SurfaceDrag(std::shared_ptr<const std::vector<SampledFace>> faces, double linear, double quadratic)
         : faces_(std::move(faces)), linear_(linear), quadratic_(quadratic) {}
 
     void add(const Body& body, const ForceState& at, HessianKind kind, InternalEnergy& out) const override {
         if (!at.v) return;
         const double factor = at.velocity_factor_1_s;
-        for (const DragFace& face : *faces_) {
+        for (const SampledFace& face : *faces_) {
             const Matrix3Xd v = (*at.v)(Eigen::all, face.nodes);
-            for (const DragPoint& point : face.points) {
+            for (const SampledPoint& point : face.points) {
                 const Vector3d u = v * point.shape;
                 const double speed = u.norm();
                 // The potential exists only for a given velocity_factor; at 0 (statics) the force has no Hessian in x.
@@ -59,7 +47,7 @@ public:
     bool depends_on_velocity() const override { return true; }
     void add_velocity_tangent(const Body&, const ForceState& at, const Matrix3Xd& dv,
                               Matrix3Xd& gradient) const override {
-        for_each_point(at, [&](const DragFace& face, const DragPoint& point, const Vector3d& u) {
+        for_each_point(at, [&](const SampledFace& face, const SampledPoint& point, const Vector3d& u) {
             const Vector3d du = dv(Eigen::all, face.nodes) * point.shape;
             add_force(face, point, point.area * by_velocity(u) * du, gradient);
         });
@@ -73,7 +61,7 @@ public:
         return std::make_shared<SurfaceDrag>(faces_, values(0), values(1));
     }
     void add_tangent(const Body&, const ForceState& at, const VectorXd& change, Matrix3Xd& gradient) const override {
-        for_each_point(at, [&](const DragFace& face, const DragPoint& point, const Vector3d& u) {
+        for_each_point(at, [&](const SampledFace& face, const SampledPoint& point, const Vector3d& u) {
             add_force(face, point, point.area * (change(0) + change(1) * u.norm()) * u, gradient);
         });
     }
@@ -89,7 +77,8 @@ private:
     }
 
     // Distributes a force at a quadrature point to the nodes of its face.
-    static void add_force(const DragFace& face, const DragPoint& point, const Vector3d& force, Matrix3Xd& gradient) {
+    static void add_force(const SampledFace& face, const SampledPoint& point, const Vector3d& force,
+                          Matrix3Xd& gradient) {
         for (std::size_t a = 0; a < face.nodes.size(); ++a)
             gradient.col(face.nodes[a]) += point.shape(static_cast<Eigen::Index>(a)) * force;
     }
@@ -98,13 +87,13 @@ private:
     template <class Visit>
     void for_each_point(const ForceState& at, const Visit& visit) const {
         if (!at.v) return;
-        for (const DragFace& face : *faces_) {
+        for (const SampledFace& face : *faces_) {
             const Matrix3Xd v = (*at.v)(Eigen::all, face.nodes);
-            for (const DragPoint& point : face.points) visit(face, point, Vector3d(v * point.shape));
+            for (const SampledPoint& point : face.points) visit(face, point, Vector3d(v * point.shape));
         }
     }
 
-    std::shared_ptr<const std::vector<DragFace>> faces_;
+    std::shared_ptr<const std::vector<SampledFace>> faces_;
     double linear_, quadratic_;
 };
 
@@ -112,17 +101,7 @@ private:
 
 ForceElementPointer surface_drag(const Body& body, const std::vector<int>& faces, double linear_Pa_s_m,
                                  double quadratic_kg_m3) {
-    auto wetted = std::make_shared<std::vector<DragFace>>();
-    for (const LoadedFace& loaded : loaded_faces(body, faces)) {
-        DragFace face{loaded, {}};
-        const auto count = static_cast<int>(face.nodes.size());
-        const Matrix3Xd X = body.mesh.nodes(Eigen::all, face.nodes);
-        for (const mesh::FacePoint& point : mesh::face_quadrature(count)) {
-            const Eigen::Matrix<double, 3, 2> T = X * mesh::face_shape_gradient(count, point.uv);
-            face.points.push_back({mesh::face_shape(count, point.uv), point.weight * T.col(0).cross(T.col(1)).norm()});
-        }
-        wetted->push_back(std::move(face));
-    }
+    auto wetted = std::make_shared<const std::vector<SampledFace>>(sampled_faces(body, faces));
     return std::make_shared<SurfaceDrag>(wetted, linear_Pa_s_m, quadratic_kg_m3);
 }
 
