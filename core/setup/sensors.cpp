@@ -54,33 +54,31 @@ VectorXd interpolated(const std::vector<double>& time_s, const std::vector<doubl
     return result;
 }
 
-/// External force on the body but for its support, and the momentum, as sums over the body.
-struct WholeBody {
-    Vector3d force_N, momentum_kg_m_s;
-};
-WholeBody whole_body(const model::Model& model, const Matrix3Xd& x, const Matrix3Xd& v, double t) {
-    const model::MassMatrix mass = model::mass_matrix(model, t);
-    const Matrix3Xd Mv = model::times_mass(v, mass);
-    WholeBody sums{
-        model::external_forces(model, mass, t).rowwise().sum() + model.velocity_force_1_s * Mv.rowwise().sum(),
-        Mv.rowwise().sum()};
+/// External force on the body but for that of its support, summed over the body.
+Vector3d external_force(const model::Model& model, const model::MassMatrix& mass, const Matrix3Xd& x,
+                        const Matrix3Xd& v, double t) {
+    Vector3d sum = model::external_forces(model, mass, t).rowwise().sum() +
+                   model.velocity_force_1_s * model::times_mass(v, mass).rowwise().sum();
     for (const model::ForceElementPointer& element : model.force_elements) {
         if (model::is_elastic_bed(*element)) continue;  // it is the support
         model::InternalEnergy out;
         out.gradient = Matrix3Xd::Zero(3, x.cols());
         element->add(*model.body, {x, &v, 0.0, t, false}, model::HessianKind::none, out);
-        sums.force_N -= out.gradient.rowwise().sum();
+        sum -= out.gradient.rowwise().sum();
     }
-    return sums;
+    return sum;
 }
 
 /// Component of the reaction over a run: at its start for a pose at rest, else in the middle of every step.
 void reaction(const model::Model& model, const dynamics::Trace& trace, int axis, std::vector<double>& time_s,
               std::vector<double>& values) {
+    const std::vector<model::MassSpan> masses = model::mass_spans(model);
+    const auto mass_at = [&](double t) -> const model::MassMatrix& { return masses[model::span_at(masses, t)].mass; };
     const Matrix3Xd rest = Matrix3Xd::Zero(3, trace.positions.front().cols());
     if (trace.times_s.size() == 1) {
         time_s.push_back(trace.times_s[0]);
-        values.push_back(-whole_body(model, trace.positions[0], rest, trace.times_s[0]).force_N[axis]);
+        const double t = trace.times_s[0];
+        values.push_back(-external_force(model, mass_at(t), trace.positions[0], rest, t)[axis]);
         return;
     }
     for (std::size_t k = 0; k + 1 < trace.times_s.size(); ++k) {
@@ -90,9 +88,10 @@ void reaction(const model::Model& model, const dynamics::Trace& trace, int axis,
         const Matrix3Xd x = 0.5 * (trace.positions[k] + trace.positions[k + 1]);
         const Matrix3Xd v = 0.5 * (trace.velocities[k] + trace.velocities[k + 1]);
         const Matrix3Xd change = trace.velocities[k + 1] - trace.velocities[k];
-        const Vector3d rate = whole_body(model, x, change, middle).momentum_kg_m_s / h;
+        const model::MassMatrix& mass = mass_at(middle);
+        const Vector3d rate = model::times_mass(change, mass).rowwise().sum() / h;
         time_s.push_back(middle);
-        values.push_back((rate - whole_body(model, x, v, middle).force_N)[axis]);
+        values.push_back((rate - external_force(model, mass, x, v, middle))[axis]);
     }
 }
 
