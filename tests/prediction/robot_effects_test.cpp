@@ -51,12 +51,7 @@ setup::Setup tendon_beam(const test::Folder& folder, double friction,
     return test::chambered_beam(folder, 0.1, [&](Experiment& e) {
         e.chambers.clear();
         e.effects = effects;
-        experiment::TendonDeclaration tendon;
-        tendon.name = "upper";
-        tendon.path_m.resize(3, 4);
-        tendon.path_m << 0.0, 0.03, 0.06, 0.095,  //
-            0.015, 0.015, 0.015, 0.015,           //
-            0.028, 0.014, 0.028, 0.014;
+        experiment::TendonDeclaration tendon = test::upper_tendon({0.028, 0.014, 0.028, 0.014});
         tendon.friction = friction;
         e.tendons = {tendon};
         e.trials[0].hold = true;

@@ -85,12 +85,7 @@ TEST(Sensors, SeeTheVolumeOfAChamber) {
 setup::Setup tendon_beam(const test::Folder& folder, experiment::TendonDrive drive, double command, SensorKind kind) {
     return test::chambered_beam(folder, 0.1, [&](Experiment& e) {
         e.chambers.clear();
-        experiment::TendonDeclaration tendon;
-        tendon.name = "upper";
-        tendon.path_m.resize(3, 4);
-        tendon.path_m << 0.0, 0.03, 0.06, 0.095,  //
-            0.015, 0.015, 0.015, 0.015,           //
-            0.028, 0.028, 0.028, 0.028;
+        experiment::TendonDeclaration tendon = test::upper_tendon();
         tendon.drive = drive;
         e.tendons = {tendon};
         e.trials[0].hold = true;

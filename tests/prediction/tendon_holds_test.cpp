@@ -14,12 +14,7 @@ using experiment::Experiment;
 setup::Setup held_beam(const test::Folder& folder, experiment::TendonDrive drive, double command) {
     return test::chambered_beam(folder, 0.1, [&](Experiment& e) {
         e.chambers.clear();
-        experiment::TendonDeclaration tendon;
-        tendon.name = "upper";
-        tendon.path_m.resize(3, 4);
-        tendon.path_m << 0.0, 0.03, 0.06, 0.095,  //
-            0.015, 0.015, 0.015, 0.015,           //
-            0.028, 0.028, 0.028, 0.028;
+        experiment::TendonDeclaration tendon = test::upper_tendon();
         tendon.drive = drive;
         tendon.friction = 0.2;
         e.tendons = {tendon};

@@ -102,40 +102,33 @@ INSTANTIATE_TEST_SUITE_P(
         MemoryCase{fem::ElementKind::hex8_mean_dilatation, dynamics::Integrator::tr_bdf2, straight, true, true},
         MemoryCase{fem::ElementKind::hex8, dynamics::Integrator::generalized_alpha, straight, true, true}));
 
+/// The derivative by the modulus, by the adjoint and by the tangents.
+void expect_derivative_by_modulus(const model::Model& model, dynamics::StartKind start, double bound) {
+    dynamics::SimulationOptions options = test::short_run(dynamics::Integrator::tr_bdf2, start);
+    options.solver.tangent_tolerance = 1e-13;
+    const LossOfMotion loss = test::rough_loss(model);
+    AdjointOptions adjoint;
+    adjoint.tolerance = 1e-13;
+    const GradientRun run = simulate_with_gradient(model, options, loss, adjoint);
+    ASSERT_TRUE(run.complete()) << run.message;
+    const SensitiveTrace tangents = simulate_with_tangents(model, options, {youngs_modulus_tangent(model, 2.6e5)},
+                                                           loss.nodes);
+    EXPECT_NEAR(young_gradient(model, run.gradient).youngs_modulus_Pa /
+                    test::along(loss.evaluate(run.motion), tangents.tangents[0]),
+                1.0, bound);
+}
+
 /// Without damping only the branch is viscous.
 TEST(MemoryAdjoint, KnowsCreepWithoutDamping) {
     model::Model model = remembering_beam({fem::ElementKind::hex8, {}, straight, true});
     model.damping_s = 0.0;
-    dynamics::SimulationOptions options = test::short_run(dynamics::Integrator::tr_bdf2, straight);
-    options.solver.tangent_tolerance = 1e-13;
-    const LossOfMotion loss = test::rough_loss(model);
-    AdjointOptions adjoint;
-    adjoint.tolerance = 1e-13;
-    const GradientRun run = simulate_with_gradient(model, options, loss, adjoint);
-    ASSERT_TRUE(run.complete()) << run.message;
-    const SensitiveTrace tangents = simulate_with_tangents(model, options, {youngs_modulus_tangent(model, 2.6e5)},
-                                                           loss.nodes);
-    EXPECT_NEAR(young_gradient(model, run.gradient).youngs_modulus_Pa /
-                    test::along(loss.evaluate(run.motion), tangents.tangents[0]),
-                1.0, 1e-8);
+    expect_derivative_by_modulus(model, straight, 1e-8);
 }
 
-/// The start equilibrium softens the body, and depends on that itself.
+/// The start equilibrium softens the body, and depends on that itself. The tangent of the start is iterated to 1e-9.
 TEST(MemoryAdjoint, KnowsASofteningStart) {
-    const model::Model model = remembering_beam({fem::ElementKind::hex8, {}, equilibrium, true, true});
-    dynamics::SimulationOptions options = test::short_run(dynamics::Integrator::tr_bdf2, equilibrium);
-    options.solver.tangent_tolerance = 1e-13;
-    const LossOfMotion loss = test::rough_loss(model);
-    AdjointOptions adjoint;
-    adjoint.tolerance = 1e-13;
-    const GradientRun run = simulate_with_gradient(model, options, loss, adjoint);
-    ASSERT_TRUE(run.complete()) << run.message;
-    const SensitiveTrace tangents = simulate_with_tangents(model, options, {youngs_modulus_tangent(model, 2.6e5)},
-                                                           loss.nodes);
-    // The tangent of the start is iterated to 1e-9.
-    EXPECT_NEAR(young_gradient(model, run.gradient).youngs_modulus_Pa /
-                    test::along(loss.evaluate(run.motion), tangents.tangents[0]),
-                1.0, 1e-7);
+    expect_derivative_by_modulus(remembering_beam({fem::ElementKind::hex8, {}, equilibrium, true, true}), equilibrium,
+                                 1e-7);
 }
 
 /// The backward pass repeats parts of the run, and with them what the body remembers.

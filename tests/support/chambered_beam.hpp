@@ -31,6 +31,20 @@ inline std::string hollow_box_stl(const Box& outer, const std::vector<Box>& cavi
     return text + "endsolid body\n";
 }
 
+/// Tendon "upper" above the axis of the swung beam, with four guides; the first stands still in the clamp.
+///
+/// @param height_m  of the guides
+inline experiment::TendonDeclaration upper_tendon(
+    const Eigen::RowVector4d& height_m = Eigen::RowVector4d::Constant(0.028)) {
+    experiment::TendonDeclaration tendon;
+    tendon.name = "upper";
+    tendon.path_m.resize(3, 4);
+    tendon.path_m.row(0) << 0.0, 0.03, 0.06, 0.095;
+    tendon.path_m.row(1).setConstant(0.015);
+    tendon.path_m.row(2) = height_m;
+    return tendon;
+}
+
 /// The swung beam with a chamber "upper" of 70 x 18 x 8 mm above its middle. Its pressure is 0 until a trial names it.
 /// Not read from a file: `change` may alter the experiment before it is prepared.
 template <class Change>
