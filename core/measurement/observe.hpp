@@ -24,13 +24,6 @@ MarkerSet marker_set(const mesh::VolumeMesh& mesh, const std::vector<Eigen::Vect
 /// The markers where they really sit: those of the error's places are bound there, the others as declared.
 MarkerSet seen_markers(const MarkerSet& declared, const ObservationError& error);
 
-/// Derivative of the position of a marker by its place on the body at rest: the deformation gradient there.
-///
-/// @param x  positions of the binding's nodes, 3 x nodes [m]
-inline Eigen::Matrix3d place_tangent(const MarkerBinding& binding, const Eigen::Matrix3Xd& x) {
-    return x * binding.gradient;
-}
-
 /// Marker motion at given times.
 struct MarkerTracks {
     std::vector<Eigen::Matrix3Xd> positions;   // per marker, 3 x T [m]

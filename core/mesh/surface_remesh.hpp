@@ -15,8 +15,8 @@ struct RemeshPolicy {
     double max_deviation = 0.2;       // of the edge asked for; a round of this radius takes 4 edges
     double line_share = 0.5;          // of the deviation, by which edges may lie off sharp edges that are bent
     double max_volume_change = 0.01;  // relative, as in mesh_quality()
-    /// Of the edge asked for, the first size tried: the cells that TetGen makes behind a round are a third shorter than
-    /// its triangles.
+    /// First size tried, relative to the edge asked for: the cells that TetGen makes behind a round are a third shorter
+    /// than its triangles.
     double first_size = 1.2;
     double size_step = 0.84;           // from size to size while the deviation is too large: 0.7 of the area
     int sizes = 9;                     // tried; the last is 0.3 of the edge asked for

@@ -22,7 +22,7 @@ struct AdjointStepPolicy {
     /// Iterations per solve to 1e-6 on the beam with 4, 8, 12 solutions: 1.5, 1.0, 0.9 (Euler), 3.1, 2.1, 1.7
     /// (TR-BDF2); with cubic extrapolation of four: 2.9, 3.9.
     Eigen::Index most = 8;
-    /// Of the start equilibrium of a softening body, whose derivative is a fixed point as in TangentRunPolicy.
+    /// The derivative of the start equilibrium of a softening body is a fixed point, as in TangentRunPolicy.
     int max_softening_rounds = 200;
     double softening_tolerance = 1e-12;
 };
