@@ -79,6 +79,9 @@ struct SystematicRms {
 /// Extrapolates the autocovariance at lags 1 and 2 to lag 0 by an even parabola. White noise drops out regardless of
 /// its variance; components slow compared with two samples remain. Components faster than about a tenth of the frame
 /// rate are underestimated.
+///
+/// Series of a single sample, such as the mean measurement of a pose at rest, have no lags: their mean square beyond
+/// that of the stated noise counts. Both estimates are weighted by their entries.
 SystematicRms systematic_rms(const Eigen::VectorXd& r, const ResidualLayout& layout);
 
 /// Settings of test_residuals().

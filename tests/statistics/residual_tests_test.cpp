@@ -165,6 +165,24 @@ TEST(ResidualTests, SystematicRmsHasTheStatedDeviation) {
     }
 }
 
+TEST(ResidualTests, SystematicPartOfPosesIsWhatExceedsTheStatedNoise) {
+    const ResidualLayout layout = make_layout({.trials = 12, .markers = 4, .samples = 1});
+    std::mt19937 random(5);
+    for (const double size : {0.0, 1.0, 8.0}) {
+        const Eigen::VectorXd pattern = size * white(layout.size(), random);
+        const double truth = pattern.squaredNorm() / static_cast<double>(pattern.size());
+        double error = 0.0, squares = 0.0, stated = 0.0;
+        for (int k = 0; k < white_draws; ++k) {
+            const SystematicRms rms = systematic_rms(pattern + white(layout.size(), random), layout);
+            error += (rms.mean_square - truth) / white_draws;
+            squares += std::pow(rms.mean_square - truth, 2) / white_draws;
+            stated += std::pow(rms.mean_square_deviation, 2) / white_draws;
+        }
+        EXPECT_NEAR(error, 0.0, 4.0 * std::sqrt(squares / white_draws)) << size;
+        EXPECT_NEAR(squares / stated, 1.0, 0.3) << size;
+    }
+}
+
 TEST(ResidualTests, SurviveWhatIsTooLittle) {
     EXPECT_FALSE(test_residuals(Eigen::VectorXd(), {}, 0).significant());
     for (const int samples : {1, 2, 3, 5}) {
