@@ -10,6 +10,7 @@
 #include "base/text.hpp"
 #include "calibration/values_at_bounds.hpp"
 #include "prediction/predict_trials.hpp"
+#include "prediction/runnable_start.hpp"
 #include "prediction/weighted_residuals.hpp"
 
 namespace myo::calibration {
@@ -55,6 +56,8 @@ public:
           parameters_(parameters),
           trials_(prediction::trials_with_role(setup, experiment::TrialRole::fit)),
           declared_(prediction::declared_values(setup)) {}
+
+    const std::vector<std::size_t>& trials() const { return trials_; }
 
     prediction::ParameterValues values_at(const Eigen::VectorXd& p) const {
         prediction::ParameterValues values = declared_;
@@ -307,6 +310,13 @@ Calibration calibrate(const setup::Setup& setup, const CalibrationSettings& sett
         inverse::LeastSquaresOptions options;
         options.max_evaluations = settings.max_evaluations;
         inverse::LeastSquaresReport fit = inverse::fit_least_squares(parameters, residuals, jacobian, options, inner);
+        if (s == 0 && fit.status == inverse::FitStatus::failed)
+            if (const auto start = prediction::runnable_start(setup, runs.values_at(fit.start), result.parameters,
+                                                              runs.trials(), inner)) {
+                for (std::size_t i = 0; i < parameters.size(); ++i)
+                    parameters[i].value = prediction::value_of(result.parameters[i], *start);
+                fit = inverse::fit_least_squares(parameters, residuals, jacobian, options, inner);
+            }
         done += static_cast<double>(fit.history.size());
         // Without influence on the data, a random start of such a parameter would only add noise to the comparison.
         if (s == 0)

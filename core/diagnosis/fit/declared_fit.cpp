@@ -6,6 +6,7 @@
 #include "diagnosis/discretisation/refinement.hpp"
 #include "diagnosis/fit/stored_fit.hpp"
 #include "prediction/predict_trials.hpp"
+#include "prediction/runnable_start.hpp"
 
 namespace myo::diagnosis {
 namespace {
@@ -50,6 +51,13 @@ DeclaredFit fit_declared(const setup::Setup& setup, const DiagnoseSettings& sett
                                EffectFreedom::all, settings.policy.declared.effort},
                               store, log);
     if (log.cancelled()) return result;
+    if (!fit.usable())
+        if (const auto start = prediction::runnable_start(result.setup, prediction::declared_values(result.setup),
+                                                          fit.parameters, result.data.trials, log.progress()))
+            fit = logged_fit("declared fit",
+                             {result.setup, result.data, *start, settings.policy, EffectFreedom::all,
+                              settings.policy.declared.effort},
+                             store, log);
     if (!fit.usable()) {
         result.failure = "the declared model cannot be run: " + fit.report.message;
         return result;
