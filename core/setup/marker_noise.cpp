@@ -43,6 +43,12 @@ void set_estimated_noise(const std::vector<measurement::Recording>& recordings, 
         setup.warnings.push_back(
             "markers.noise_m: not declared and not to be estimated from the traces; 0.1 mm is assumed");
     setup.noise_m.resize(count);
+    // A pose at rest still sways, most where the body is free; the cameras see all markers alike. Weights by the sway
+    // of each marker would let those near the support dominate the fit.
+    if (poses) {
+        setup.noise_m.setConstant(std::max(typical, rounded_m));
+        return;
+    }
     // Half the typical noise as a floor: a single marker with a too small estimate would dominate the fit.
     for (Eigen::Index m = 0; m < count; ++m)
         setup.noise_m(m) = std::max(
