@@ -1,0 +1,135 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+#include "base/text.hpp"
+#include "check/checks.hpp"
+#include "fem/material_point.hpp"
+#include "mesh/volume_mesh.hpp"
+
+namespace myo::check {
+namespace {
+
+using Eigen::Matrix3Xd;
+using Eigen::Vector3d;
+
+struct TendonLegsPolicy {
+    /// Part of its lever arm that a leg loses at its middle. The mean over a leg in an arc is two thirds of that, and
+    /// with it the bending moment: 10 % too little.
+    double max_lost = 0.15;
+    /// Number of states that are looked at in a trial.
+    std::size_t max_states = 100;
+    /// Half thickness of the slice of the body around the middle of a leg, whose centroid the lever arm is measured
+    /// from, over the length of the leg.
+    double slice = 0.5;
+};
+constexpr TendonLegsPolicy tendon_legs_policy;
+
+/// Two neighbouring guides that move with the body, and the material between them.
+struct Leg {
+    std::size_t first_guide = 0;
+    const fem::MaterialPoint* ends[2] = {nullptr, nullptr};
+    fem::MaterialPoint middle;  // of the straight leg at rest
+    double length_m = 0.0;      // at rest
+    double lever_m = 0.0;       // from the middle of the leg to the middle of the body, across the leg
+};
+
+Vector3d position(const fem::MaterialPoint& point, const Matrix3Xd& x) {
+    return x(Eigen::all, point.nodes) * point.weights;
+}
+
+/// Centroid of the cells around the middle of a leg, within `half_m` along it; the middle itself if there are none.
+Vector3d centroid_of_slice(const mesh::VolumeMesh& mesh, const Vector3d& middle, const Vector3d& along, double half_m) {
+    const Eigen::VectorXd volumes = mesh::cell_volumes(mesh);
+    Vector3d sum = Vector3d::Zero();
+    double volume = 0.0;
+    for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
+        const Vector3d centre = mesh.nodes(Eigen::all, mesh.cells.col(c)).rowwise().mean();
+        if (std::abs((centre - middle).dot(along)) > half_m) continue;
+        sum += volumes(c) * centre;
+        volume += volumes(c);
+    }
+    return volume > 0.0 ? Vector3d(sum / volume) : middle;
+}
+
+std::vector<Leg> legs_on_body(const setup::Tendon& tendon, const mesh::VolumeMesh& mesh) {
+    const mesh::BoundaryLocator boundary(mesh);
+    std::vector<Leg> legs;
+    const std::vector<model::TendonGuide>& guides = tendon.route.guides;
+    for (std::size_t g = 0; g + 1 < guides.size(); ++g) {
+        if (!guides[g].on_body || !guides[g + 1].on_body) continue;
+        Leg leg;
+        leg.first_guide = g;
+        leg.ends[0] = &*guides[g].on_body;
+        leg.ends[1] = &*guides[g + 1].on_body;
+        const Vector3d middle = 0.5 * (guides[g].rest_m + guides[g + 1].rest_m);
+        leg.middle = fem::material_point(mesh, boundary, middle);
+        leg.length_m = (guides[g + 1].rest_m - guides[g].rest_m).norm();
+        if (!(leg.length_m > 0.0)) continue;
+        const Vector3d along = (guides[g + 1].rest_m - guides[g].rest_m) / leg.length_m;
+        const Vector3d arm = middle - centroid_of_slice(mesh, middle, along, tendon_legs_policy.slice * leg.length_m);
+        leg.lever_m = (arm - arm.dot(along) * along).norm();
+        if (leg.lever_m > 0.0) legs.push_back(std::move(leg));
+    }
+    return legs;
+}
+
+/// How far the straight leg runs from the material that lay at its middle [m].
+double sag(const Leg& leg, const Matrix3Xd& x) {
+    return (position(leg.middle, x) - 0.5 * (position(*leg.ends[0], x) + position(*leg.ends[1], x))).norm();
+}
+
+/// The leg that loses most of its lever arm in a run.
+struct Worst {
+    double lost = 0.0, sag_m = 0.0;
+    const Leg* leg = nullptr;
+    std::size_t trial = 0;
+};
+
+Worst worst_leg(const CheckedJob& job, const std::vector<Leg>& legs) {
+    Worst worst;
+    for (std::size_t t = 0; t < job.setup.trials.size(); ++t) {
+        const std::vector<Matrix3Xd>& states = job.run->predictions[t].trace.positions;
+        const std::size_t stride = states.size() / tendon_legs_policy.max_states + 1;
+        for (std::size_t i = 0; i < states.size(); i += stride)
+            for (const Leg& leg : legs) {
+                const double sag_m = sag(leg, states[i]);
+                if (sag_m > worst.lost * leg.lever_m) worst = {sag_m / leg.lever_m, sag_m, &leg, t};
+            }
+    }
+    return worst;
+}
+
+Finding finding_of(const CheckedJob& job, const std::string& tendon, const Worst& worst) {
+    Finding finding = passed_finding(tendon,
+                                     "tendon " + tendon + ": straight between its guides, it keeps its lever arm");
+    finding.figure = worst.lost;
+    finding.threshold = tendon_legs_policy.max_lost;
+    if (!(worst.lost > tendon_legs_policy.max_lost)) return finding;
+    finding.level = CheckLevel::doubtful;
+    const std::size_t guide = worst.leg->first_guide + 1;
+    finding.sentence = "tendon " + tendon + ": from guide " + std::to_string(guide) + " to " +
+                       std::to_string(guide + 1) + ", " + format_number(1e3 * worst.leg->length_m, 3) +
+                       " mm, it runs straight and comes " + format_number(1e3 * worst.sag_m, 2) +
+                       " mm nearer to the middle of the bent body in trial " + job.setup.trials[worst.trial].name +
+                       ", " + format_number(100.0 * worst.lost, 2) +
+                       " % of its lever arm: the body bends less there, and may buckle between the guides";
+    finding
+        .way_out = "if the thread runs in a channel, declare guides closer together; if it runs free, nothing is wrong";
+    return finding;
+}
+
+}  // namespace
+
+std::vector<Finding> check_tendon_legs(const CheckedJob& job) {
+    std::vector<Finding> findings;
+    for (std::size_t i = 0; i < job.setup.tendons.size(); ++i) {
+        const std::vector<Leg> legs = legs_on_body(job.setup.tendons[i], job.setup.mesh.mesh);
+        if (legs.empty()) continue;
+        findings.push_back(finding_of(job, job.setup.experiment.tendons[i].name, worst_leg(job, legs)));
+    }
+    return findings;
+}
+
+}  // namespace myo::check
