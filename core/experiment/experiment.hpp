@@ -198,6 +198,7 @@ struct Experiment {
     MountMotion mount = MountMotion::fixed;
     std::vector<ObstacleDeclaration> obstacles;
     std::vector<SensorDeclaration> sensors;
+    LimitsDeclaration limits;
     RegistrationDeclaration registration;
     MarkersDeclaration markers;
     std::vector<TrialDeclaration> trials;

@@ -33,7 +33,7 @@ Experiment read_document(const toml::TomlValue& root, const fs::path& folder) {
     const toml::TomlReader document(
         root, "",
         {"schema", "name", "description", "geometry", "clamp", "material", "environment", "muscle", "chamber", "tendon",
-         "part", "mount", "obstacle", "sensor", "registration", "markers", "trial", "effect"});
+         "part", "mount", "obstacle", "sensor", "limits", "registration", "markers", "trial", "effect"});
     document.text("schema");
 
     Experiment experiment;
@@ -57,6 +57,7 @@ Experiment read_document(const toml::TomlValue& root, const fs::path& folder) {
     experiment.mount = read_mount(document);
     experiment.obstacles = read_obstacles(document);
     experiment.sensors = read_sensors(document);
+    experiment.limits = read_limits(document);
     experiment.registration = read_registration(document, experiment.warnings);
     experiment.markers = read_markers(document);
     experiment.trials = read_trials(document, folder);

@@ -37,6 +37,8 @@ MountMotion read_mount(const toml::TomlReader& document);
 std::vector<ObstacleDeclaration> read_obstacles(const toml::TomlReader& document);
 /// [[sensor]]: what it measures is resolved by check_declarations().
 std::vector<SensorDeclaration> read_sensors(const toml::TomlReader& document);
+/// [limits]; without this table nothing is limited.
+LimitsDeclaration read_limits(const toml::TomlReader& document);
 /// [registration]; without this table the registration is known.
 ///
 /// @param warnings  receives a sentence for each limit that is ignored

@@ -77,4 +77,11 @@ struct SensorDeclaration {
     double noise = 0.0;  // 1 sigma in the unit of the column, > 0
 };
 
+/// What a proposed trial, or a signal that is sought, may use at most; SI units. Empty: nothing is declared.
+struct LimitsDeclaration {
+    std::optional<double> force_N, mass_kg, duration_s;          // > 0
+    std::optional<double> pressure_Pa, tension_N, shortening_m;  // largest magnitude, > 0
+    std::optional<double> activation;                            // lowest of any muscle, 0 < a < 1
+};
+
 }  // namespace myo::experiment

@@ -107,6 +107,14 @@ name = "reel"
 kind = "tendon_shortening"
 of = "left"
 noise = 1e-4
+[limits]
+pressure_Pa = 3e4
+tension_N = 12
+shortening_m = 0.02
+activation = 0.7
+force_N = 2
+mass_kg = 0.1
+duration_s = 5
 [[trial]]
 name = "held"
 role = "fit"
@@ -206,6 +214,13 @@ TEST(RobotParts, EveryKeyIsRead) {
     EXPECT_EQ(e.sensors[1].kind, SensorKind::chamber_volume);
     EXPECT_EQ(e.sensors[1].of, "upper");
     EXPECT_EQ(e.sensors[2].noise, 0.1);
+    EXPECT_EQ(e.limits.pressure_Pa, 3e4);
+    EXPECT_EQ(e.limits.tension_N, 12.0);
+    EXPECT_EQ(e.limits.shortening_m, 0.02);
+    EXPECT_EQ(e.limits.activation, 0.7);
+    EXPECT_EQ(e.limits.force_N, 2.0);
+    EXPECT_EQ(e.limits.mass_kg, 0.1);
+    EXPECT_EQ(e.limits.duration_s, 5.0);
     EXPECT_TRUE(e.trials[0].hold);
     EXPECT_EQ(e.trials[0].constant_commands.size(), 4u);
     EXPECT_EQ(e.trials[0].sensor_values, (std::map<std::string, double>{{"cell_x_N", 0.2}, {"volume_m3", 2e-6}}));
@@ -301,6 +316,9 @@ INSTANTIATE_TEST_SUITE_P(
         Spoiled{"of = \"upper\"", "of = \"uper\"", "of = ", "sensor[1].of: ", "\"upper\""},
         Spoiled{"noise = 0.005\n", "", "[[sensor]]", "sensor[0].noise: ", "missing"},
         Spoiled{"cell_x_N = 0.2", "cell = 0.2", "sensor = {", "trial[0].sensor.cell: ", "cell_x_N"},
+        Spoiled{"tension_N = 12", "tension = 12", "tension = 12", "limits.tension: unknown key", "\"tension_N\""},
+        Spoiled{"pressure_Pa = 3e4", "pressure_Pa = -3e4", "pressure_Pa = -3e4", "limits.pressure_Pa: ", "positive"},
+        Spoiled{"activation = 0.7", "activation = 1.2", "activation = 1.2", "limits.activation: ", "below 1"},
         Spoiled{"hold = true", "hold = true\nstart = \"straight\"", "start = ", "trial[0].start: ", "hold"},
         Spoiled{"hold = true", "hold = true\nactuation = \"driven_actuation.csv\"",
                 "actuation = ", "trial[0].actuation: ", "hold"},
