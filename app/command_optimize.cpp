@@ -9,6 +9,7 @@
 #include "check/catalogue.hpp"
 #include "commands.hpp"
 #include "exit_status.hpp"
+#include "experiment/actuators.hpp"
 #include "experiment_command.hpp"
 #include "results/optimize_output.hpp"
 
@@ -30,7 +31,7 @@ calibration::OptimizeSettings settings_of(const OptimizeCall& call) {
     settings.frequency_Hz = call.frequency_Hz.value_or(settings.frequency_Hz);
     settings.hold = call.hold;
     if (call.smoothness_mm_s) settings.smoothness_m_s = 1e-3 * *call.smoothness_mm_s;
-    settings.lowest = call.lowest.value_or(settings.lowest);
+    settings.lowest = call.lowest;
     settings.highest = call.highest.value_or(settings.highest);
     settings.max_evaluations = call.max_evaluations;
     settings.starts = call.starts;
@@ -38,8 +39,16 @@ calibration::OptimizeSettings settings_of(const OptimizeCall& call) {
     return settings;
 }
 
+/// Unit of a signal to follow a number: " Pa", empty of a muscle.
+std::string unit_after(const setup::Setup& setup, const inverse::SoughtSignal& signal) {
+    const std::string
+        unit = experiment::actuators(setup.experiment)[*experiment::find_actuator(setup.experiment, signal.name)].unit;
+    return unit.empty() ? "" : " " + unit;
+}
+
 /// Median standard deviation of the determined values of a signal, ", ± 0.01 (median)".
-std::string deviation_text(const inverse::ActuationDeviations& deviations, Eigen::Index signal) {
+std::string deviation_text(const inverse::ActuationDeviations& deviations, Eigen::Index signal,
+                           const std::string& unit) {
     if (!deviations.found) return "";
     std::vector<double> known;
     for (const double deviation : deviations.deviations.row(signal))
@@ -47,7 +56,7 @@ std::string deviation_text(const inverse::ActuationDeviations& deviations, Eigen
     if (known.empty()) return ", not determined";
     const auto middle = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 2);
     std::nth_element(known.begin(), middle, known.end());
-    return ", ± " + format_number(*middle, 2) + " (median)";
+    return ", ± " + format_number(*middle, 2) + unit + (known.size() > 1 ? " (median)" : "");
 }
 
 /// Errors of the markers before and after the search.
@@ -83,12 +92,16 @@ std::string result_lines(const setup::Setup& setup, const calibration::Optimizat
     std::string text = marker_lines(result);
     for (std::size_t s = 0; s < result.problem.sought.signals.size(); ++s) {
         const auto row = result.fit.values.row(static_cast<Eigen::Index>(s));
+        const inverse::SoughtSignal& signal = result.problem.sought.signals[s];
+        const std::string unit = unit_after(setup, signal);
+        text += "\nsignal " + signal.name + ": ";
         if (result.problem.sought.seek_before)
-            text += "\nsignal " + result.problem.sought.signals[s].name + ": held " + format_number(row(0), 4) +
-                    " before t = 0 (sought)";
-        text += "\nsignal " + result.problem.sought.signals[s].name + ": " + std::to_string(row.size()) + " values, " +
-                format_number(row.minCoeff(), 4) + " ... " + format_number(row.maxCoeff(), 4) +
-                deviation_text(result.deviations, static_cast<Eigen::Index>(s));
+            text += "held " + format_number(row(0), 4) + unit + " before t = 0 (sought)\nsignal " + signal.name + ": ";
+        text += result.problem.sought.constant
+                    ? format_number(row(0), 4)
+                    : std::to_string(row.size()) + " values, " + format_number(row.minCoeff(), 4) + " ... " +
+                          format_number(row.maxCoeff(), 4);
+        text += unit + deviation_text(result.deviations, static_cast<Eigen::Index>(s), unit);
     }
     if (result.problem.placement_bounds) text += placement_line(result);
     if (!result.deviations.found) text += "\nstandard deviations: " + result.deviations.reason;
@@ -136,7 +149,9 @@ std::string search_lines(const setup::Setup& setup, const inverse::ActuationProb
     std::vector<std::string> names;
     for (const inverse::SoughtSignal& signal : problem.sought.signals) names.push_back(signal.name);
     return setup.experiment.name + ", trial " + setup.trials.front().name + ": " + std::to_string(values) +
-           " values of " + join(names) + " at " + format_number(frequency_Hz) + " Hz\n" + size_line(setup);
+           " values of " + join(names) +
+           (problem.sought.constant ? ", held at rest" : " at " + format_number(frequency_Hz) + " Hz") + "\n" +
+           size_line(setup);
 }
 
 /// Says why there is no result. Returns the exit status.
@@ -224,10 +239,12 @@ std::function<int()> declare_optimize(CLI::App& app) {
     app.add_flag("--hold", call->hold, "hold each value until the next instead of going there in a straight line");
     app.add_option_function<std::string>(
            "--smoothness", [call](const std::string& text) { read_smoothness(text, *call); },
-           "so many millimetres of rms error a signal that changes by 1 per second is worth (default: the noise of the "
-           "markers)")
+           "so many millimetres of rms error a signal that changes by 1, or by its limit, per second is worth "
+           "(default: the "
+           "noise of the markers)")
         ->type_name("MM");
-    add_optional_number(app, "--lowest", call->lowest, "lowest activation of any muscle (default: 0.5)");
+    add_optional_number(app, "--lowest", call->lowest,
+                        "lowest activation of any muscle (default: that of [limits], else 0.5)");
     add_optional_number(app, "--highest", call->highest, "highest activation of any muscle (default: 2)");
     add_count(app, "--max-evaluations", call->max_evaluations, "runs with their gradient, at most (default: 100)");
     add_count(app, "--starts", call->starts,

@@ -14,12 +14,14 @@
 #include "calibration/calibrate.hpp"
 #include "check/catalogue.hpp"
 #include "check/declared_steps.hpp"
+#include "experiment/actuators.hpp"
 #include "prediction/time_step.hpp"
 #include "prediction/trial_target.hpp"
 #include "prediction/untested_fit.hpp"
 #include "results/calibration_report.hpp"
 #include "results/optimize_output.hpp"
 #include "results/readable_parameter.hpp"
+#include "setup/actuator_signals.hpp"
 
 namespace myo::backend {
 namespace {
@@ -72,15 +74,12 @@ std::vector<std::size_t> fit_trials(const setup::Setup& setup) {
 Eigen::MatrixXd drawn_values(const setup::Setup& setup, const inverse::ActuationProblem& problem) {
     Eigen::MatrixXd values = inverse::unmoved_values(problem.sought);
     const std::vector<double> times = inverse::knot_times(problem.sought);
-    for (std::size_t m = 0; m < problem.sought.groups.size(); ++m) {
-        const inverse::SignalShare& share = problem.sought.groups[m];
-        const auto row = static_cast<Eigen::Index>(share.signal);
-        const inverse::SoughtSignal& signal = problem.sought.signals[share.signal];
-        if (setup.experiment.muscles[m].name != signal.name) continue;  // a follower
+    for (Eigen::Index s = 0; s < values.rows(); ++s) {
+        const inverse::SoughtSignal& signal = problem.sought.signals[static_cast<std::size_t>(s)];
+        const std::size_t actuator = *experiment::find_actuator(setup.experiment, signal.name);
+        const fibre::Signal& drawn = setup::actuator_signal(setup.experiment, setup.trials.front().model, actuator);
         for (Eigen::Index k = 0; k < values.cols(); ++k)
-            values(row, k) = std::clamp(
-                setup.trials.front().model.activation[m].value(times[static_cast<std::size_t>(k)]), signal.lower,
-                signal.upper);
+            values(s, k) = std::clamp(drawn.value(times[static_cast<std::size_t>(k)]), signal.lower, signal.upper);
     }
     return values;
 }
@@ -93,14 +92,19 @@ ui::commands::Settings with_signals(ui::commands::Settings settings, const std::
 }
 
 /// Smallest and largest value of each signal, at the start and now.
-std::vector<ui::commands::ParameterRow> signal_rows(const inverse::ActuationProblem& problem,
+std::vector<ui::commands::ParameterRow> signal_rows(const setup::Setup& setup, const inverse::ActuationProblem& problem,
                                                     const Eigen::MatrixXd& start, const Eigen::MatrixXd& values) {
     std::vector<ui::commands::ParameterRow> rows;
     for (std::size_t s = 0; s < problem.sought.signals.size(); ++s) {
         const auto row = static_cast<Eigen::Index>(s);
-        rows.push_back({problem.sought.signals[s].name + ", minimum a", "", start.row(row).minCoeff(),
+        const std::string& name = problem.sought.signals[s].name;
+        const experiment::Actuator actuator = experiment::actuators(
+            setup.experiment)[*experiment::find_actuator(setup.experiment, name)];
+        const bool muscle = actuator.kind == experiment::ActuatorKind::muscle;
+        const std::string word = muscle ? "a" : experiment::quantity_word(actuator.kind);
+        rows.push_back({name + ", minimum " + word, actuator.unit, start.row(row).minCoeff(),
                         values.row(row).minCoeff(), nothing_known});
-        rows.push_back({problem.sought.signals[s].name + ", maximum a", "", start.row(row).maxCoeff(),
+        rows.push_back({name + ", maximum " + word, actuator.unit, start.row(row).maxCoeff(),
                         values.row(row).maxCoeff(), nothing_known});
     }
     return rows;
@@ -129,8 +133,8 @@ public:
                                 ? ui::commands::SearchPoint{1e6 * line.loss_m2, line.rms_m, 1e6 * line.gradient_norm_m2}
                                 : ui::commands::SearchPoint{});
         if (fit.usable()) {
-            const std::vector<fibre::Signal> activation = inverse::activations_of(problem_.sought, fit.values);
-            view_.parameters = signal_rows(problem_, start_, fit.values);
+            const std::vector<fibre::Signal> activation = inverse::commands_of(problem_.sought, fit.values);
+            view_.parameters = signal_rows(setup_, problem_, start_, fit.values);
             view_.settings = with_signals(settings_, activation);
             // Only an evaluation that is the best so far changes the picture.
             if (line.ok && line.loss_m2 == fit.best.loss_m2 && pace_.due()) {
@@ -158,7 +162,7 @@ private:
     setup::Setup with_signals_of(const Eigen::MatrixXd& found) const {
         setup::Setup setup = setup_;
         for (setup::PreparedTrial& trial : setup.trials)
-            trial.model.activation = inverse::activations_of(problem_.sought, found);
+            trial.model = inverse::driven_model(std::move(trial.model), inverse::commands_of(problem_.sought, found));
         return setup;
     }
 
@@ -292,19 +296,24 @@ calibration::OptimizeSettings optimize_settings(const ui::commands::OptimizeRequ
 }
 
 /// Values, errors and settings that a search for signals has found. `h_s`: step that it used.
-ui::commands::SearchResult optimized(const inverse::ActuationProblem& problem, const calibration::Optimization& found,
-                                     const ui::commands::Settings& settings, const std::string& trial, double h_s) {
+ui::commands::SearchResult optimized(const setup::Setup& setup, const inverse::ActuationProblem& problem,
+                                     const calibration::Optimization& found, const ui::commands::Settings& settings,
+                                     const std::string& trial, double h_s) {
     ui::commands::SearchResult result;
     result.title = "Optimised";
-    result.settings = with_signals(settings, inverse::activations_of(problem.sought, found.fit.values));
+    result.settings = with_signals(settings, inverse::commands_of(problem.sought, found.fit.values));
     if (!settings.own_step) result.settings.time_step_s = h_s;
     result.evaluations = static_cast<int>(found.fit.log.size());
     result.stopped = found.stopped;
     result.warnings = found.warnings;
     if (!found.fit.converged() && !found.stopped) result.problem = "The search did not converge: " + found.fit.message;
-    result.parameters = signal_rows(problem, found.fit.start, found.fit.values);
+    result.parameters = signal_rows(setup, problem, found.fit.start, found.fit.values);
     for (ui::commands::ParameterRow& row : result.parameters) row.deviation = nothing_known;
-    result.notes = {"Signals follow " + trial + "; the muscles use them in all trials now."};
+    if (!setup.experiment.muscles.empty())
+        result.notes = {"Signals follow " + trial + "; the muscles use them in all trials now."};
+    if (problem.sought.groups.size() > setup.experiment.muscles.size())
+        result.notes.emplace_back(
+            "Chambers and tendons keep the commands of the trials; the report shows those found.");
     result.rms_before_m = found.before.fit_rms_m;
     result.rms_after_m = found.after.fit_rms_m;
     return result;
@@ -368,7 +377,7 @@ Result<ui::commands::SearchResult> optimize_scene(const ui::commands::Scene& sce
     if (!found.usable())
         return Error{found.stopped ? "stopped before the first evaluation was complete" : found.fit.message, ""};
     setup::set_step(setup->trials[*trial], one.trials.front().options.h_s);  // displayed with the step that was used
-    ui::commands::SearchResult result = optimized(*problem, found, settings, request.trial,
+    ui::commands::SearchResult result = optimized(*setup, *problem, found, settings, request.trial,
                                                   one.trials.front().options.h_s);
     result.run = shown.found(found.fit);
     if (!found.stopped) {

@@ -131,7 +131,7 @@ Result<SignalFit> fit_signals(const ReproduceSettings& settings, const MuscleRob
         {}};
     if (progress.cancelled()) return Error{"stopped", ""};
     if (!result.fit.usable()) return Error{result.fit.message, variant.name};
-    result.activation = inverse::activations_of(problem.sought, result.fit.values);
+    result.activation = inverse::commands_of(problem.sought, result.fit.values);
     result.times_s = problem.target.times_s;
     result.measured_m = trial.tip_m.rightCols(result.times_s.size());
     const measurement::MarkerTracks tracks = measurement::observe(result.fit.best.motion, body->points, result.times_s),

@@ -11,10 +11,11 @@
 
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
+#include "calibration/sought_signals.hpp"
 #include "effect/catalogue.hpp"
 #include "experiment/read_experiment.hpp"
-#include "experiment/read_trial.hpp"
 #include "prediction/trial_target.hpp"
+#include "setup/actuator_signals.hpp"
 #include "setup/trial_effects.hpp"
 
 namespace myo::calibration {
@@ -23,62 +24,20 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-std::size_t leader_count(const std::vector<experiment::MuscleLeader>& leaders) {
-    std::size_t count = 0;
-    for (std::size_t m = 0; m < leaders.size(); ++m) count += leaders[m].leader == m ? 1 : 0;
-    return count;
-}
-
-/// Muscles that follow none and whose level before t = 0 is not given by any file, step or signal.
-std::vector<std::string> unrecorded_levels(const setup::Setup& setup) {
-    const std::vector<experiment::MuscleLeader> leaders = experiment::muscle_leaders(setup.experiment);
-    std::vector<std::string> names;
-    for (std::size_t m = 0; m < leaders.size(); ++m)
-        if (leaders[m].leader == m && !level_is_on_record(setup.experiment, setup.experiment.trials.front(), m))
-            names.push_back(setup.experiment.muscles[m].name);
-    return names;
-}
-
-/// One signal per muscle that follows none. Its bounds keep the followers within the limits as well.
-inverse::SoughtSignals sought_signals(const setup::Setup& setup, const OptimizeSettings& settings, double end_s) {
-    const std::vector<experiment::MuscleLeader> leaders = experiment::muscle_leaders(setup.experiment);
-    const setup::PreparedTrial& trial = setup.trials.front();
-    inverse::SoughtSignals sought;
-    sought.frequency_Hz = settings.frequency_Hz;
-    sought.end_s = end_s;
-    sought.hold = settings.hold;
-    sought.from_before = trial.options.start == dynamics::StartKind::equilibrium;
-    sought.seek_before = sought.from_before && unrecorded_levels(setup).size() == leader_count(leaders);
-    std::vector<std::size_t> signal_of(leaders.size());
-    for (std::size_t m = 0; m < leaders.size(); ++m) {
-        if (leaders[m].leader != m) continue;
-        signal_of[m] = sought.signals.size();
-        sought.signals.push_back({setup.experiment.muscles[m].name, settings.lowest, settings.highest,
-                                  trial.model.activation[m].value_before(0.0)});
-    }
-    for (const experiment::MuscleLeader& muscle : leaders) {
-        sought.groups.push_back({signal_of[muscle.leader], muscle.factor});
-        if (muscle.factor == 0.0) continue;
-        inverse::SoughtSignal& signal = sought.signals[sought.groups.back().signal];
-        // Limits of the follower, mapped back to the leader: a_leader = 1 + (a_follower - 1) / factor.
-        const double a = 1.0 + (settings.lowest - 1.0) / muscle.factor,
-                     b = 1.0 + (settings.highest - 1.0) / muscle.factor;
-        signal.lower = std::max(signal.lower, std::min(a, b));
-        signal.upper = std::min(signal.upper, std::max(a, b));
-    }
-    return sought;
-}
-
-/// What the declared effects make of the commanded activations; null without effects on the actuation.
+/// What the declared effects make of the commanded signals; null without effects on the actuation.
 inverse::ActingSignals acting_signals(const setup::Setup& setup) {
     std::vector<effect::EffectDeclaration> effects;
     for (const effect::EffectDeclaration& effect : setup.experiment.effects)
         if (effect::find_effect(effect.id)->kind == effect::EffectKind::actuation) effects.push_back(effect);
     if (effects.empty()) return nullptr;
     return [kept = std::make_shared<const setup::Setup>(setup), effects](const std::vector<fibre::Signal>& commanded) {
-        model::Model model = kept->trials.front().model;
-        model.activation = commanded;
-        return setup::with_effects(*kept, 0, std::move(model), effects).model.activation;
+        const model::Model acting = setup::with_effects(
+                                        *kept, 0, inverse::driven_model(kept->trials.front().model, commanded), effects)
+                                        .model;
+        std::vector<fibre::Signal> signals;
+        for (std::size_t i = 0; i < commanded.size(); ++i)
+            signals.push_back(setup::actuator_signal(kept->experiment, acting, i));
+        return signals;
     };
 }
 
@@ -90,12 +49,13 @@ double last_seen(const inverse::MarkerTarget& target) {
     return 0.0;
 }
 
-/// Constant random signals within 0.3 of passive and the bounds.
+/// Constant random signals within 0.3 scales of passive and the bounds.
 MatrixXd random_values(const inverse::SoughtSignals& sought, std::mt19937_64& random) {
     MatrixXd values = inverse::unmoved_values(sought);
     for (Index s = 0; s < values.rows(); ++s) {
         const inverse::SoughtSignal& signal = sought.signals[static_cast<std::size_t>(s)];
-        const double low = std::max(0.7, signal.lower), high = std::min(1.3, signal.upper);
+        const double low = std::max(signal.passive - 0.3 * signal.scale, signal.lower),
+                     high = std::min(signal.passive + 0.3 * signal.scale, signal.upper);
         // Top 53 bits of the generator: std::uniform_real_distribution differs between standard libraries.
         values.row(s).setConstant(
             std::clamp(low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53, signal.lower, signal.upper));
@@ -131,7 +91,7 @@ std::vector<std::string> warnings_of(const setup::Setup& setup, const Optimizati
     if (sought.from_before && !sought.seek_before)
         for (const std::string& name : unrecorded_levels(setup))
             warnings.push_back("signal " + name +
-                               ": its level before t = 0 is on no record, unlike that of others; 1 (passive) is taken");
+                               ": its level before t = 0 is on no record, unlike that of others; passive is taken");
     const auto& placed = result.problem.placement_bounds;
     if (placed && inverse::at_bound(result.fit.best.placement, *placed))
         warnings.push_back("registration: the camera frame ended at its bound (" +
@@ -160,11 +120,13 @@ Progress in_task(const Progress& progress, const std::string& task) {
 Result<inverse::ActuationProblem> actuation_problem(const setup::Setup& setup, const OptimizeSettings& settings) {
     assert(setup.trials.size() == 1);
     const setup::PreparedTrial& trial = setup.trials.front();
-    if (setup.experiment.muscles.empty())
-        return experiment::declaration_error(setup.experiment, "muscle",
-                                             "none is declared, so there is no actuation to be found");
-    if (!(settings.lowest < settings.highest)) return Error{"is not below --highest", "--lowest"};
-    if (!(settings.lowest > 0.0) && !setup.settings.as_published)
+    if (setup::actuator_names(setup.experiment).empty())
+        return experiment::declaration_error(
+            setup.experiment, "muscle",
+            "no muscle, chamber or tendon is declared, so there is no actuation to be found");
+    const double lowest = lowest_activation(setup.experiment, settings);
+    if (!(lowest < settings.highest)) return Error{"is not below --highest", "--lowest"};
+    if (!(lowest > 0.0) && !setup.settings.as_published)
         return Error{"must be above 0: an activation of 1 is passive, and at 0 fibres would contract to nothing",
                      "--lowest"};
     for (const effect::EffectDeclaration& effect : setup.experiment.effects)
@@ -182,11 +144,11 @@ Result<inverse::ActuationProblem> actuation_problem(const setup::Setup& setup, c
     problem.target = prediction::trial_target(setup, 0, std::numeric_limits<double>::infinity());
     // Signals after the last visible sample are not determined.
     problem.options.end_s = last_seen(problem.target);
-    if (!(problem.options.end_s > 0.0))
+    if (!(problem.options.end_s > 0.0) && !trial.hold)
         return Error{"trial " + trial.name + ": no marker was seen after the start",
                      setup.experiment.trials.front().trace.string()};
     // More than one knot per time step cannot be distinguished by the simulation.
-    if (settings.frequency_Hz * trial.options.h_s > 1.0 + 1e-9)
+    if (!trial.hold && settings.frequency_Hz * trial.options.h_s > 1.0 + 1e-9)
         return Error{format_number(settings.frequency_Hz) + " Hz asks for more than one knot per step of " +
                          format_number(1e3 * trial.options.h_s, 4) + " ms; choose a lower one or a smaller --dt",
                      "--frequency"};

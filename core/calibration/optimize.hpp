@@ -14,12 +14,16 @@
 
 namespace myo::calibration {
 
+/// Lowest activation of any muscle, unless settings or [limits] say otherwise.
+inline constexpr double default_lowest_activation = 0.5;
+
 /// How the actuation of a trial is searched for.
 struct OptimizeSettings {
     double frequency_Hz = 20.0;            // of the knots of the signals
     bool hold = false;                     // piecewise constant instead of linear
     std::optional<double> smoothness_m_s;  // see ActuationProblem; default: noise of the markers times one second
-    double lowest = 0.5, highest = 2.0;    // bounds of every muscle's activation, followers included
+    std::optional<double> lowest;          // bounds of every muscle's activation, followers included;
+    double highest = 2.0;                  // lowest: see lowest_activation()
     int max_evaluations = 100;             // per start
     int starts = 1;                        // the first is given, the others are random levels
     std::uint64_t seed = 1;
@@ -28,11 +32,11 @@ struct OptimizeSettings {
 };
 
 /// Optimal-control problem of a setup with a single trial (with_one_trial()): one signal per muscle that follows none,
-/// from t = 0 to the last sample.
+/// per chamber and per tendon, from t = 0 to the last sample; of a hold one value each, see sought_signals().
 ///
 /// For a trial that starts in equilibrium under unrecorded levels these are unknowns as well; so is a limited
 /// registration.
-/// Errors: no muscles, no samples after the start, knots closer than steps, no values between the bounds, a lowest
+/// Errors: no actuators, no samples after the start, knots closer than steps, no values between the bounds, a lowest
 /// activation <= 0 unless as_published.
 Result<inverse::ActuationProblem> actuation_problem(const setup::Setup& setup, const OptimizeSettings& settings);
 

@@ -11,7 +11,10 @@ namespace {
 // The signals replace the recorded activation, so that set_step() treats their jumps.
 setup::Setup with_signals(setup::Setup setup, const inverse::SoughtSignals& sought, const Eigen::MatrixXd& values) {
     setup::PreparedTrial& trial = setup.trials.front();
-    trial.recorded_activation = inverse::activations_of(sought, values);
+    const std::vector<fibre::Signal> commands = inverse::commands_of(sought, values);
+    const auto first_command = commands.begin() + static_cast<std::ptrdiff_t>(trial.recorded_activation.size());
+    trial.recorded_activation.assign(commands.begin(), first_command);
+    trial.recorded_commands.assign(first_command, commands.end());
     setup::set_step(trial, trial.options.h_s);
     return setup;
 }
@@ -21,7 +24,7 @@ Optimization search_with_chosen_steps(setup::Setup& setup, const inverse::Actuat
                                       const OptimizeSettings& settings, const Eigen::MatrixXd& start,
                                       const Progress& progress) {
     Optimization found = search_signals(setup, problem, settings, start, progress);
-    if (!prediction::choosable(setup.settings)) return found;
+    if (!prediction::choosable(setup.settings) || setup.trials.front().hold) return found;
     for (int search = 1; search < prediction::shorter_steps_policy.max_fits; ++search) {
         if (!found.fit.converged() || progress.cancelled()) break;
         const setup::Setup moved = with_signals(setup, problem.sought, found.fit.values);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "experiment/actuators.hpp"
 #include "experiment/read_trial.hpp"
 
 namespace myo::calibration {
@@ -77,16 +78,19 @@ std::string sentence(const TargetMiss& miss, double before_rms_m) {
 }
 
 bool level_is_on_record(const experiment::Experiment& experiment, const experiment::TrialDeclaration& trial,
-                        std::size_t muscle) {
-    const experiment::MuscleDeclaration& declared = experiment.muscles[muscle];
-    return trial.actuation || declared.signal ||
-           std::any_of(trial.actuation_steps.begin(), trial.actuation_steps.end(),
-                       [&](const experiment::ActuationStep& step) { return step.muscle == declared.name; });
+                        std::size_t actuator) {
+    if (trial.actuation || (actuator < experiment.muscles.size() && experiment.muscles[actuator].signal)) return true;
+    const std::string name = experiment::actuators(experiment)[actuator].name;
+    return std::any_of(trial.actuation_steps.begin(), trial.actuation_steps.end(),
+                       [&](const experiment::ActuationStep& step) { return step.muscle == name; }) ||
+           std::any_of(trial.constant_commands.begin(), trial.constant_commands.end(),
+                       [&](const experiment::ConstantCommand& command) { return command.actuator == name; });
 }
 
 std::optional<std::string> start_miss(const setup::Setup& setup, const inverse::ActuationProblem& problem,
                                       const prediction::SetupRun& run, const TargetRule& rule) {
     const setup::PreparedTrial& trial = setup.trials.front();
+    if (trial.hold) return std::nullopt;  // all its samples are the pose that was sought
     const Eigen::VectorXd& times = trial.measured.time_s;
     // Within a quarter of a knot interval the signals have hardly moved the body.
     Index first = trial.first_sample;

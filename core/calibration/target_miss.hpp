@@ -47,9 +47,11 @@ TargetMiss target_miss(const setup::Setup& setup, const prediction::SetupRun& ru
 /// @param before_rms_m  distance at the start of the search
 std::string sentence(const TargetMiss& miss, double before_rms_m);
 
-/// Whether the level before t = 0 is given: by an actuation file, a step, or the muscle's own signal.
+/// Whether the level before t = 0 is given: by an actuation file, a step, a constant command, or a muscle's own signal.
+///
+/// @param actuator  number, see actuator_signals.hpp
 bool level_is_on_record(const experiment::Experiment& experiment, const experiment::TrialDeclaration& trial,
-                        std::size_t muscle);
+                        std::size_t actuator);
 
 /// Warning if the body at t = 0 is not in the pose of the target, with the likely cause; empty otherwise.
 std::optional<std::string> start_miss(const setup::Setup& setup, const inverse::ActuationProblem& problem,

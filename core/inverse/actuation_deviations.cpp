@@ -33,7 +33,7 @@ MatrixXd without_placement(const MatrixXd& information, const PlacementBounds& b
            information.topRightCorner(n, 6) * placement.ldlt().solve(information.bottomLeftCorner(6, n));
 }
 
-/// J'J over the compared coordinates, and the sum of squared residuals.
+/// J'J over the compared coordinates, by the values over their scales, and the sum of squared residuals.
 struct NormalEquations {
     MatrixXd information;
     double squares = 0.0;
@@ -46,6 +46,7 @@ NormalEquations normal_equations(const ActuationProblem& problem, const sensitiv
     const Index columns = static_cast<Index>(count) + (problem.placement_bounds ? 6 : 0);
     const MarkerPlacement& placement = problem.target.placement;
     const Eigen::Matrix3d back = measurement::small_rotation(-placement.rotation_rad);
+    const VectorXd scales = signal_scales(problem.sought);
     NormalEquations equations{MatrixXd::Zero(columns, columns)};
     for (std::size_t m = 0; m < seen.residuals_m.size(); ++m) {
         const Matrix3Xd& residual = seen.residuals_m[m];
@@ -53,7 +54,9 @@ NormalEquations normal_equations(const ActuationProblem& problem, const sensitiv
         for (Index k = 0; k < residual.size(); ++k)
             if (std::isfinite(residual(k))) compared.push_back(k);
         MatrixXd J(static_cast<Index>(compared.size()), columns);
-        for (std::size_t p = 0; p < count; ++p) J.col(static_cast<Index>(p)) = seen.tangents[p][m].reshaped()(compared);
+        for (std::size_t p = 0; p < count; ++p)
+            J.col(static_cast<Index>(p)) = scales(static_cast<Index>(p) % scales.size()) *
+                                           seen.tangents[p][m].reshaped()(compared);
         for (Index row = 0; problem.placement_bounds && row < J.rows(); ++row) {
             const Index k = compared[static_cast<std::size_t>(row)];
             const Eigen::Vector3d placed = residual.col(k / 3) + problem.target.positions_m[m].col(k / 3);
@@ -133,15 +136,16 @@ std::vector<std::string> undetermined_words(const SoughtSignals& sought, const W
     return warnings;
 }
 
-/// Largest rate of each signal over the knots that the target measures [1/s]. A rate counts as measured by the smaller
-/// information of its two ends.
+/// Largest rate of each signal, over its scale, over the knots that the target measures [1/s]. A rate counts as
+/// measured by the smaller information of its two ends.
 VectorXd own_rates(const SoughtSignals& sought, const MatrixXd& values, const VectorXd& from_target,
                    const MatrixXd& D) {
     const Index signals = values.rows();
     // Rates are affine in the values and vanish if all values equal `before`.
     VectorXd before(values.size());
     for (Index i = 0; i < before.size(); ++i) before(i) = sought.signals[static_cast<std::size_t>(i % signals)].before;
-    const VectorXd rates = D * (values.reshaped() - before);
+    const VectorXd scales = signal_scales(sought).replicate(values.cols(), 1);
+    const VectorXd rates = D * (values.reshaped() - before).cwiseQuotient(scales);
     VectorXd largest = VectorXd::Zero(signals);
     for (Index r = 0; r < rates.size(); ++r) {
         double seen = 1.0;
@@ -160,7 +164,6 @@ VectorXd own_rates(const SoughtSignals& sought, const MatrixXd& values, const Ve
 /// (A + P)^-1 w D' (D a), bounded by the sum of the absolute entries of a row times the largest rate. Interpreting the
 /// smoothness as prior information about the rates would imply a prior of sigma / sqrt(w), which becomes tighter with
 /// every marker; with this interpretation values in a gap were up to 13 of their deviations off.
-/// marker (that was the case: values in a gap lay up to 13 of their deviations off).
 void set_deviations(const ActuationProblem& problem, const NormalEquations& equations, const MatrixXd& values,
                     double noise_m, ActuationDeviations& found) {
     const Index n = equations.information.rows(), rows = values.rows(), columns = values.cols();
@@ -187,7 +190,7 @@ void set_deviations(const ActuationProblem& problem, const NormalEquations& equa
     for (Index i = 0; i < n; ++i)
         if (weighed.open(i) || !(deviation(i) > 0.0) || from_target(i) < actuation_deviations_policy.measured_share)
             deviation(i) = std::numeric_limits<double>::quiet_NaN();
-    found.deviations = deviation.reshaped(rows, columns);
+    found.deviations = signal_scales(problem.sought).asDiagonal() * deviation.reshaped(rows, columns);
     found.from_target = from_target.reshaped(rows, columns);
     found.found = true;
     found.warnings = undetermined_words(problem.sought, weighed, found);
@@ -205,11 +208,10 @@ ActuationDeviations actuation_deviations(const ActuationProblem& problem, const 
                         std::to_string(actuation_deviations_policy.max_deviations);
         return result;
     }
-    model::Model model = problem.model;
-    model.activation = acting_activations(problem.sought, problem.acting, values);
+    const model::Model model = driven_model(problem.model, acting_commands(problem.sought, problem.acting, values));
     const sensitivity::SensitiveTrace run = sensitivity::simulate_with_tangents(
-        model, problem.options, value_tangents(problem.sought, problem.acting, values), problem.target.markers.nodes,
-        progress);
+        model, problem.options, value_tangents(problem.sought, problem.acting, values, model),
+        problem.target.markers.nodes, progress);
     if (!run.trace.complete()) {
         result.reason = run.trace.status == dynamics::RunStatus::cancelled ? "not found: stopped by the user"
                                                                            : "not found: " + run.trace.message;

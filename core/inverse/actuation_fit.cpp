@@ -18,10 +18,15 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 
 struct ActuationFitPolicy {
-    /// Unit of the optimiser's variables: a tenth of a signal's unit keeps its first update moderate.
+    /// Unit of the optimiser's variables: a tenth of a signal's scale keeps its first update moderate.
     double value_unit = 0.1;
 };
 constexpr ActuationFitPolicy actuation_fit_policy;
+
+/// Unit of the optimiser's variables for each signal.
+Eigen::VectorXd value_units(const SoughtSignals& sought) {
+    return actuation_fit_policy.value_unit * signal_scales(sought);
+}
 
 /// Objective function of the optimiser: loss relative to the start, values in their unit. Logs every evaluation.
 class Search {
@@ -40,27 +45,28 @@ public:
         double value = last_.loss_m2;
         if (!last_.ok()) {
             // Substitute for a failed run: a paraboloid far above the best loss, centred at the best values.
-            const MatrixXd away = values - fit_.values;
+            const Eigen::VectorXd scales = signal_scales(problem_.sought);
+            const MatrixXd away = scales.cwiseInverse().asDiagonal() * (values - fit_.values);
             const double steepness = 10.0 * fit_.first.loss_m2 / std::max(away.squaredNorm(), 1e-12);
             value = fit_.best.loss_m2 + steepness * away.squaredNorm();
-            slope = 2.0 * steepness * away;
+            slope = 2.0 * steepness * (scales.cwiseInverse().asDiagonal() * away);
         }
         const double scale = fit_.first.loss_m2 > 0.0 ? fit_.first.loss_m2 : 1.0;
         if (gradient != nullptr)
-            Eigen::Map<MatrixXd>(gradient, values.rows(), values.cols()) = (actuation_fit_policy.value_unit / scale) *
-                                                                           slope;
+            Eigen::Map<MatrixXd>(gradient, values.rows(),
+                                 values.cols()) = (value_units(problem_.sought) / scale).asDiagonal() * slope;
         return value / scale;
     }
 
     const ActuationEvaluation& last() const { return last_; }
 
-    /// Norm of the gradient without the components that point out of the bounds.
+    /// Norm of the gradient by values over their scales, without the components that point out of the bounds.
     double projected_norm(const MatrixXd& values, const MatrixXd& gradient) const {
         double sum = 0.0;
         for (Index s = 0; s < values.rows(); ++s) {
             const SoughtSignal& signal = problem_.sought.signals[static_cast<std::size_t>(s)];
             for (Index k = 0; k < values.cols(); ++k) {
-                const double g = gradient(s, k);
+                const double g = signal.scale * gradient(s, k);
                 if ((g > 0.0 && values(s, k) <= signal.lower) || (g < 0.0 && values(s, k) >= signal.upper)) continue;
                 sum += g * g;
             }
@@ -124,8 +130,9 @@ private:
 /// Bounds of all values.
 struct Bounds {
     MatrixXd lower, upper;  // signals x knots
+    Eigen::VectorXd units;  // of the optimiser, per signal
 
-    Bounds(const SoughtSignals& sought, const MatrixXd& like) : lower(like), upper(like) {
+    Bounds(const SoughtSignals& sought, const MatrixXd& like) : lower(like), upper(like), units(value_units(sought)) {
         for (Index s = 0; s < like.rows(); ++s) {
             lower.row(s).setConstant(sought.signals[static_cast<std::size_t>(s)].lower);
             upper.row(s).setConstant(sought.signals[static_cast<std::size_t>(s)].upper);
@@ -133,6 +140,8 @@ struct Bounds {
     }
     /// Conversion to optimiser units and back can leave a value one bit outside.
     MatrixXd inside(const MatrixXd& values) const { return values.cwiseMax(lower).cwiseMin(upper); }
+    /// Values in the units of the optimiser.
+    MatrixXd in_units(const MatrixXd& values) const { return values.cwiseQuotient(units.replicate(1, values.cols())); }
 };
 
 struct Objective {
@@ -143,17 +152,15 @@ struct Objective {
 /// Callback of NLopt.
 double objective(unsigned, const double* x, double* gradient, void* data) {
     const Objective& o = *static_cast<Objective*>(data);
-    return o.search.at(o.bounds.inside(actuation_fit_policy.value_unit *
-                                       Eigen::Map<const MatrixXd>(x, o.bounds.lower.rows(), o.bounds.lower.cols())),
-                       gradient);
+    const Eigen::Map<const MatrixXd> scaled(x, o.bounds.lower.rows(), o.bounds.lower.cols());
+    return o.search.at(o.bounds.inside(o.bounds.units.asDiagonal() * scaled), gradient);
 }
 
 using Optimiser = std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)>;
 
 Optimiser bounded_optimiser(const Bounds& bounds, const ActuationFitOptions& options) {
     Optimiser optimiser(nlopt_create(NLOPT_LD_LBFGS, static_cast<unsigned>(bounds.lower.size())), nlopt_destroy);
-    const MatrixXd lower = bounds.lower / actuation_fit_policy.value_unit,
-                   upper = bounds.upper / actuation_fit_policy.value_unit;
+    const MatrixXd lower = bounds.in_units(bounds.lower), upper = bounds.in_units(bounds.upper);
     nlopt_set_lower_bounds(optimiser.get(), lower.data());
     nlopt_set_upper_bounds(optimiser.get(), upper.data());
     nlopt_set_ftol_rel(optimiser.get(), options.relative_decrease);
@@ -182,8 +189,7 @@ void set_ending(const ActuationFitOptions& options, const Progress& progress, nl
 
 ActuationEvaluation evaluate_actuation(const ActuationProblem& problem, const MatrixXd& values,
                                        const Progress& progress) {
-    model::Model model = problem.model;
-    model.activation = acting_activations(problem.sought, problem.acting, values);
+    const model::Model model = driven_model(problem.model, acting_commands(problem.sought, problem.acting, values));
     ActuationEvaluation result;
     MarkerTarget target = problem.target;
     // The placement is optimised inside the loss: by the envelope theorem the gradient is that at fixed placement.
@@ -197,7 +203,8 @@ ActuationEvaluation evaluate_actuation(const ActuationProblem& problem, const Ma
     result.status = run.status;
     result.message = run.message;
     if (!run.complete()) return result;
-    result.gradient = acting_value_gradient(problem.sought, problem.acting, values, run.gradient.activation);
+    result.gradient = acting_value_gradient(problem.sought, problem.acting, values,
+                                            driven_gradient(model, run.gradient, problem.sought.groups.size()));
     result.rms_m = std::sqrt(run.loss);
     const double weight = problem.smoothness_m_s * problem.smoothness_m_s;
     result.loss_m2 = run.loss + weight * mean_square_rate(problem.sought, values, weight, result.gradient);
@@ -227,7 +234,7 @@ ActuationFit fit_actuation(const ActuationProblem& problem, const MatrixXd& star
         Objective data{search, bounds};
         search.stop_with(optimiser.get());
         nlopt_set_min_objective(optimiser.get(), objective, &data);
-        MatrixXd x = fit.start / actuation_fit_policy.value_unit;
+        MatrixXd x = bounds.in_units(fit.start);
         double least = 0.0;
         set_ending(options, progress, nlopt_optimize(optimiser.get(), x.data(), &least), fit);
     } else {

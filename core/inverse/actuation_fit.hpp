@@ -18,13 +18,13 @@ namespace myo::inverse {
 
 /// Inverse problem: find signals such that the markers of a model follow a target.
 struct ActuationProblem {
-    model::Model model;  // its activation is replaced
+    model::Model model;  // its activation and the commands of its first force elements are replaced
     dynamics::SimulationOptions options;
     MarkerTarget target;
     SoughtSignals sought;
     ActingSignals acting{};  // what the actuators make of the sought signals
     /// Weight of the smoothness: loss = mean square residual + (smoothness)^2 times the mean square rate of the
-    /// signals. A rate of 1 per second costs as much as this rms error.
+    /// signals over their scales. A rate of one scale per second costs as much as this rms error.
     double smoothness_m_s = 1e-4;
     /// If set, the placement of the target (camera frame) is optimised for every motion within these bounds. Otherwise
     /// the placement of the target is used.
@@ -38,7 +38,7 @@ struct ActuationEvaluation {
     double loss_m2 = 0.0;
     double rms_m = 0.0;              // root mean square of the residuals, without smoothness
     MarkerPlacement placement;       // of the target: given or optimised
-    Eigen::MatrixXd gradient;        // signals x knots [m2]
+    Eigen::MatrixXd gradient;        // signals x knots [m2 per unit of the signal]
     sensitivity::NodeMotion motion;  // of the marker nodes
     int steps = 0;                   // of the run
 
@@ -54,7 +54,8 @@ struct ActuationIterate {
     bool ok = false;  // false: the run failed at these values
     double loss_m2 = 0.0;
     double rms_m = 0.0;
-    double gradient_norm_m2 = 0.0;  // norm of the projected gradient, without components that the bounds block
+    double gradient_norm_m2 = 0.0;  // of the projected gradient by values over their scales: without components that
+                                    // the bounds block
     double seconds = 0.0;           // duration of the evaluation
 };
 

@@ -13,11 +13,17 @@ using Eigen::MatrixXd;
 /// Whether the first knot has the fixed value `before`: for a held signal that before t = 0, for a linear one that
 /// starts there, the knot at t = 0.
 bool has_fixed_knot(const SoughtSignals& sought) {
+    if (sought.constant) return false;
     return sought.hold ? !sought.seek_before : sought.from_before && !sought.seek_before;
 }
 
+/// Whether the signals jump at their knots.
+bool is_held(const SoughtSignals& sought) { return sought.hold && !sought.constant; }
+
 /// Index of the first value that ends a rate.
-Index first_rate(const SoughtSignals& sought) { return sought.from_before && !sought.seek_before ? 0 : 1; }
+Index first_rate(const SoughtSignals& sought) {
+    return sought.from_before && !sought.seek_before && !sought.constant ? 0 : 1;
+}
 
 /// Index of the first knot, free or not [periods].
 int first_knot(const SoughtSignals& sought) { return sought.hold ? -1 : 0; }
@@ -25,6 +31,7 @@ int first_knot(const SoughtSignals& sought) { return sought.hold ? -1 : 0; }
 }  // namespace
 
 std::vector<double> knot_times(const SoughtSignals& sought) {
+    if (sought.constant) return {0.0};
     // A held signal needs no knot at or beyond the end; a linear one ends at the first knot there.
     const double spans = std::max(1.0, std::ceil(sought.end_s * sought.frequency_Hz - 1e-9));
     const int count = static_cast<int>(spans) + (sought.hold ? 0 : 1);
@@ -43,35 +50,42 @@ MatrixXd unmoved_values(const SoughtSignals& sought) {
     return values;
 }
 
-std::vector<fibre::Signal> activations_of(const SoughtSignals& sought, const MatrixXd& values) {
+std::vector<fibre::Signal> commands_of(const SoughtSignals& sought, const MatrixXd& values) {
     std::vector<double> times = knot_times(sought);
     assert(values.rows() == static_cast<Index>(sought.signals.size()) &&
            values.cols() == static_cast<Index>(times.size()));
     const bool fixed = has_fixed_knot(sought);
     if (fixed) times.insert(times.begin(), first_knot(sought) / sought.frequency_Hz);
-    std::vector<fibre::Signal> activations;
+    std::vector<fibre::Signal> commands;
     for (const SignalShare& group : sought.groups) {
-        const auto of_group = [&](double s) { return 1.0 + group.factor * (s - 1.0); };
+        const SoughtSignal& signal = sought.signals[group.signal];
+        const auto of_group = [&](double s) { return signal.passive + group.factor * (s - signal.passive); };
         std::vector<double> knots;
-        if (fixed) knots.push_back(of_group(sought.signals[group.signal].before));
+        if (fixed) knots.push_back(of_group(signal.before));
         for (const double value : values.row(static_cast<Index>(group.signal))) knots.push_back(of_group(value));
-        activations.push_back(sought.hold ? fibre::Signal::held(times, knots) : fibre::Signal{times, knots});
+        commands.push_back(is_held(sought) ? fibre::Signal::held(times, knots) : fibre::Signal{times, knots});
     }
-    return activations;
+    return commands;
 }
 
-MatrixXd value_gradient(const SoughtSignals& sought, const std::vector<std::vector<double>>& activation) {
-    assert(activation.size() == sought.groups.size());
+MatrixXd value_gradient(const SoughtSignals& sought, const std::vector<std::vector<double>>& command) {
+    assert(command.size() == sought.groups.size());
     MatrixXd gradient = MatrixXd::Zero(static_cast<Index>(sought.signals.size()),
                                        static_cast<Index>(knot_times(sought).size()));
-    for (std::size_t g = 0; g < activation.size(); ++g) {
-        const std::vector<double> knots = sought.hold ? fibre::held_sample_gradient(activation[g]) : activation[g];
+    for (std::size_t g = 0; g < command.size(); ++g) {
+        const std::vector<double> knots = is_held(sought) ? fibre::held_sample_gradient(command[g]) : command[g];
         const Index first = static_cast<Index>(knots.size()) - gradient.cols();  // earlier knots are not free
         for (Index k = 0; k < gradient.cols(); ++k)
             gradient(static_cast<Index>(sought.groups[g].signal), k) += sought.groups[g].factor *
                                                                         knots[static_cast<std::size_t>(first + k)];
     }
     return gradient;
+}
+
+Eigen::VectorXd signal_scales(const SoughtSignals& sought) {
+    Eigen::VectorXd scales(static_cast<Index>(sought.signals.size()));
+    for (Index s = 0; s < scales.size(); ++s) scales(s) = sought.signals[static_cast<std::size_t>(s)].scale;
+    return scales;
 }
 
 MatrixXd rate_matrix(const SoughtSignals& sought, Index knots) {
@@ -94,10 +108,11 @@ double mean_square_rate(const SoughtSignals& sought, const MatrixXd& values, dou
     double sum = 0.0;
     for (Index s = 0; s < values.rows(); ++s)
         for (Index k = first; k < values.cols(); ++k) {
+            const SoughtSignal& signal = sought.signals[static_cast<std::size_t>(s)];
             // The first rate is measured from `before`, which is constant.
-            const double left = k > 0 ? values(s, k - 1) : sought.signals[static_cast<std::size_t>(s)].before;
-            const double rate = (values(s, k) - left) * sought.frequency_Hz;
-            const double slope = weight * 2.0 * rate * sought.frequency_Hz / count;
+            const double left = k > 0 ? values(s, k - 1) : signal.before;
+            const double rate = (values(s, k) - left) / signal.scale * sought.frequency_Hz;
+            const double slope = weight * 2.0 * rate * sought.frequency_Hz / count / signal.scale;
             sum += rate * rate;
             gradient(s, k) += slope;
             if (k > 0) gradient(s, k - 1) -= slope;

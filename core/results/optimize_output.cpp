@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "experiment/actuators.hpp"
 #include "measurement/actuation_csv.hpp"
 #include "measurement/trace_csv.hpp"
 #include "results/finding_output.hpp"
@@ -19,14 +20,20 @@ using Eigen::MatrixXd;
 
 const char* interpolation(bool hold) { return hold ? "hold" : "linear"; }
 
+/// Actuator that a signal drives; a muscle that follows none, a chamber or a tendon.
+experiment::Actuator actuator_of(const setup::Setup& setup, const inverse::SoughtSignal& signal) {
+    return experiment::actuators(setup.experiment)[*experiment::find_actuator(setup.experiment, signal.name)];
+}
+
 /// The signals at their own knots; a jump takes two rows with the same time.
-measurement::ActuationTable actuation_table(const inverse::SoughtSignals& sought, const MatrixXd& values) {
+measurement::ActuationTable actuation_table(const setup::Setup& setup, const inverse::SoughtSignals& sought,
+                                            const MatrixXd& values) {
     std::vector<double> times;
     std::vector<std::vector<double>> rows;
     inverse::SoughtSignals alone = sought;  // each signal as its own group, without followers
     alone.groups.clear();
     for (std::size_t s = 0; s < sought.signals.size(); ++s) alone.groups.push_back({s, 1.0});
-    const std::vector<fibre::Signal> signals = inverse::activations_of(alone, values);
+    const std::vector<fibre::Signal> signals = inverse::commands_of(alone, values);
     for (std::size_t k = 0; k < signals.front().times_s.size(); ++k) {
         const double t = signals.front().times_s[k];
         if (t < 0.0) continue;  // the level before the start equals that at the start
@@ -38,7 +45,7 @@ measurement::ActuationTable actuation_table(const inverse::SoughtSignals& sought
     table.time_s = Eigen::Map<const Eigen::VectorXd>(times.data(), static_cast<Index>(times.size()));
     table.values.resize(static_cast<Index>(signals.size()), static_cast<Index>(rows.size()));
     for (std::size_t s = 0; s < signals.size(); ++s) {
-        table.muscles.push_back(sought.signals[s].name);
+        table.muscles.push_back(actuator_of(setup, sought.signals[s]).column);
         for (std::size_t k = 0; k < rows.size(); ++k)
             table.values(static_cast<Index>(s), static_cast<Index>(k)) = rows[k][s];
     }
@@ -52,14 +59,17 @@ fs::path actuation_file(const setup::Setup& setup) {
 }
 
 /// Bounds, values and standard deviations per signal; "from_markers" is the part of the deviation due to the markers.
-report::Json signals_json(const inverse::SoughtSignals& sought, const MatrixXd& values,
+report::Json signals_json(const setup::Setup& setup, const inverse::SoughtSignals& sought, const MatrixXd& values,
                           const inverse::ActuationDeviations& deviations) {
     report::Json signals = report::Json::array();
     const auto row = [](const MatrixXd& of, std::size_t s) {
         return report::json_array(Eigen::VectorXd(of.row(static_cast<Index>(s)).transpose()));
     };
     for (std::size_t s = 0; s < sought.signals.size(); ++s) {
-        signals.push_back({{"name", sought.signals[s].name},
+        const experiment::Actuator actuator = actuator_of(setup, sought.signals[s]);
+        signals.push_back({{"name", actuator.name},
+                           {"quantity", experiment::quantity_word(actuator.kind)},
+                           {"unit", actuator.unit},
                            {"lower", sought.signals[s].lower},
                            {"upper", sought.signals[s].upper},
                            {"before", sought.seek_before ? values(static_cast<Index>(s), 0) : sought.signals[s].before},
@@ -75,7 +85,7 @@ report::Json signals_json(const inverse::SoughtSignals& sought, const MatrixXd& 
 /// Signal and factor of each muscle, so that followers can be reconstructed.
 report::Json muscles_json(const setup::Setup& setup, const inverse::SoughtSignals& sought) {
     report::Json muscles = report::Json::array();
-    for (std::size_t g = 0; g < sought.groups.size(); ++g)
+    for (std::size_t g = 0; g < setup.experiment.muscles.size(); ++g)
         muscles.push_back({{"name", setup.experiment.muscles[g].name},
                            {"signal", sought.signals[sought.groups[g].signal].name},
                            {"factor", sought.groups[g].factor}});
@@ -183,7 +193,7 @@ report::Json search_json(const setup::Setup& setup, const calibration::Optimizat
             {"message", fit.message},
             {"actuation", actuation_file(setup).string()},
             {"knot_times_s", report::json_array(inverse::knot_times(sought))},
-            {"signals", signals_json(sought, fit.values, optimization.deviations)},
+            {"signals", signals_json(setup, sought, fit.values, optimization.deviations)},
             {"muscles", muscles_json(setup, sought)},
             {"starts", starts_json(optimization.starts)},
             {"history", history_json(fit.log)}};
@@ -281,7 +291,8 @@ report::Json optimize_json(const setup::Setup& setup, const calibration::Optimiz
 Result<void> write_actuation(const fs::path& folder, const setup::Setup& setup,
                              const calibration::Optimization& optimization) {
     if (const Result<void> written = measurement::write_actuation_csv(
-            folder / actuation_file(setup), actuation_table(optimization.problem.sought, optimization.fit.values));
+            folder / actuation_file(setup),
+            actuation_table(setup, optimization.problem.sought, optimization.fit.values));
         !written)
         return written.error();
     return write_traces(folder, setup, optimization.after);

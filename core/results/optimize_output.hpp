@@ -32,8 +32,8 @@ Result<EarlierOptimization> read_optimization(const std::filesystem::path& folde
 report::Json optimize_json(const setup::Setup& setup, const calibration::Optimization& optimization,
                            const RunFacts& facts);
 
-/// Writes `<trial>_actuation.csv` in the schema's format, one column per muscle that follows none, and `<trial>.csv`
-/// with the simulated markers. A held signal has two rows per knot, so `simulate` reproduces the run.
+/// Writes `<trial>_actuation.csv` in the schema's format, one column per muscle that follows none, chamber and tendon,
+/// and `<trial>.csv` with the simulated markers. A held signal has two rows per knot, so `simulate` reproduces the run.
 ///
 /// Errors: a file cannot be written.
 Result<void> write_actuation(const std::filesystem::path& folder, const setup::Setup& setup,

@@ -3,8 +3,10 @@
 #include <limits>
 
 #include "base/markup.hpp"
+#include "base/text.hpp"
 #include "calibration/calibrate.hpp"
 #include "chart/svg.hpp"
+#include "experiment/actuators.hpp"
 #include "report/length.hpp"
 #include "results/calibration_report_parts.hpp"
 #include "results/finding_output.hpp"
@@ -28,6 +30,11 @@ int evaluations_of(const calibration::Optimization& optimization) {
     return count;
 }
 
+/// Name, quantity and unit of the actuator that a signal drives.
+experiment::Actuator actuator_named(const setup::Setup& setup, const std::string& name) {
+    return experiment::actuators(setup.experiment)[*experiment::find_actuator(setup.experiment, name)];
+}
+
 /// Headline values: error, range of each signal, cost.
 std::vector<report::KeyFigure> key_figures(const setup::Setup& setup, const calibration::Optimization& optimization) {
     const inverse::SoughtSignals& sought = optimization.problem.sought;
@@ -38,10 +45,18 @@ std::vector<report::KeyFigure> key_figures(const setup::Setup& setup, const cali
                            report::in_mm(optimization.before.fit_rms_m) + " mm at the start"});
     for (std::size_t s = 0; s < sought.signals.size(); ++s) {
         const auto row = optimization.fit.values.row(static_cast<Eigen::Index>(s));
-        figures.push_back({"Signal " + sought.signals[s].name,
-                           readable_number(row.minCoeff(), 3) + " … " + readable_number(row.maxCoeff(), 3), "",
-                           std::to_string(row.size()) + " values at " + readable_number(sought.frequency_Hz, 3) +
-                               " Hz" + (sought.hold ? ", held" : "")});
+        const experiment::Actuator actuator = actuator_named(setup, sought.signals[s].name);
+        const std::string title = (actuator.kind == experiment::ActuatorKind::muscle
+                                       ? "Signal "
+                                       : "Signal (" + experiment::quantity_word(actuator.kind) + ") ") +
+                                  actuator.name;
+        if (sought.constant)
+            figures.push_back({title, readable_number(row(0), 4), actuator.unit, "held at rest"});
+        else
+            figures.push_back({title, readable_number(row.minCoeff(), 3) + " … " + readable_number(row.maxCoeff(), 3),
+                               actuator.unit,
+                               std::to_string(row.size()) + " values at " + readable_number(sought.frequency_Hz, 3) +
+                                   " Hz" + (sought.hold ? ", held" : "")});
     }
     figures.push_back({"Evaluations", std::to_string(evaluations_of(optimization)), "",
                        readable_number(optimization.seconds, 3) + " s, " + std::to_string(setup.body->dofs()) +
@@ -49,15 +64,15 @@ std::vector<report::KeyFigure> key_figures(const setup::Setup& setup, const cali
     return figures;
 }
 
-/// Standard deviation of every muscle's activation at the knots; empty if unknown.
+/// Standard deviation of every actuator's signal at the knots; empty if unknown.
 std::vector<fibre::Signal> band_of(const calibration::Optimization& optimization) {
     if (!optimization.deviations.found) return {};
     const inverse::SoughtSignals& sought = optimization.problem.sought;
     const Eigen::MatrixXd& deviations = optimization.deviations.deviations;
-    std::vector<fibre::Signal> widths = inverse::activations_of(sought, deviations);
-    const std::vector<fibre::Signal> none = inverse::activations_of(
+    std::vector<fibre::Signal> widths = inverse::commands_of(sought, deviations);
+    const std::vector<fibre::Signal> none = inverse::commands_of(
         sought, Eigen::MatrixXd::Zero(deviations.rows(), deviations.cols()));
-    // activations_of() is affine, a = 1 + factor (signal - 1): subtracting its value at zero leaves the linear part.
+    // commands_of() is affine in the signals: subtracting its value at zero leaves the linear part.
     for (std::size_t g = 0; g < widths.size(); ++g)
         for (std::size_t k = 0; k < widths[g].values.size(); ++k) widths[g].values[k] -= none[g].values[k];
     return widths;
@@ -72,30 +87,69 @@ std::string band_words(const calibration::Optimization& optimization) {
            "seen; values without a band were not measured.";
 }
 
-/// Activations of all muscles over time, with bands of one standard deviation.
+/// Scales of signals other than those of muscles, for the rate; empty if there are none.
+std::string scale_words(const setup::Setup& setup, const inverse::SoughtSignals& sought) {
+    std::vector<std::string> scales;
+    for (const inverse::SoughtSignal& signal : sought.signals)
+        if (const experiment::Actuator actuator = actuator_named(setup, signal.name);
+            actuator.kind != experiment::ActuatorKind::muscle)
+            scales.push_back(signal.name + " " + readable_number(signal.scale, 3) + " " + actuator.unit);
+    return scales.empty() ? "" : " over their scales (" + join(scales) + ")";
+}
+
+/// What the signals mean.
+std::string passive_words(const setup::Setup& setup) {
+    std::string words;
+    if (!setup.experiment.muscles.empty())
+        words =
+            "1 is passive; below it a muscle contracts, above it it extends. Muscles that follow another are drawn, "
+            "too.";
+    if (!setup.experiment.chambers.empty() || !setup.experiment.tendons.empty())
+        words += std::string(words.empty() ? "" : " ") + "At 0 chambers and tendons are at rest.";
+    return words;
+}
+
+/// Signal of one actuator over time, with a band of one standard deviation.
+///
+/// @param width  standard deviation at the knots; null: unknown
+chart::Series signal_series(const std::string& name, const inverse::SoughtSignals& sought, const fibre::Signal& signal,
+                            const fibre::Signal* width) {
+    chart::Series series{
+        name, {}, {}, sought.hold || sought.constant ? chart::SeriesStyle::line : chart::SeriesStyle::line_and_dots};
+    for (std::size_t k = 0; k < signal.times_s.size(); ++k) {
+        series.x.push_back(std::max(0.0, signal.times_s[k]));
+        series.y.push_back(signal.values[k]);
+        if (width != nullptr) series.half_width.push_back(std::abs(width->values[k]));
+    }
+    // A held signal lasts to the end, where it has no knot.
+    series.x.push_back(std::max(sought.end_s, series.x.back()));
+    series.y.push_back(signal.values.back());
+    if (width != nullptr) series.half_width.push_back(series.half_width.back());
+    return series;
+}
+
+/// Signals of all actuators over time, with bands of one standard deviation; one panel per quantity.
 chart::Chart signal_chart(const setup::Setup& setup, const calibration::Optimization& optimization) {
     const inverse::SoughtSignals& sought = optimization.problem.sought;
-    const std::vector<fibre::Signal> signals = inverse::activations_of(sought, optimization.fit.values);
+    const std::vector<fibre::Signal> signals = inverse::commands_of(sought, optimization.fit.values);
     const std::vector<fibre::Signal> widths = band_of(optimization);
-    chart::Panel panel{{.label = "activation a"}, {}, 220.0};
+    const std::vector<experiment::Actuator> actuators = experiment::actuators(setup.experiment);
+    std::vector<chart::Panel> panels;
     for (std::size_t g = 0; g < signals.size(); ++g) {
-        chart::Series series{setup.experiment.muscles[g].name,
-                             {},
-                             {},
-                             sought.hold ? chart::SeriesStyle::line : chart::SeriesStyle::line_and_dots};
-        for (std::size_t k = 0; k < signals[g].times_s.size(); ++k) {
-            series.x.push_back(std::max(0.0, signals[g].times_s[k]));
-            series.y.push_back(signals[g].values[k]);
-            if (!widths.empty()) series.half_width.push_back(std::abs(widths[g].values[k]));
+        const experiment::Actuator& actuator = actuators[g];
+        const bool is_muscle = actuator.kind == experiment::ActuatorKind::muscle;
+        if (g == 0 || actuator.kind != actuators[g - 1].kind) {
+            // Actuators of a kind follow each other.
+            panels.push_back({{.label = is_muscle ? "activation a" : experiment::quantity_word(actuator.kind),
+                               .unit = actuator.unit},
+                              {},
+                              220.0});
+            panels.back().horizontal.push_back({actuator.rest, "passive"});
         }
-        // A held signal lasts to the end, where it has no knot.
-        series.x.push_back(std::max(sought.end_s, series.x.back()));
-        series.y.push_back(signals[g].values.back());
-        if (!widths.empty()) series.half_width.push_back(series.half_width.back());
-        panel.series.push_back(std::move(series));
+        panels.back().series.push_back(
+            signal_series(actuator.name, sought, signals[g], widths.empty() ? nullptr : &widths[g]));
     }
-    panel.horizontal.push_back({1.0, "passive"});
-    return {"Signals", {.label = "time", .unit = "s"}, {panel}};
+    return {"Signals", {.label = "time", .unit = "s"}, std::move(panels)};
 }
 
 /// Loss and gradient over the evaluations, logarithmic.
@@ -134,10 +188,12 @@ report::HtmlReport optimize_report(const setup::Setup& setup, const calibration:
     const calibration::Calibration shown = shown_as_fit(optimization);
     report::HtmlReport report;
     report.title = setup.experiment.name;
+    const inverse::SoughtSignals& sought = optimization.problem.sought;
     report.summary = {"The actuation that makes the markers follow trial " + setup.trials.front().name +
-                      ": muscle signals with values " +
-                      readable_number(1e3 / optimization.problem.sought.frequency_Hz, 3) + " ms apart, found by " +
-                      std::to_string(evaluations_of(optimization)) + " runs with their gradients in " +
+                      (sought.constant
+                           ? ": one value of each signal, as the body is at rest"
+                           : ": signals with values " + readable_number(1e3 / sought.frequency_Hz, 3) + " ms apart") +
+                      ", found by " + std::to_string(evaluations_of(optimization)) + " runs with their gradients in " +
                       readable_number(optimization.seconds, 3) + " s."};
     report.key_figures = key_figures(setup, optimization);
     report.warnings.lines = optimization.warnings;
@@ -146,16 +202,15 @@ report::HtmlReport optimize_report(const setup::Setup& setup, const calibration:
         report.warnings.lines.insert(report.warnings.lines.begin(), end);
     report.sections.push_back({"Signals",
                                {report::Figure{chart::svg(signal_chart(setup, optimization)),
-                                               "1 is passive; below it a muscle contracts, above it it extends. "
-                                               "Muscles that follow another are drawn, too." +
-                                                   band_words(optimization)}}});
+                                               passive_words(setup) + band_words(optimization)}}});
     report.sections.push_back(trial_section(setup, shown, 0));
     report.sections.push_back(
         {"Search",
          {report::Figure{chart::svg(loss_chart(optimization)),
                          "The loss is the mean square distance of the coordinates plus the square of " +
                              readable_number(1e3 * optimization.problem.smoothness_m_s, 3) +
-                             " mm·s times the mean square rate of the signals; its root is shown."}}});
+                             " mm·s times the mean square rate of the signals" + scale_words(setup, sought) +
+                             "; its root is shown."}}});
     report.sections.push_back(model_section(setup, shown));
     if (!facts.findings.empty()) report.sections.insert(report.sections.end() - 1, findings_section(facts.findings));
     report.sections.back().blocks.push_back(

@@ -278,6 +278,20 @@ Result<model::Model> shared_model(Setup& setup, const material::MaterialPointer&
 }
 
 /// The trials with their traces, and the noise of the markers, which is estimated from all of them.
+/// Ranges of the recorded and constant commands over the trials.
+std::vector<CommandRange> command_ranges(const std::vector<PreparedTrial>& trials) {
+    std::vector<CommandRange> ranges;
+    for (const PreparedTrial& trial : trials) {
+        ranges.resize(trial.recorded_commands.size());
+        for (std::size_t c = 0; c < ranges.size(); ++c)
+            for (const double value : trial.recorded_commands[c].values) {
+                ranges[c].lowest = std::min(ranges[c].lowest, value);
+                ranges[c].highest = std::max(ranges[c].highest, value);
+            }
+    }
+    return ranges;
+}
+
 Result<void> add_trials(Setup& setup, const model::Model& model, const Progress& progress) {
     const experiment::Experiment& experiment = setup.experiment;
     std::vector<measurement::Recording> recordings;
@@ -289,6 +303,7 @@ Result<void> add_trials(Setup& setup, const model::Model& model, const Progress&
         if (trial->hold) trial->measured = mean_pose(trial->measured);
         setup.trials.push_back(std::move(*trial));
     }
+    setup.command_ranges = command_ranges(setup.trials);
     if (const Result<void> seen = check_seen(setup); !seen) return seen.error();
     // An effect on the actuation of a body without actuators is declared in vain.
     for (const effect::EffectDeclaration& effect : experiment.effects)

@@ -16,6 +16,7 @@
 #include "model/model.hpp"
 #include "setup/body_mesh.hpp"
 #include "setup/chambers.hpp"
+#include "setup/command_range.hpp"
 #include "setup/integration_check.hpp"
 #include "setup/parts.hpp"
 #include "setup/sensors.hpp"
@@ -78,11 +79,12 @@ struct Setup {
     SetupSettings settings;
     mesh::SurfaceMesh surface;
     BodyMesh mesh;
-    model::BodyPointer body;         // shared by the models of all trials
-    Eigen::MatrixXd part_shares;     // of the materials in the cells, see part_shares(); empty: one material
-    std::vector<Chamber> chambers;   // in the order of declaration
-    std::vector<Tendon> tendons;     // in the order of declaration
-    measurement::MarkerSet markers;  // interpolation from nodes to the markers on the body
+    model::BodyPointer body;                   // shared by the models of all trials
+    Eigen::MatrixXd part_shares;               // of the materials in the cells, see part_shares(); empty: one material
+    std::vector<Chamber> chambers;             // in the order of declaration
+    std::vector<Tendon> tendons;               // in the order of declaration
+    std::vector<CommandRange> command_ranges;  // of chambers, then tendons; also of trials that were taken out since
+    measurement::MarkerSet markers;            // interpolation from nodes to the markers on the body
     std::vector<std::string> marker_names;
     Eigen::VectorXd noise_m;  // per marker, 1 sigma per coordinate [m]
     std::vector<PreparedTrial> trials;

@@ -178,14 +178,14 @@ TEST(ActuationSignals, HeldAndLinearSignalsPassTheirValuesOn) {
     EXPECT_EQ(knot_times(sought).size(), 4u);
     MatrixXd values(1, 4);
     values << 1.1, 1.2, 1.3, 1.4;
-    std::vector<fibre::Signal> held = activations_of(sought, values);
+    std::vector<fibre::Signal> held = commands_of(sought, values);
     EXPECT_EQ(held[0].value_before(0.0), 1.0);
     EXPECT_EQ(held[0].value(0.0), 1.1);
     EXPECT_EQ(held[0].value(0.12), 1.3);
     EXPECT_NEAR(held[1].value(0.12), 1.0 - 0.5 * 0.3, 1e-15);
     sought.hold = false;
     EXPECT_EQ(knot_times(sought).size(), 4u);  // that at 0 is not free
-    const std::vector<fibre::Signal> linear = activations_of(sought, values);
+    const std::vector<fibre::Signal> linear = commands_of(sought, values);
     EXPECT_EQ(linear[0].value(0.0), 1.0);
     EXPECT_NEAR(linear[0].value(0.025), 1.05, 1e-15);
     EXPECT_EQ(linear[0].value(0.2), 1.4);
@@ -204,13 +204,13 @@ TEST(ActuationSignals, AnUnknownLevelBeforeTheStartIsTheFirstValue) {
     EXPECT_EQ(knot_times(sought).front(), 0.0);
     MatrixXd values(1, 5);
     values << 0.9, 1.1, 1.2, 1.3, 1.4;
-    const fibre::Signal linear = activations_of(sought, values).front();
+    const fibre::Signal linear = commands_of(sought, values).front();
     EXPECT_EQ(linear.value_before(0.0), 0.9);
     EXPECT_NEAR(linear.value(0.025), 1.0, 1e-15);
     sought.hold = true;  // what is held from t = 0 on is one more
     ASSERT_EQ(knot_times(sought).size(), 5u);
     EXPECT_LT(knot_times(sought).front(), 0.0);
-    const fibre::Signal held = activations_of(sought, values).front();
+    const fibre::Signal held = commands_of(sought, values).front();
     EXPECT_EQ(held.value_before(0.0), 0.9);
     EXPECT_EQ(held.value(0.0), 1.1);
     // Its jump at t = 0 is a change like the others.

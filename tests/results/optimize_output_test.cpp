@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "measurement/actuation_csv.hpp"
+#include "support/chambered_beam.hpp"
 #include "support/known_run.hpp"
 #include "support/muscle_beam.hpp"
 
@@ -170,6 +171,40 @@ TEST_F(OptimizeOutput, WritesAHeldSignalAsJumps) {
     ASSERT_EQ(table->time_s.size(), 4);
     EXPECT_THAT(table->time_s, ElementsAre(0.0, 0.0, 0.1, 0.1));
     EXPECT_THAT(table->values.row(0), ElementsAre(1.0, 0.9, 0.9, 0.7));
+}
+
+/// Pressures and tensions have their own columns and units.
+TEST(OptimizeOutputOfCommands, IsInTheirUnits) {
+    const test::Folder folder("optimize_output_commands");
+    const setup::Setup setup = test::chambered_beam(folder, 0.1, [](experiment::Experiment& e) {
+        e.tendons.push_back(test::upper_tendon());
+        e.tendons.back().name = "cable";
+        e.trials.pop_back();
+        e.trials[0].actuation_steps = {{"upper", 4000.0}, {"cable", 1.0}};
+    });
+    calibration::Optimization made;
+    calibration::OptimizeSettings settings;
+    settings.frequency_Hz = 10.0;
+    const Result<inverse::ActuationProblem> problem = calibration::actuation_problem(setup, settings);
+    ASSERT_TRUE(problem) << problem.error().text();
+    made.problem = *problem;
+    made.fit.values = (Eigen::Matrix2d() << 0.0, 4000.0, 0.0, 0.5).finished();
+    made.fit.first.status = made.fit.best.status = dynamics::RunStatus::complete;
+    made.before = made.after = test::run_missed_by(setup, {{1e-4, 2e-4, 3e-4}});
+    const report::Json signals = optimize_json(setup, made, {})["signals"];
+    EXPECT_EQ(signals[0]["quantity"], "pressure");
+    EXPECT_EQ(signals[0]["unit"], "Pa");
+    EXPECT_EQ(signals[0]["upper"], 6000.0);
+    EXPECT_EQ(signals[1]["name"], "cable");
+    EXPECT_EQ(signals[1]["unit"], "N");
+    ASSERT_TRUE(write_actuation(folder.path(), setup, made));
+    const auto table = measurement::read_actuation_csv(folder.path() / "swing_actuation.csv");
+    ASSERT_TRUE(table) << table.error().text();
+    EXPECT_THAT(table->muscles, ElementsAre("upper_Pa", "cable_N"));
+    EXPECT_EQ(table->values, made.fit.values);
+    const std::string page = report::html(optimize_report(setup, made, {}));
+    for (const char* text : {"pressure [Pa]", "tension [N]", "upper 6000 Pa", "At 0 chambers and tendons are at rest"})
+        EXPECT_NE(page.find(text), std::string::npos) << text;
 }
 
 TEST_F(OptimizeOutput, NamesOneFilePerTrial) {

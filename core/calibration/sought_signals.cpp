@@ -1,0 +1,126 @@
+#include "calibration/sought_signals.hpp"
+
+#include <algorithm>
+#include <cassert>
+
+#include "calibration/target_miss.hpp"
+#include "experiment/actuators.hpp"
+#include "experiment/read_trial.hpp"
+#include "setup/actuator_signals.hpp"
+
+namespace myo::calibration {
+namespace {
+
+using experiment::ActuatorKind;
+
+struct SoughtSignalsPolicy {
+    double beyond_trials = 1.5;  // undeclared limit, over the largest command of the trials
+    /// Scale of a signal that nothing limits, over that of a free level: as those of muscles are, 1 and 0.1.
+    double scales_of_level = 10.0;
+};
+constexpr SoughtSignalsPolicy sought_signals_policy;
+
+std::optional<double> declared_limit(const experiment::LimitsDeclaration& limits, ActuatorKind kind) {
+    switch (kind) {
+        case ActuatorKind::chamber: return limits.pressure_Pa;
+        case ActuatorKind::tendon_tension: return limits.tension_N;
+        case ActuatorKind::tendon_shortening: return limits.shortening_m;
+        case ActuatorKind::muscle: break;
+    }
+    return std::nullopt;
+}
+
+/// Range of the commands of a kind over all trials; limits are per kind as well.
+setup::CommandRange range_of_kind(const setup::Setup& setup, ActuatorKind kind) {
+    const std::vector<experiment::Actuator> all = experiment::actuators(setup.experiment);
+    const std::size_t muscles = setup.experiment.muscles.size();
+    setup::CommandRange range;
+    for (std::size_t c = 0; c < setup.command_ranges.size(); ++c) {
+        if (all[muscles + c].kind != kind) continue;
+        range.lowest = std::min(range.lowest, setup.command_ranges[c].lowest);
+        range.highest = std::max(range.highest, setup.command_ranges[c].highest);
+    }
+    return range;
+}
+
+/// Signals of the muscles that follow none, with the shares of all muscles.
+void add_muscles(const setup::Setup& setup, const OptimizeSettings& settings, inverse::SoughtSignals& sought) {
+    const std::vector<experiment::MuscleLeader> leaders = experiment::muscle_leaders(setup.experiment);
+    const double lowest = lowest_activation(setup.experiment, settings);
+    std::vector<std::size_t> signal_of(leaders.size());
+    for (std::size_t m = 0; m < leaders.size(); ++m) {
+        if (leaders[m].leader != m) continue;
+        signal_of[m] = sought.signals.size();
+        sought.signals.push_back({setup.experiment.muscles[m].name, lowest, settings.highest,
+                                  setup.trials.front().model.activation[m].value_before(0.0)});
+    }
+    for (const experiment::MuscleLeader& muscle : leaders) {
+        sought.groups.push_back({signal_of[muscle.leader], muscle.factor});
+        if (muscle.factor == 0.0) continue;
+        inverse::SoughtSignal& signal = sought.signals[sought.groups.back().signal];
+        // Limits of the follower, mapped back to the leader: a_leader = 1 + (a_follower - 1) / factor.
+        const double a = 1.0 + (lowest - 1.0) / muscle.factor, b = 1.0 + (settings.highest - 1.0) / muscle.factor;
+        signal.lower = std::max(signal.lower, std::min(a, b));
+        signal.upper = std::min(signal.upper, std::max(a, b));
+    }
+}
+
+/// Signals of chambers and tendons; none follows another.
+void add_commands(const setup::Setup& setup, inverse::SoughtSignals& sought) {
+    const std::vector<std::string> names = setup::actuator_names(setup.experiment);
+    for (std::size_t i = setup.experiment.muscles.size(); i < names.size(); ++i) {
+        const setup::LevelBounds bounds = command_bounds(setup, i);
+        const fibre::Signal& command = setup::actuator_signal(setup.experiment, setup.trials.front().model, i);
+        sought.groups.push_back({sought.signals.size(), 1.0});
+        sought.signals.push_back({names[i], bounds.lower, bounds.upper, command.value_before(0.0),
+                                  setup::passive_level(setup.experiment, i), bounds.scale});
+    }
+}
+
+}  // namespace
+
+double lowest_activation(const experiment::Experiment& experiment, const OptimizeSettings& settings) {
+    return settings.lowest.value_or(experiment.limits.activation.value_or(default_lowest_activation));
+}
+
+std::vector<std::string> unrecorded_levels(const setup::Setup& setup) {
+    const std::vector<experiment::MuscleLeader> leaders = experiment::muscle_leaders(setup.experiment);
+    const std::vector<std::string> all = setup::actuator_names(setup.experiment);
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        if ((i >= leaders.size() || leaders[i].leader == i) &&
+            !level_is_on_record(setup.experiment, setup.experiment.trials.front(), i))
+            names.push_back(all[i]);
+    return names;
+}
+
+setup::LevelBounds command_bounds(const setup::Setup& setup, std::size_t actuator) {
+    const ActuatorKind kind = experiment::actuators(setup.experiment)[actuator].kind;
+    assert(kind != ActuatorKind::muscle);
+    const setup::LevelBounds possible = setup::level_bounds(setup.experiment, actuator);
+    const setup::CommandRange range = range_of_kind(setup, kind);
+    const double largest = std::max(-range.lowest, range.highest);
+    const std::optional<double> limit = declared_limit(setup.experiment.limits, kind);
+    if (!limit && largest == 0.0)
+        return {possible.lower, possible.upper, sought_signals_policy.scales_of_level * possible.scale};
+    const double most = limit.value_or(sought_signals_policy.beyond_trials * largest);
+    const bool both_signs = range.lowest < 0.0 && range.highest > 0.0;
+    const double lower = range.lowest < 0.0 ? -most : 0.0, upper = range.lowest < 0.0 && !both_signs ? 0.0 : most;
+    return {std::max(lower, possible.lower), std::min(upper, possible.upper), most};
+}
+
+inverse::SoughtSignals sought_signals(const setup::Setup& setup, const OptimizeSettings& settings, double end_s) {
+    const setup::PreparedTrial& trial = setup.trials.front();
+    inverse::SoughtSignals sought;
+    sought.frequency_Hz = settings.frequency_Hz;
+    sought.end_s = end_s;
+    sought.hold = settings.hold;
+    sought.constant = trial.hold;
+    sought.from_before = trial.options.start == dynamics::StartKind::equilibrium && !trial.hold;
+    add_muscles(setup, settings, sought);
+    add_commands(setup, sought);
+    sought.seek_before = sought.from_before && unrecorded_levels(setup).size() == sought.signals.size();
+    return sought;
+}
+
+}  // namespace myo::calibration

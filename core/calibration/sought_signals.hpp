@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "calibration/optimize.hpp"
+#include "setup/actuator_signals.hpp"
+
+namespace myo::calibration {
+
+/// Actuators of a setup with a single trial that follow none and whose level before t = 0 is not given.
+std::vector<std::string> unrecorded_levels(const setup::Setup& setup);
+
+/// Lowest activation of any muscle: of the settings, of [limits], or default_lowest_activation.
+double lowest_activation(const experiment::Experiment& experiment, const OptimizeSettings& settings);
+
+/// One signal per muscle that follows none, per chamber and per tendon. The bounds of muscles keep their followers
+/// within the limits as well; those of chambers and tendons are declared in [limits] or 1.5 times the largest of the
+/// experiment's commands, see command_bounds(). A hold has one value of each signal.
+///
+/// @param end_s  last time that the signals reach
+/// Errors: none; a signal without a value between its bounds has lower >= upper.
+inverse::SoughtSignals sought_signals(const setup::Setup& setup, const OptimizeSettings& settings, double end_s);
+
+/// Range and scale of the signal of a chamber or tendon.
+///
+/// A command of one sign in all trials keeps this sign, as the device may not be able to do otherwise; a tension is
+/// never negative, a pressure at least minus one atmosphere. Without a limit and without commands: what
+/// setup::level_bounds() allows.
+///
+/// @param actuator  number of a chamber or tendon, see actuator_signals.hpp
+setup::LevelBounds command_bounds(const setup::Setup& setup, std::size_t actuator);
+
+}  // namespace myo::calibration
