@@ -58,6 +58,7 @@ report::Json gradcheck_json(const setup::Setup& setup, const calibration::TrialG
             {"median_relative_error", report::json_number(run.check.median_error())},
             {"worst_relative_error", report::json_number(run.check.worst_error())},
             {"limit", max_relative_error},
+            {"left_out", run.left_out},
             {"seconds", run.seconds},
             {"version", facts.version},
             {"command", facts.command},
@@ -100,7 +101,8 @@ int gradcheck_command(const GradcheckCall& call) {
     console.print(std::string("loss: mean square distance of the markers to ") +
                   (run.against_trace ? "the measured trace" : "their rest positions") + ", " +
                   format_number(1e6 * run.loss_m2, 4) + " mm2\n\n" + table_of(run.check) + ", " +
-                  format_number(run.seconds, 3) + " s");
+                  format_number(run.seconds, 3) + " s" +
+                  (run.left_out.empty() ? "" : "\nnot checked: " + join(run.left_out)));
     if (!call.json.empty())
         if (const Result<void> written = report::write_json(call.json,
                                                             gradcheck_json(setup, run, run_facts(call, setup_s)));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/stopwatch.hpp"
+#include "calibration/declared_gradients.hpp"
 #include "prediction/trial_target.hpp"
 #include "setup/actuator_signals.hpp"
 #include "setup/trial_effects.hpp"
@@ -66,6 +67,15 @@ std::vector<sensitivity::GradientCheckRow> placement_rows(const inverse::MarkerT
     return rows;
 }
 
+/// Adds the rows of the declared effects and parts.
+void add_declared(DeclaredGradients declared, TrialGradientCheck& result) {
+    for (sensitivity::GradientCheckRow& row : declared.rows) result.check.rows.push_back(std::move(row));
+    result.left_out = std::move(declared.left_out);
+    if (declared.status == dynamics::RunStatus::complete) return;
+    result.check.status = declared.status;
+    result.check.message = declared.message;
+}
+
 }  // namespace
 
 TrialGradientCheck gradcheck(const setup::Setup& setup, std::size_t index, int steps, const Progress& progress) {
@@ -73,11 +83,12 @@ TrialGradientCheck gradcheck(const setup::Setup& setup, std::size_t index, int s
     const setup::PreparedTrial& trial = setup.trials[index];
     model::Model model = trial.model;
     // Free levels are not passive here, so that their actuators act: half a scale, which is 1.05 of a muscle.
-    for (const std::size_t actuator : trial.free_levels)
-        setup::set_level(setup.experiment, actuator,
-                         setup::passive_level(setup.experiment, actuator) +
-                             0.5 * setup::level_bounds(setup.experiment, actuator).scale,
-                         model);
+    prediction::ParameterValues values = prediction::declared_values(setup);
+    for (const std::size_t actuator : trial.free_levels) {
+        values.levels[index][actuator] = setup::passive_level(setup.experiment, actuator) +
+                                         0.5 * setup::level_bounds(setup.experiment, actuator).scale;
+        setup::set_level(setup.experiment, actuator, values.levels[index][actuator], model);
+    }
     effect::Affected affected = setup::with_effects(setup, index, std::move(model), setup.experiment.effects);
     model = std::move(affected.model);
     dynamics::SimulationOptions options = affected.options;
@@ -111,6 +122,10 @@ TrialGradientCheck gradcheck(const setup::Setup& setup, std::size_t index, int s
     if (result.check.complete())
         for (sensitivity::GradientCheckRow& row : placement_rows(target, checked, options.h_s))
             result.check.rows.push_back(std::move(row));
+    if (result.check.complete())
+        add_declared(declared_gradients({setup, index, values, result.end_s, options.initial.velocities, target},
+                                        setup.settings.threads, progress),
+                     result);
     result.seconds = watch.seconds();
     return result;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <vector>
 
 #include "sensitivity/gradient_check.hpp"
 #include "setup/setup.hpp"
@@ -10,14 +12,16 @@ namespace myo::calibration {
 /// Gradient check of one trial: the adjoint gradient of a marker loss against finite differences.
 struct TrialGradientCheck {
     sensitivity::GradientCheck check;
-    double loss_m2 = 0.0;        // mean square distance of the markers to their targets
-    bool against_trace = false;  // targets are the measured positions, else the rest positions
+    std::vector<std::string> left_out;  // numbers of effects and parts without a row, with the reason
+    double loss_m2 = 0.0;               // mean square distance of the markers to their targets
+    bool against_trace = false;         // targets are the measured positions, else the rest positions
     int steps = 0;
     double end_s = 0.0;    // simulated time
     double seconds = 0.0;  // wall-clock time
 };
 
-/// Compares the gradient over the first `steps` time steps with differences, for every input of the trial's model.
+/// Compares the gradient over the first `steps` time steps with differences, for every input of the trial's model,
+/// and the tangents of fits by numbers of effects and parts, see declared_gradients().
 ///
 /// So that every input influences the loss, the run starts with a smooth velocity field of up to half the body size per
 /// second, free levels are half a scale from passive (1.05 of a muscle), and camera frame and clock are slightly off.
