@@ -31,8 +31,10 @@ double predicted_squares(const JointFit& fit) {
         parameters.push_back(p.parameter);
     }
     const inverse::StepBounds bounds = inverse::internal_step_bounds(parameters, at);
-    const MatrixXd J = fit.jacobian * inverse::physical_slopes(parameters, at).asDiagonal();
-    return (fit.residual + J * inverse::bounded_step(J, fit.residual, bounds.lower, bounds.upper)).squaredNorm();
+    VectorXd residual(fit.residual.size() + fit.sensor_residual.size());
+    residual << fit.residual, fit.sensor_residual;
+    const MatrixXd J = all_slopes(fit) * inverse::physical_slopes(parameters, at).asDiagonal();
+    return (residual + J * inverse::bounded_step(J, residual, bounds.lower, bounds.upper)).squaredNorm();
 }
 
 /// Value after a step, within its bounds. A parameter over decades changes by at most the factor `most`.
@@ -182,11 +184,7 @@ void continue_best(const CandidateFitInput& in, Rounds& rounds) {
     const std::size_t count = in.starts.size();
     std::vector<bool> continued(count, false);
     for (bool first = true;; first = false) {
-        PruningInput pruning{{},
-                             in.least_so_far,
-                             static_cast<double>(in.base.residual.size()),
-                             in.pruning_factor,
-                             policy.comparable_reduction};
+        PruningInput pruning{{}, in.least_so_far, in.base.samples(), in.pruning_factor, policy.comparable_reduction};
         for (std::size_t i = 0; i < count; ++i)
             pruning.fits.push_back(
                 {rounds.fit(i).usable() ? rounds.fit(i).fit.squares() : std::numeric_limits<double>::infinity(),

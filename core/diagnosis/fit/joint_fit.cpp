@@ -6,6 +6,7 @@
 
 #include "base/parallel.hpp"
 #include "base/stopwatch.hpp"
+#include "diagnosis/fit/sensor_rows.hpp"
 #include "effect/catalogue.hpp"
 #include "prediction/predict_trials.hpp"
 
@@ -98,11 +99,13 @@ public:
             }
         evaluation.ok = true;
         const VectorXd residual = flat_residual(data_, predictions_);
-        evaluation.residuals.resize(residual.size() + priors_.size());
-        evaluation.residuals << residual, priors_.residual(p);
+        const VectorXd of_sensors = sensor_rows(setup_, data_.trials, predictions_);
+        evaluation.residuals.resize(residual.size() + of_sensors.size() + priors_.size());
+        evaluation.residuals << residual, of_sensors, priors_.residual(p);
         if (evaluation.residuals.squaredNorm() < least_) {
             least_ = evaluation.residuals.squaredNorm();
             fit_.residual = residual;
+            fit_.sensor_residual = of_sensors;
             fit_.values = values;
             fit_.predictions = predictions_;
             warm_paths_.clear();
@@ -122,6 +125,7 @@ public:
         const auto count = static_cast<Index>(fit_.parameters.size());
         MatrixXd J(last_.residuals.size(), count);
         J.bottomRows(priors_.size()) = priors_.jacobian(count);
+        const Index known = last_.residuals.size() - priors_.size();
         std::vector<Index> wanted;
         for (Index i = 0; i < count; ++i) {
             const auto found = std::find(warm.names.begin(), warm.names.end(),
@@ -129,30 +133,33 @@ public:
             if (found == warm.names.end())
                 wanted.push_back(i);
             else
-                J.col(i).head(warm.columns.rows()) = warm.columns.col(found - warm.names.begin());
+                J.col(i).head(known) = warm.columns.col(found - warm.names.begin());
         }
         std::vector<prediction::ModelParameter> sought;
         for (const Index i : wanted) sought.push_back(fit_.parameters[static_cast<std::size_t>(i)]);
-        const std::vector<TrialTangents> columns = tangents(values, sought, progress);
-        if (columns.size() < wanted.size()) return {};
+        const MatrixXd columns = slopes(values, sought, known, progress);
+        if (columns.cols() < static_cast<Index>(wanted.size())) return {};
         for (std::size_t k = 0; k < wanted.size(); ++k)
-            J.col(wanted[k]).head(data_.layout.size()) = flat_tangent(data_, columns[k]);
+            J.col(wanted[k]).head(known) = columns.col(static_cast<Index>(k));
         return J;
     }
 
 private:
-    /// Derivatives per parameter; empty if the model could not be run.
-    std::vector<TrialTangents> tangents(const prediction::ParameterValues& values,
-                                        const std::vector<prediction::ModelParameter>& parameters,
-                                        const Progress& progress) const {
+    /// Derivatives of markers and sensors, rows x parameters; empty if the model could not be run.
+    MatrixXd slopes(const prediction::ParameterValues& values,
+                    const std::vector<prediction::ModelParameter>& parameters, Index rows,
+                    const Progress& progress) const {
         std::vector<prediction::PredictionTask> tasks;
         for (std::size_t t = 0; t < data_.trials.size(); ++t)
             tasks.push_back({data_.trials[t], &values, predictions_[t].trace.path});
-        std::vector<prediction::TrialPrediction> runs = prediction::predict_trials(setup_, tasks, parameters, progress);
+        const std::vector<prediction::TrialPrediction> runs = prediction::predict_trials(setup_, tasks, parameters,
+                                                                                         progress);
         if (!prediction::all_ok(runs)) return {};
-        std::vector<TrialTangents> columns(parameters.size());
-        for (prediction::TrialPrediction& run : runs)
-            for (std::size_t k = 0; k < columns.size(); ++k) columns[k].push_back(std::move(run.tangents[k]));
+        MatrixXd columns(rows, static_cast<Index>(parameters.size()));
+        columns.topRows(data_.layout.size()) = flat_jacobian(data_, runs, parameters.size());
+        for (std::size_t k = 0; k < parameters.size(); ++k)
+            columns.col(static_cast<Index>(k)).tail(rows - data_.layout.size()) = sensor_slope(setup_, data_.trials,
+                                                                                               runs, k);
         return columns;
     }
 
@@ -199,10 +206,17 @@ std::vector<prediction::ModelParameter> joint_parameters(const setup::Setup& set
     return parameters;
 }
 
+MatrixXd all_slopes(const JointFit& fit) {
+    MatrixXd J(fit.jacobian.rows() + fit.sensor_jacobian.rows(), fit.jacobian.cols());
+    J.topRows(fit.jacobian.rows()) = fit.jacobian;
+    if (fit.sensor_jacobian.rows() > 0) J.bottomRows(fit.sensor_jacobian.rows()) = fit.sensor_jacobian;
+    return J;
+}
+
 WarmStart warm_start_of(const JointFit& fit) {
     WarmStart warm;
     for (const prediction::ModelParameter& p : fit.parameters) warm.names.push_back(p.parameter.name);
-    warm.columns = fit.jacobian;
+    warm.columns = all_slopes(fit);
     for (const prediction::TrialPrediction& prediction : fit.predictions) warm.paths.push_back(prediction.trace.path);
     return warm;
 }
@@ -234,9 +248,12 @@ JointFit joint_fit(const FitTask& task, const Progress& progress) {
             return residuals.jacobian(p, {}, inner);
         },
         options, progress);
-    if (fit.report.jacobian.rows() < fit.residual.size())
+    if (fit.report.jacobian.rows() < fit.residual.size() + fit.sensor_residual.size())
         fit.residual.resize(0);  // no Jacobian, so the fit cannot be assessed
-    if (fit.usable()) fit.jacobian = fit.report.jacobian.topRows(fit.residual.size());
+    if (fit.usable()) {
+        fit.jacobian = fit.report.jacobian.topRows(fit.residual.size());
+        fit.sensor_jacobian = fit.report.jacobian.middleRows(fit.residual.size(), fit.sensor_residual.size());
+    }
     for (std::size_t e = setup.experiment.effects.size(); e < fit.values.effects.size(); ++e) {
         effect::EffectDeclaration& tried = fit.values.effects[e];
         if (const effect::Effect* const effect = effect::find_effect(tried.id); effect && effect->canonical)

@@ -17,8 +17,10 @@ struct JointFit {
     std::vector<prediction::ModelParameter> parameters;
     prediction::ParameterValues values;  // of the least cost
     inverse::LeastSquaresReport report;
-    Eigen::VectorXd residual;                              // N, at `values`
+    Eigen::VectorXd residual;                              // N, at `values`; of the markers
     Eigen::MatrixXd jacobian;                              // N x parameters; may contain secant updates
+    Eigen::VectorXd sensor_residual;                       // S, at `values`; see sensor_rows()
+    Eigen::MatrixXd sensor_jacobian;                       // S x parameters
     std::vector<prediction::TrialPrediction> predictions;  // of data.trials, without tangents and shift
 
     double seconds = 0.0;
@@ -28,16 +30,23 @@ struct JointFit {
     int runs(int trials) const {
         return trials * (report.evaluations + report.jacobians * static_cast<int>(parameters.size()));
     }
-    /// Squared residual [noise squares].
-    double squares() const { return residual.squaredNorm(); }
+    /// Number of compared coordinates and readings.
+    double samples() const {
+        return static_cast<double>(residual.size()) + static_cast<double>((sensor_residual.array() != 0.0).count());
+    }
+    /// Squared residual of markers and sensors [noise squares].
+    double squares() const { return residual.squaredNorm() + sensor_residual.squaredNorm(); }
     /// Squared residual beyond its expectation for noise alone; at least 0.
-    double excess() const { return std::max(0.0, squares() - static_cast<double>(residual.size())); }
+    double excess() const { return std::max(0.0, squares() - samples()); }
 };
+
+/// Jacobian of markers and sensors, N + S x parameters.
+Eigen::MatrixXd all_slopes(const JointFit& fit);
 
 /// Derivatives of the flat residual and motions known near the start of a fit; they save runs and iterations.
 struct WarmStart {
     std::vector<std::string> names;                                 // of the parameters
-    Eigen::MatrixXd columns;                                        // N x names
+    Eigen::MatrixXd columns;                                        // N + S x names
     std::vector<std::shared_ptr<const dynamics::StagePath>> paths;  // of data.trials; null: unknown
 };
 /// Jacobian and paths of a fit.
@@ -60,8 +69,8 @@ struct FitTask {
     WarmStart warm = {};  // saves runs
 };
 
-/// Least-squares fit to the data from task.start (inverse::fit_by_secants). Effects of the start beyond those of the
-/// experiment are fitted, too.
+/// Least-squares fit to markers and sensors from task.start (inverse::fit_by_secants). Effects of the start beyond
+/// those of the experiment are fitted, too.
 ///
 /// Runs setup.settings.threads trials in parallel. Vectors of effects have a weak prior around their start with a width
 /// of ten times their scale (DeclaredFitPolicy::prior_widths): the data determine a place on a surface in two

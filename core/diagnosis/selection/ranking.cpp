@@ -20,7 +20,7 @@ std::vector<double> criteria_of(const std::vector<const JudgedFit*>& fits, doubl
             criteria.push_back(std::numeric_limits<double>::infinity());
             continue;
         }
-        const double of_fit = statistics::information_criterion(fit->fit.squares(), samples, effective,
+        const double of_fit = statistics::information_criterion(fit->fit.squares(), fit->fit.samples(), effective,
                                                                 static_cast<int>(fit->fit.parameters.size()));
         const double of_held_out = statistics::information_criterion(samples * std::pow(fit->*held_out, 2), samples,
                                                                      effective, 0);
