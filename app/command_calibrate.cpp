@@ -99,7 +99,8 @@ std::string trial_lines(const setup::Setup& setup, const calibration::Calibratio
                       shown(results::find_score(calibration.after, trial.name)).c_str());
         text += line;
     }
-    return text + results::sensor_lines(calibration.after);
+    return text + results::sensor_lines(calibration.before, "before") +
+           results::sensor_lines(calibration.after, "after");
 }
 
 /// Writes calibrate.json, traces and report.html.

@@ -17,6 +17,7 @@
 #include "experiment_command.hpp"
 #include "results/finding_output.hpp"
 #include "results/output_files.hpp"
+#include "results/output_json.hpp"
 
 namespace myo::app {
 namespace {
@@ -101,7 +102,7 @@ std::string trial_lines(const setup::Setup& setup, const diagnosis::Diagnosis& d
                       in_millimetres(after ? after->rms_m : std::nan("")).c_str());
         text += line;
     }
-    return text;
+    return text + results::sensor_lines(d.before, "before") + results::sensor_lines(d.after, "after");
 }
 
 /// Wall-clock time per part of the diagnosis.
@@ -149,8 +150,6 @@ int diagnose_command(const DiagnoseCall& call) {
     if (!opening.setup) return opening.status;
     const setup::Setup& setup = *opening.setup;
     for (const std::string& warning : setup.warnings) console.warn(warning);
-    if (!setup.experiment.sensors.empty())
-        console.warn("the readings of sensors take no part in the diagnosis; calibrate fits them");
     const std::vector<check::Finding> before = check::check_before(setup);
     tell_findings(before, opening.told, console);
     console.print(setup.experiment.name + "\n" + size_line(setup));

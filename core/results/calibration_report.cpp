@@ -11,6 +11,7 @@
 #include "results/finding_output.hpp"
 #include "results/output_motion.hpp"
 #include "results/readable_parameter.hpp"
+#include "results/robot_tables.hpp"
 
 namespace myo::results {
 namespace {
@@ -183,6 +184,8 @@ report::HtmlReport calibration_report(const setup::Setup& setup, const calibrati
         report.warnings.lines.insert(report.warnings.lines.begin(), end);
     // Order of the sections: results first, details of the model last.
     report.sections.push_back({"Trials", {trial_table(setup, calibration)}});
+    if (report::Table sensors = sensor_table(setup, calibration.before, &calibration.after); !sensors.rows.empty())
+        report.sections.back().blocks.emplace_back(std::move(sensors));
     if (!facts.findings.empty()) report.sections.push_back(findings_section(facts.findings));
     report.sections.push_back(parameter_section(setup, calibration));
     for (std::size_t t = 0; t < setup.trials.size(); ++t)

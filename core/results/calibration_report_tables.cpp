@@ -8,6 +8,7 @@
 #include "results/calibration_report_parts.hpp"
 #include "results/output_json.hpp"
 #include "results/readable_parameter.hpp"
+#include "results/robot_tables.hpp"
 #include "setup/mesh_words.hpp"
 
 namespace myo::results {
@@ -127,7 +128,10 @@ report::Section model_section(const setup::Setup& setup, const calibration::Cali
                         {}};
     for (std::size_t m = 0; m < setup.marker_names.size(); ++m)
         noise.rows.push_back({setup.marker_names[m], 1e3 * setup.noise_m(static_cast<Eigen::Index>(m))});
-    return {"Model and data", {facts, noise}};
+    report::Section section{"Model and data", {facts}};
+    for (report::Block& table : robot_tables(setup, values)) section.blocks.push_back(std::move(table));
+    section.blocks.emplace_back(noise);
+    return section;
 }
 
 }  // namespace myo::results

@@ -10,6 +10,7 @@
 #include "results/finding_output.hpp"
 #include "results/output_files.hpp"
 #include "results/output_motion.hpp"
+#include "results/robot_tables.hpp"
 
 namespace myo::results {
 namespace {
@@ -273,6 +274,7 @@ report::Json optimize_json(const setup::Setup& setup, const calibration::Optimiz
     warnings.insert(warnings.end(), optimization.warnings.begin(), optimization.warnings.end());
     json["warnings"] = warnings;
     json.update(setup_size_json(setup));
+    json.update(robot_json(setup));
     json["steps"] = optimization.fit.best.steps;
     json["setup_s"] = facts.setup_s;
     json["peak_memory_bytes"] = facts.peak_memory_bytes;

@@ -8,6 +8,7 @@
 #include "calibration/values_at_bounds.hpp"
 #include "prediction/predict_trials.hpp"
 #include "results/finding_output.hpp"
+#include "results/robot_tables.hpp"
 #include "setup/actuator_signals.hpp"
 #include "setup/mesh_suitability.hpp"
 
@@ -112,16 +113,6 @@ void add_levels(const setup::Setup& setup, std::size_t trial, const prediction::
                 report::Json& json) {
     for (const auto& [actuator, level] : values.levels[trial])
         json["actuation_level"][setup::actuator_names(setup.experiment)[actuator]] = level;
-}
-
-/// Volume and wall area of every chamber at rest.
-report::Json chambers_json(const setup::Setup& setup) {
-    report::Json chambers = report::Json::array();
-    for (const setup::Chamber& chamber : setup.chambers)
-        chambers.push_back({{"name", chamber.name},
-                            {"volume_m3", report::json_number(chamber.volume_m3)},
-                            {"wall_area_m2", report::json_number(chamber.wall_area_m2)}});
-    return chambers;
 }
 
 /// Volume of every chamber after each step of a run.
@@ -240,6 +231,7 @@ report::Json fitted_trials_json(const setup::Setup& setup, const calibration::Ca
         trial["mean_distance_before_m"] = before != nullptr ? report::json_number(before->distance_m) : report::Json();
         trial["mean_distance_m"] = after != nullptr ? report::json_number(after->distance_m) : report::Json();
         trial["markers"] = after != nullptr ? markers_json(*after) : report::Json::object();
+        if (before != nullptr && !before->sensors.empty()) trial["sensors_before"] = sensor_scores_json(*before);
         if (after != nullptr && !after->sensors.empty()) trial["sensors"] = sensor_scores_json(*after);
         if (before == nullptr) trial["failure_before"] = calibration.before.predictions[t].message;
         if (after == nullptr) trial["failure_after"] = calibration.after.predictions[t].message;
@@ -275,12 +267,13 @@ report::Json sensor_scores_json(const prediction::TrialScore& score) {
     return sensors;
 }
 
-std::string sensor_lines(const prediction::SetupRun& run) {
+std::string sensor_lines(const prediction::SetupRun& run, const std::string& when) {
     std::string text;
     for (const prediction::TrialScore& score : run.scores)
         for (const prediction::SensorScore& sensor : score.sensors)
-            text += "\nsensor " + sensor.column + " in " + score.name + ": " + format_number(sensor.rms, 3) + " " +
-                    sensor.unit + " rms, noise " + format_number(sensor.noise, 3) + " " + sensor.unit;
+            text += "\nsensor " + sensor.column + " in " + score.name + (when.empty() ? "" : ", " + when) + ": " +
+                    format_number(sensor.rms, 3) + " " + sensor.unit + " rms, noise " + format_number(sensor.noise, 3) +
+                    " " + sensor.unit;
     return text;
 }
 
@@ -323,7 +316,7 @@ report::Json simulate_json(const setup::Setup& setup, const prediction::SetupRun
     if (!run.ok()) json["failure"] = run.failure;
     json["warnings"] = setup.warnings;
     add_facts(facts, json);
-    if (!setup.chambers.empty()) json["chambers"] = chambers_json(setup);
+    json.update(robot_json(setup));
     json["trials"] = std::move(trials);
     return json;
 }

@@ -43,7 +43,9 @@ report::Json marker_scores_json(const prediction::TrialScore& score);
 report::Json sensor_scores_json(const prediction::TrialScore& score);
 
 /// Lines "sensor load_cell_z_N in pull: 0.012 N rms, noise 0.005 N" of all scores; empty without sensors.
-std::string sensor_lines(const prediction::SetupRun& run);
+///
+/// @param when  "before": "sensor load_cell_z_N in pull, before: ..."; may be empty
+std::string sensor_lines(const prediction::SetupRun& run, const std::string& when = "");
 
 /// How a search ended, in one word: "converged", "stopped", ...
 const char* ending_word(inverse::FitStatus status);

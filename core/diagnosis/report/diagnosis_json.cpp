@@ -6,6 +6,7 @@
 #include "diagnosis/screening/confusion.hpp"
 #include "diagnosis/selection/judgement.hpp"
 #include "results/output_json.hpp"
+#include "results/robot_tables.hpp"
 
 namespace myo::diagnosis {
 namespace {
@@ -242,7 +243,12 @@ report::Json diagnosis_json(const setup::Setup& setup, const Diagnosis& d, const
                                   {"role", trial.role == experiment::TrialRole::fit ? "fit" : "validate"},
                                   {"before_rms_m", rms(before)},
                                   {"after_rms_m", rms(after)}});
+        if (before != nullptr && !before->sensors.empty())
+            json["trials"].back()["sensors_before"] = results::sensor_scores_json(*before);
+        if (after != nullptr && !after->sensors.empty())
+            json["trials"].back()["sensors"] = results::sensor_scores_json(*after);
     }
+    json.update(results::robot_json(setup));
     json["details"] = details_json(setup, d);
     return json;
 }

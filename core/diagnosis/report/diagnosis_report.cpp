@@ -13,6 +13,7 @@
 #include "report/length.hpp"
 #include "results/finding_output.hpp"
 #include "results/readable_parameter.hpp"
+#include "results/robot_tables.hpp"
 
 namespace myo::diagnosis {
 namespace {
@@ -121,6 +122,8 @@ report::HtmlReport diagnosis_report(const setup::Setup& setup, const Diagnosis& 
     report.sections.push_back(numerics_section(setup, d));
     if (!d.candidates.empty()) report.sections.push_back(candidate_section(setup, d));
     if (!d.confusions.empty()) report.sections.push_back(confusion_section(d));
+    if (std::vector<report::Block> robot = results::robot_tables(setup, d.augmented.fit.values); !robot.empty())
+        report.sections.push_back({"Robot", std::move(robot)});
     report.sections.push_back(cost_section(d));
     const std::string folder = std::filesystem::weakly_canonical(setup.experiment.folder).filename().string();
     report.sections.back().blocks.push_back(report::EmbeddedJson{"diagnose", diagnosis_json(setup, d, folder)});

@@ -11,6 +11,7 @@
 #include "results/calibration_report_parts.hpp"
 #include "results/output_json.hpp"
 #include "results/readable_parameter.hpp"
+#include "results/robot_tables.hpp"
 
 namespace myo::diagnosis {
 namespace {
@@ -121,7 +122,10 @@ report::Section error_section(const setup::Setup& setup, const Diagnosis& d) {
             "Root mean square over all marker coordinates, simulation against measurement; what the mesh and the step "
             "add is taken off. Trials marked “predicted” were not used in any fit or choice.") +
         (two ? " Before: the declared model, fitted. After: " + after_words(d) + "." : "");
-    return {"Errors", {report::Paragraph{words}, table, markers}};
+    report::Section section{"Errors", {report::Paragraph{words}, table, markers}};
+    if (report::Table sensors = results::sensor_table(setup, d.before, two ? &d.after : nullptr); !sensors.rows.empty())
+        section.blocks.emplace_back(std::move(sensors));
+    return section;
 }
 
 report::Section significance_section(const setup::Setup&, const Diagnosis& d) {
