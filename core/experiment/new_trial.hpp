@@ -28,7 +28,9 @@ struct NewTrial {
 Result<void> add_trial(const std::filesystem::path& folder, const NewTrial& trial);
 
 /// Creates an experiment folder with one trial. Body, clamp, material, gravity and markers are taken from `declared`;
-/// its muscles, effects and trials are not written. The markers are compared by displacement.
+/// its muscles, effects and trials are not written, nor are chambers, tendons, parts, obstacles, sensors and limits: it
+/// serves bodies of a mesh alone. An experiment folder keeps all its tables in copy_experiment() and add_trial(). The
+/// markers are compared by displacement.
 ///
 /// @param folder   new or empty directory
 /// @param surface  closed surface [m], mesh frame; written as body.stl

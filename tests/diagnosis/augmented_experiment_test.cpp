@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "experiment/read_experiment.hpp"
+#include "support/robot_folder.hpp"
 #include "support/swung_beam.hpp"
 
 namespace myo::diagnosis {
@@ -69,6 +70,62 @@ TEST(AugmentedExperiment, IsReadAgainWithTheSameEffects) {
     EXPECT_EQ(effect::number(read->effects[2].parameters, "offset_s"), -1.25e-3);
     EXPECT_EQ(effect::text(read->effects[1].parameters, "trial"), "swing");
     EXPECT_EQ(read->trials.size(), 2u) << "what was written before is kept";
+}
+
+/// Files of a trial, seen from anywhere.
+std::vector<std::filesystem::path> files_of(const experiment::TrialDeclaration& trial) {
+    std::vector<std::filesystem::path> files{std::filesystem::weakly_canonical(trial.trace)};
+    for (const auto& file : {trial.actuation, trial.sensors})
+        if (file) files.push_back(std::filesystem::weakly_canonical(*file));
+    return files;
+}
+
+/// Chambers, tendons, parts, mount, obstacles, sensors, limits, holds and commands are the same from another folder.
+TEST(AugmentedExperiment, KeepsEveryTableOfARobot) {
+    const test::Folder folder("augmented_robot");
+    test::write_robot(folder, test::robot_toml);
+    const Result<experiment::Experiment> before = experiment::read_experiment(folder.path());
+    ASSERT_TRUE(before) << before.error().text();
+    const Result<std::string> text = augmented_experiment(
+        folder.path() / "experiment.toml",
+        {{"actuation_lag", {{"time_constant_s", 0.02}, {"signal", std::string("upper")}}, false},
+         {"tendon_friction", {{"coefficient", 0.1}, {"tendon", std::string("left")}}, false}},
+        folder.path() / "out");
+    ASSERT_TRUE(text) << text.error().text();
+    folder.write("out/experiment.toml", *text);
+    const Result<experiment::Experiment> after = experiment::read_experiment(folder.path() / "out");
+    ASSERT_TRUE(after) << after.error().text();
+    ASSERT_EQ(after->effects.size(), 2u);
+    EXPECT_EQ(effect::text(after->effects[0].parameters, "signal"), "upper");
+    ASSERT_EQ(after->chambers.size(), 1u);
+    EXPECT_EQ(after->chambers[0].inside_m, before->chambers[0].inside_m);
+    ASSERT_EQ(after->tendons.size(), 2u);
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(after->tendons[i].path_m, before->tendons[i].path_m);
+        EXPECT_EQ(after->tendons[i].drive, before->tendons[i].drive);
+        EXPECT_EQ(after->tendons[i].stiffness_N_m, before->tendons[i].stiffness_N_m);
+        EXPECT_EQ(after->tendons[i].friction, before->tendons[i].friction);
+    }
+    ASSERT_EQ(after->parts.size(), 2u);
+    const auto file = [](const experiment::PartDeclaration& part) {
+        return std::filesystem::weakly_canonical(std::get<std::filesystem::path>(part.place));
+    };
+    EXPECT_EQ(file(after->parts[1]), file(before->parts[1]));
+    EXPECT_EQ(after->parts[0].calibrate, before->parts[0].calibrate);
+    EXPECT_EQ(after->mount, before->mount);
+    EXPECT_EQ(after->obstacles.size(), before->obstacles.size());
+    EXPECT_EQ(after->sensors.size(), before->sensors.size());
+    EXPECT_EQ(after->limits.tension_N, 12.0);
+    EXPECT_EQ(after->limits.activation, 0.7);
+    ASSERT_EQ(after->trials.size(), before->trials.size());
+    for (std::size_t t = 0; t < after->trials.size(); ++t) {
+        const experiment::TrialDeclaration &was = before->trials[t], &is = after->trials[t];
+        EXPECT_EQ(files_of(is), files_of(was));
+        EXPECT_EQ(is.hold, was.hold);
+        EXPECT_EQ(is.sensor_values, was.sensor_values);
+        EXPECT_EQ(is.constant_commands.size(), was.constant_commands.size());
+        EXPECT_EQ(is.actuation_steps.size(), was.actuation_steps.size());
+    }
 }
 
 TEST(AugmentedExperiment, WritesNumbersAndNamesAsToml) {

@@ -6,6 +6,7 @@
 #include "experiment/read_trial.hpp"
 #include "mesh/surface_mesh.hpp"
 #include "support/experiment_folder.hpp"
+#include "support/robot_folder.hpp"
 
 namespace myo::experiment {
 namespace {
@@ -93,6 +94,33 @@ TEST(NewTrial, CopiesAnExperimentOutsideOfItself) {
     EXPECT_FALSE(copy_experiment(place, place));
     ASSERT_TRUE(copy_experiment(place, folder.path() / "two"));
     EXPECT_TRUE(read_experiment(folder.path() / "two"));
+}
+
+/// A robot with every table, copied and with one more trial.
+TEST(NewTrial, LeavesEveryTableOfARobot) {
+    Folder folder("new_trial_robot");
+    test::write_robot(folder, test::robot_toml);
+    const auto copy = folder.path() / ".." / (folder.path().filename().string() + "_copy");
+    ASSERT_TRUE(copy_experiment(folder.path(), copy));
+    NewTrial trial = released("one more");
+    trial.recording.labels = {"tip", "base_1", "base_2", "base_3"};
+    trial.recording.tracks.resize(4, trial.recording.tracks[0]);
+    const Result<void> added = add_trial(copy, trial);
+    ASSERT_TRUE(added) << added.error().text();
+    const Result<Experiment> before = read_experiment(folder.path()), after = read_experiment(copy);
+    ASSERT_TRUE(before);
+    ASSERT_TRUE(after) << after.error().text();
+    EXPECT_EQ(after->trials.size(), before->trials.size() + 1);
+    EXPECT_EQ(after->chambers.size(), 1u);
+    EXPECT_EQ(after->tendons.size(), 2u);
+    EXPECT_EQ(after->parts.size(), 2u);
+    EXPECT_EQ(after->obstacles.size(), 3u);
+    EXPECT_EQ(after->sensors.size(), 4u);
+    EXPECT_EQ(after->mount, MountMotion::markers);
+    EXPECT_EQ(after->limits.pressure_Pa, 3e4);
+    EXPECT_EQ(after->trials[0].constant_commands.size(), 4u);
+    EXPECT_EQ(after->trials[1].sensors, copy / "driven_sensors.csv");
+    std::filesystem::remove_all(copy);
 }
 
 }  // namespace
