@@ -172,7 +172,7 @@ std::function<int()> declare_validate(CLI::App& app) {
         ->type_name("I/N");
     app.add_option_function<std::string>(
            "--geometry", [call](const std::string& text) { read_families(text, call->options.choice.families); },
-           "bodies: " + join(validation::body_family_ids()) + " (default: all)")
+           "bodies: " + join(validation::body_family_ids()) + " (default: all that suit the effect)")
         ->type_name("A,B");
     app.add_option_function<std::string>(
            "--effects", [call](const std::string& text) { read_effects(text, call->options.choice.effects); },

@@ -13,11 +13,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr NameTable<BodyFamily, 4> family_names{{{
+constexpr NameTable<BodyFamily, 5> family_names{{{
     {BodyFamily::beam, "beam"},
     {BodyFamily::plate, "plate"},
     {BodyFamily::ell, "ell"},
     {BodyFamily::tail, "tail"},
+    {BodyFamily::threaded, "threaded"},
 }}};
 
 /// Lengths as a person writes them: whole tenths of a millimetre.
@@ -96,6 +97,7 @@ SyntheticBody drawn_body(BodyFamily family, bool deep_clamp, RandomStream& rando
     double width = 0.0, height = 0.0;
     switch (family) {
         case BodyFamily::beam:
+        case BodyFamily::threaded:
             width = rounded_to_tenths_of_mm(length * random.uniform(0.22, 0.36));
             height = body.thickness_m = rounded_to_tenths_of_mm(length * random.uniform(0.2, 0.32));
             break;

@@ -16,10 +16,11 @@ inline constexpr double gravity_m_s2 = 9.81;
 
 /// Families of synthetic bodies.
 enum class BodyFamily {
-    beam,   // box clamped at one end, declared by its size
-    plate,  // wide, thin box, declared by its size
-    ell,    // L of two legs in a vertical plane, declared as STL
-    tail,   // bar tapered in both directions, declared as STL
+    beam,      // box clamped at one end, declared by its size
+    plate,     // wide, thin box, declared by its size
+    ell,       // L of two legs in a vertical plane, declared as STL
+    tail,      // bar tapered in both directions, declared as STL
+    threaded,  // beam with a tendon along its top, for effects that need one
 };
 /// Id of a family, as --geometry takes it.
 std::string to_string(BodyFamily family);
@@ -40,7 +41,9 @@ struct SyntheticBody {
     double metres_per_unit = 1.0;         // unit of the STL
 
     double length_m() const { return bounds.size()(0); }
-    bool is_declared_box() const { return family == BodyFamily::beam || family == BodyFamily::plate; }
+    bool is_declared_box() const {
+        return family == BodyFamily::beam || family == BodyFamily::plate || family == BodyFamily::threaded;
+    }
     /// Maps a point of the untapered box to the body.
     Eigen::Vector3d tapered(const Eigen::Vector3d& point) const;
 };

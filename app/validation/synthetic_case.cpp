@@ -39,8 +39,10 @@ int turn_of(int number) {
 // Bodies that bend by an antagonist pair along their length.
 bool may_have_muscles(BodyFamily family) { return family == BodyFamily::beam || family == BodyFamily::tail; }
 
-std::vector<BodyFamily> families_of(const CaseChoice& choice) {
+/// Families of the choice; of all of them, bodies with a tendon serve the effects that need one only.
+std::vector<BodyFamily> families_of(const CaseChoice& choice, const effect::EffectNeeds& needs) {
     if (!choice.families.empty()) return choice.families;
+    if (needs.tendon) return {BodyFamily::threaded};
     return {BodyFamily::beam, BodyFamily::plate, BodyFamily::ell, BodyFamily::tail};
 }
 
@@ -49,15 +51,16 @@ std::vector<BodyFamily> families_of(const CaseChoice& choice) {
 bool may_be_held_deep(BodyFamily family) { return family != BodyFamily::tail; }
 
 bool fits(BodyFamily family, const effect::EffectNeeds& needs) {
-    // No synthetic body has tendons yet.
-    return !needs.tendon && (!needs.muscles || may_have_muscles(family)) &&
-           (!needs.deep_clamp || may_be_held_deep(family));
+    const bool threaded = family == BodyFamily::threaded;
+    // The trials of a thread have no other loads.
+    return (!needs.tendon || threaded) && (!needs.hung_weight || !threaded) &&
+           (!needs.muscles || may_have_muscles(family)) && (!needs.deep_clamp || may_be_held_deep(family));
 }
 
 bool can_show(const CaseChoice& choice, const std::string& id) {
-    const std::vector<BodyFamily> families = families_of(choice);
-    return std::any_of(families.begin(), families.end(),
-                       [&](BodyFamily family) { return fits(family, effect_draw(id).needs); });
+    const effect::EffectNeeds& needs = effect_draw(id).needs;
+    const std::vector<BodyFamily> families = families_of(choice, needs);
+    return std::any_of(families.begin(), families.end(), [&](BodyFamily family) { return fits(family, needs); });
 }
 
 /// Each effect once per cycle through the catalogue, in a new random order each time (Fisher-Yates).
@@ -76,7 +79,7 @@ std::string effect_of(const CaseChoice& choice, int number) {
 
 BodyFamily drawn_family(const CaseChoice& choice, const effect::EffectNeeds& needs, RandomStream& random) {
     std::vector<BodyFamily> fitting;
-    for (const BodyFamily family : families_of(choice))
+    for (const BodyFamily family : families_of(choice, needs))
         if (fits(family, needs)) fitting.push_back(family);
     assert(!fitting.empty());
     return fitting[static_cast<std::size_t>(random.below(static_cast<int>(fitting.size())))];
@@ -113,6 +116,22 @@ std::vector<SyntheticMuscle> drawn_muscles(const SyntheticBody& body, const Synt
     low.box.highest(axis) = middle(axis);
     high.box.lowest(axis) = middle(axis);
     return {low, high};
+}
+
+/// A thread along the top of the body whose largest tension lifts the end by a tenth to a fifth of the free length.
+SyntheticTendon drawn_tendon(const SyntheticBody& body, const SyntheticMaterial& material, RandomStream& random) {
+    constexpr int guides = 5;
+    constexpr double above_middle = 0.35, last = 0.95;  // of the thickness; of the length
+    SyntheticTendon tendon{"thread", Eigen::Matrix3Xd(3, guides)};
+    const Vector3d size = body.bounds.size(), middle = body.bounds.lowest + 0.5 * size;
+    for (Eigen::Index i = 0; i < guides; ++i)
+        tendon.path_m.col(i) = Vector3d(last * size.x() * static_cast<double>(i) / (guides - 1), middle.y(),
+                                        middle.z() + above_middle * size.z());
+    // A constant moment T e bends a beam by T e L^2 / (2 E I) at its end.
+    const double length = body.length_m() - body.held_m, inertia = size.y() * std::pow(size.z(), 3) / 12.0;
+    tendon.largest_tension_N = 1e-3 * std::round(1e3 * 2.0 * random.uniform(0.1, 0.2) * material.youngs_modulus_Pa *
+                                                 inertia / (length * above_middle * size.z()));
+    return tendon;
 }
 
 /// Times in whole ms, activations to four decimals, as files store them.
@@ -173,6 +192,9 @@ public:
     /// One muscle steps or sweeps, the other stays passive.
     SyntheticTrial step() { return moved("step", drawn_step); }
     SyntheticTrial sweep() { return moved("sweep", drawn_sweep); }
+    /// The tendon pulls in a step or in sweeps.
+    SyntheticTrial pulled_step() { return pulled("step", drawn_step); }
+    SyntheticTrial pulled_sweep() { return pulled("sweep", drawn_sweep); }
 
 private:
     SyntheticTrial begun(const std::string& name, experiment::StartState start) {
@@ -188,6 +210,14 @@ private:
         trial.activation.assign(case_.muscles.size(), fibre::Signal::constant(1.0));
         trial.activation[static_cast<std::size_t>(random_.below(2))] = course(random_.uniform(0.08, 0.2), trial.end_s,
                                                                               random_);
+        return trial;
+    }
+    SyntheticTrial pulled(const std::string& name, fibre::Signal (*course)(double, double, RandomStream&)) {
+        SyntheticTrial trial = begun(name, experiment::StartState::equilibrium);
+        trial.end_s = 1.3;
+        trial.tension_N = course(random_.uniform(0.6, 1.0), trial.end_s, random_);
+        for (double& value : trial.tension_N->values)
+            value = 1e-3 * std::round(1e3 * case_.tendon->largest_tension_N * (1.0 - value));
         return trial;
     }
     experiment::LoadDeclaration load(experiment::LoadKind kind) const {
@@ -211,7 +241,10 @@ std::vector<SyntheticTrial> drawn_trials(const SyntheticCase& c, const effect::E
                                          RandomStream& random) {
     TrialMaker make(c, random);
     std::vector<SyntheticTrial> trials;
-    if (!c.muscles.empty())
+    if (c.tendon)
+        trials = {needs.tendon || random.chance(0.5) ? make.pulled_sweep() : make.release(), make.pulled_step(),
+                  make.pulled_sweep()};
+    else if (!c.muscles.empty())
         trials = {needs.muscles || random.chance(0.5) ? make.sweep() : make.release(), make.step(), make.sweep()};
     else if (needs.hung_weight)
         trials = {make.release(), make.thread(), make.thread()};
@@ -252,8 +285,9 @@ Result<void> check_choice(const CaseChoice& choice) {
         if (effect::find_effect(id) == nullptr) return Error{"no effect '" + id + "' is known", "--effects"};
         if (!can_show(choice, id))
             return Error{
-                id + (effect_draw(id).needs.tendon    ? " needs a tendon, which no body of the validation has"
-                      : effect_draw(id).needs.muscles ? " needs muscles, which only beam and tail have"
+                id + (effect_draw(id).needs.tendon        ? " needs a tendon, which only threaded has"
+                      : effect_draw(id).needs.hung_weight ? " needs a hung weight, which threaded has not"
+                      : effect_draw(id).needs.muscles     ? " needs muscles, which only beam and tail have"
                                                       : " needs a clamp over a part of the length, which tail has not"),
                 "--geometry"};
     }
@@ -281,6 +315,7 @@ SyntheticCase drawn_case(const CaseChoice& choice, int number, int attempt) {
     c.body = drawn_body(family, needs.deep_clamp, random);
     c.material = drawn_material(c.body, needs.known_damping || random.chance(0.25), random);
     if (muscles) c.muscles = drawn_muscles(c.body, c.material, random);
+    if (family == BodyFamily::threaded) c.tendon = drawn_tendon(c.body, c.material, random);
     c.markers = drawn_markers(c.body, 4 + random.below(5), random);
     c.noise_m = 1e-6 * std::round(1e6 * random.uniform(5e-5, 1.5e-4));
     c.noise_is_declared = random.chance(0.75);

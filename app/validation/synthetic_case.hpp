@@ -43,6 +43,13 @@ struct SyntheticMuscle {
     double stiffness_Pa = 0.0;
 };
 
+/// A tendon of prescribed tension along the body, motor in the clamp.
+struct SyntheticTendon {
+    std::string name;
+    Eigen::Matrix3Xd path_m;         // guides at rest, 3 x n
+    double largest_tension_N = 0.0;  // of the trials
+};
+
 /// A trial of a case, with the ways in which its files may differ from the truth.
 struct SyntheticTrial {
     std::string name;
@@ -51,11 +58,13 @@ struct SyntheticTrial {
     double session_time_s = 0.0;  // within the session
     double end_s = 1.0;
     std::vector<experiment::LoadDeclaration> loads;
-    std::vector<fibre::Signal> activation;  // one per muscle; empty: passive
-    std::string recorded_as;                // trial whose trace and actuation it uses; empty: its own
-    double clock_s = 0.0;                   // time in the trace file at t = 0
-    double signal_unit_s = 1.0;             // unit of the times in its actuation file
+    std::vector<fibre::Signal> activation;   // one per muscle; empty: passive
+    std::optional<fibre::Signal> tension_N;  // of the tendon; empty: at rest
+    std::string recorded_as;                 // trial whose trace and actuation it uses; empty: its own
+    double clock_s = 0.0;                    // time in the trace file at t = 0
+    double signal_unit_s = 1.0;              // unit of the times in its actuation file
 
+    bool has_actuation() const { return !activation.empty() || tension_N; }
     const std::string& recording() const { return recorded_as.empty() ? name : recorded_as; }
 };
 
@@ -81,6 +90,7 @@ struct SyntheticCase {
     SyntheticBody body;
     SyntheticMaterial material;
     std::vector<SyntheticMuscle> muscles;
+    std::optional<SyntheticTendon> tendon;
     std::vector<Eigen::Vector3d> markers;
     double noise_m = 1e-4;
     bool noise_is_declared = true;

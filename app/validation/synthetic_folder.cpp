@@ -43,6 +43,13 @@ std::string material_text(const SyntheticMaterial& m) {
     return text + "calibrate = [\"youngs_modulus\", \"damping\"]\n";
 }
 
+std::string tendon_text(const SyntheticTendon& tendon) {
+    std::string guides;
+    for (const auto& guide : tendon.path_m.colwise())
+        guides += (guides.empty() ? "" : ", ") + vector_text(Eigen::Vector3d(guide));
+    return "[[tendon]]\nname = \"" + tendon.name + "\"\npath_m = [" + guides + "]\ndrive = \"tension\"\n";
+}
+
 std::string registration_text(const SyntheticCase& c) {
     if (c.registration_is_known) return "[registration]\nknown = true\n";
     return "[registration]\nknown = false\nmax_translation_m = 0.001\nmax_rotation_deg = 0.5\n";
@@ -54,7 +61,7 @@ std::string trial_text(const SyntheticTrial& trial) {
                        trial.recording() + ".csv\"\nformat = \"csv\"\nstart = \"" +
                        (trial.start == experiment::StartState::straight ? "straight" : "equilibrium") +
                        "\"\nsession_time_s = " + number_text(trial.session_time_s) + "\n";
-    if (!trial.activation.empty()) text += "actuation = \"" + trial.recording() + "_actuation.csv\"\n";
+    if (trial.has_actuation()) text += "actuation = \"" + trial.recording() + "_actuation.csv\"\n";
     for (const experiment::LoadDeclaration& load : trial.loads) {
         text += "[[trial.load]]\nkind = \"" + std::string(load.kind == experiment::LoadKind::mass ? "mass" : "force") +
                 "\"\nbox_m = " + box_text(load.box_m) + "\n";
@@ -107,12 +114,16 @@ measurement::Recording seen_recording(const SyntheticCase& c, const SyntheticTri
 Result<void> write_actuation(const SyntheticCase& c, const SyntheticTrial& trial, const std::filesystem::path& path) {
     measurement::ActuationTable table;
     table.time_s = sample_times(c, trial);
-    table.values.resize(static_cast<Index>(c.muscles.size()), table.time_s.size());
-    for (std::size_t m = 0; m < c.muscles.size(); ++m) {
-        table.muscles.push_back(c.muscles[m].name);
-        for (Index i = 0; i < table.time_s.size(); ++i)
-            table.values(static_cast<Index>(m), i) = trial.activation[m].value(table.time_s(i));
+    std::vector<fibre::Signal> signals = trial.activation;
+    for (const SyntheticMuscle& muscle : c.muscles) table.muscles.push_back(muscle.name);
+    if (trial.tension_N) {
+        table.muscles.push_back(c.tendon->name + "_N");
+        signals.push_back(*trial.tension_N);
     }
+    table.values.resize(static_cast<Index>(signals.size()), table.time_s.size());
+    for (std::size_t s = 0; s < signals.size(); ++s)
+        for (Index i = 0; i < table.time_s.size(); ++i)
+            table.values(static_cast<Index>(s), i) = signals[s].value(table.time_s(i));
     // Declaration error of the unit: times in ms if signal_unit_s is 1e-3.
     table.time_s /= trial.signal_unit_s;
     return measurement::write_actuation_csv(path, table);
@@ -127,6 +138,7 @@ std::string experiment_text(const SyntheticCase& c) {
     for (const SyntheticMuscle& muscle : c.muscles)
         text += "\n[[muscle]]\nname = \"" + muscle.name + "\"\nbox_m = " + box_text(muscle.box) +
                 "\nfibre = [1.0, 0.0, 0.0]\nstiffness_Pa = " + number_text(muscle.stiffness_Pa) + "\n";
+    if (c.tendon) text += "\n" + tendon_text(*c.tendon);
     text += "\n" + registration_text(c) + "\n[markers]\n";
     if (c.noise_is_declared) text += "noise_m = " + number_text(c.noise_m) + "\n";
     text += "[markers.rest_m]\n";
@@ -145,7 +157,7 @@ Result<void> write_still_experiment(const SyntheticCase& c, const std::filesyste
                                                                    still_recording(c, trial));
             !file)
             return file;
-        if (trial.activation.empty()) continue;
+        if (!trial.has_actuation()) continue;
         if (const Result<void> file = write_actuation(c, trial, folder / (trial.name + "_actuation.csv")); !file)
             return file;
     }

@@ -4,7 +4,10 @@
 #include <set>
 
 #include "effect/catalogue.hpp"
+#include "experiment/read_experiment.hpp"
+#include "experiment/read_trial.hpp"
 #include "mesh/surface_check.hpp"
+#include "support/folder.hpp"
 #include "validation/synthetic_effects.hpp"
 #include "validation/synthetic_experiment.hpp"
 #include "validation/synthetic_folder.hpp"
@@ -31,7 +34,6 @@ TEST(SyntheticCase, EveryEffectOfTheCatalogueCanBeDrawn) {
 
 TEST(SyntheticCase, EveryRequiredParameterIsDrawnWithinItsRange) {
     for (const effect::Effect& effect : effect::effect_catalogue()) {
-        if (effect.draw.needs.tendon) continue;  // no body of the validation has a tendon
         const validation::SyntheticCase c = validation::drawn_case({.seed = 1, .families = {}, .effects = {effect.id}},
                                                                    1);
         ASSERT_TRUE(c.effect) << effect.id;
@@ -58,9 +60,7 @@ TEST(SyntheticCase, IsTheSameWheneverItIsDrawn) {
 TEST(SyntheticCase, ASixthHasNoEffectAndASixthADeletedOne) {
     std::map<validation::CaseKind, int> kinds;
     std::map<std::string, int> named, deleted;
-    std::vector<std::string> ids = effect::effect_ids();
-    // No body of the validation has a tendon.
-    std::erase_if(ids, [](const std::string& id) { return validation::effect_draw(id).needs.tendon; });
+    const std::vector<std::string> ids = effect::effect_ids();
     const int cases = 6 * static_cast<int>(ids.size());
     for (int k = 0; k < cases; ++k) {
         const validation::SyntheticCase c = validation::drawn_case({}, k);
@@ -85,6 +85,7 @@ TEST(SyntheticCase, HasWhatItsEffectNeedsToShow) {
         if (needs.muscles) {
             EXPECT_FALSE(c.muscles.empty()) << k;
         }
+        EXPECT_EQ(c.tendon.has_value(), needs.tendon) << k;
         EXPECT_EQ(c.body.held_m > 0.0, needs.deep_clamp) << k;
         if (needs.known_damping) {
             EXPECT_TRUE(c.material.damping_is_known) << k;
@@ -102,6 +103,29 @@ TEST(SyntheticCase, HasWhatItsEffectNeedsToShow) {
         if (needs.hung_weight) {
             EXPECT_TRUE(hangs) << k;
         }
+    }
+}
+
+/// The thread takes in and pays out, and its folder reads as it was drawn.
+TEST(SyntheticCase, ATendonPullsInEveryTrial) {
+    const Folder folder("threaded");
+    const validation::SyntheticCase c = validation::drawn_case(
+        {.seed = 4, .families = {}, .effects = {"tendon_friction"}}, 1);
+    ASSERT_TRUE(c.tendon && c.muscles.empty());
+    ASSERT_TRUE(validation::write_still_experiment(c, folder.path()));
+    const Result<experiment::Experiment> read = experiment::read_experiment(folder.path());
+    ASSERT_TRUE(read) << read.error().text();
+    ASSERT_EQ(read->tendons.size(), 1u);
+    EXPECT_LT((read->tendons[0].path_m - c.tendon->path_m).norm(), 1e-9);
+    for (const experiment::TrialDeclaration& trial : read->trials) {
+        const auto table = experiment::read_trial_actuation(*read, trial);
+        ASSERT_TRUE(table) << table.error().text();
+        const Eigen::VectorXd tension = table->values.row(0).transpose();
+        EXPECT_EQ(tension.minCoeff(), 0.0);
+        EXPECT_GT(tension.maxCoeff(), 0.3 * c.tendon->largest_tension_N);
+        const Eigen::VectorXd change = tension.tail(tension.size() - 1) - tension.head(tension.size() - 1);
+        EXPECT_GT(change.maxCoeff(), 0.0);
+        EXPECT_LT(change.minCoeff(), 0.0);
     }
 }
 
