@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/text.hpp"
+#include "calibration/sought_signals.hpp"
 #include "check/catalogue.hpp"
 #include "commands.hpp"
 #include "exit_status.hpp"
@@ -140,7 +141,7 @@ int end_status(const OptimizeCall& call, const calibration::Optimization& result
 Result<results::EarlierOptimization> first_signals(const OptimizeCall& call, const setup::Setup& setup,
                                                    const inverse::ActuationProblem& problem) {
     if (call.resume) return results::read_optimization(call.out, setup, problem);
-    return results::EarlierOptimization{inverse::unmoved_values(problem.sought)};
+    return results::EarlierOptimization{calibration::first_values(setup, problem.sought)};
 }
 
 /// What is sought, in one line, and the size of the model.

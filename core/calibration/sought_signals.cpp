@@ -17,6 +17,7 @@ struct SoughtSignalsPolicy {
     double beyond_trials = 1.5;  // undeclared limit, over the largest command of the trials
     /// Scale of a signal that nothing limits, over that of a free level: as those of muscles are, 1 and 0.1.
     double scales_of_level = 10.0;
+    double first_shortening = 0.1;  // beyond that before t = 0, over the scale: tight in most poses
 };
 constexpr SoughtSignalsPolicy sought_signals_policy;
 
@@ -92,6 +93,18 @@ std::vector<std::string> unrecorded_levels(const setup::Setup& setup) {
             !level_is_on_record(setup.experiment, setup.experiment.trials.front(), i))
             names.push_back(all[i]);
     return names;
+}
+
+Eigen::MatrixXd first_values(const setup::Setup& setup, const inverse::SoughtSignals& sought) {
+    Eigen::MatrixXd values = inverse::unmoved_values(sought);
+    for (Eigen::Index s = 0; s < values.rows(); ++s) {
+        const inverse::SoughtSignal& signal = sought.signals[static_cast<std::size_t>(s)];
+        const std::size_t actuator = *experiment::find_actuator(setup.experiment, signal.name);
+        if (experiment::actuators(setup.experiment)[actuator].kind != ActuatorKind::tendon_shortening) continue;
+        values.row(s).array() += sought_signals_policy.first_shortening * signal.scale;
+        values.row(s) = values.row(s).cwiseMin(signal.upper);
+    }
+    return values;
 }
 
 setup::LevelBounds command_bounds(const setup::Setup& setup, std::size_t actuator) {

@@ -22,6 +22,10 @@ double lowest_activation(const experiment::Experiment& experiment, const Optimiz
 /// Errors: none; a signal without a value between its bounds has lower >= upper.
 inverse::SoughtSignals sought_signals(const setup::Setup& setup, const OptimizeSettings& settings, double end_s);
 
+/// Values from which a search starts: those before t = 0, within the bounds. Shortenings start a tenth of their scale
+/// further in: a slack thread has no derivative by its shortening, and a search would end where it starts.
+Eigen::MatrixXd first_values(const setup::Setup& setup, const inverse::SoughtSignals& sought);
+
 /// Range and scale of the signal of a chamber or tendon.
 ///
 /// A command of one sign in all trials keeps this sign, as the device may not be able to do otherwise; a tension is

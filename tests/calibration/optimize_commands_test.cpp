@@ -117,6 +117,28 @@ TEST(OptimizeCommands, FindsThePressureAndTheTensionThatMadeTheMotion) {
                  std::vector<double>(found.fit.values.data(), found.fit.values.data() + found.fit.values.size()));
 }
 
+/// The thread below the sagging beam is slack until it has taken in what the sag shortens it by.
+TEST(OptimizeCommands, FindsTheShorteningOfASlackThread) {
+    const test::Folder folder("commands_slack");
+    const setup::Setup setup = recorded(test::chambered_beam(folder, 0.1, [](experiment::Experiment& e) {
+        e.chambers.clear();
+        e.tendons.push_back(test::upper_tendon(Eigen::RowVector4d::Constant(0.002)));
+        e.tendons.back().drive = experiment::TendonDrive::shortening;
+        experiment::TrialDeclaration& trial = e.trials[0];
+        trial.hold = true;
+        trial.start = experiment::StartState::equilibrium;
+        trial.constant_commands = {{"upper", 0.004}};
+    }));
+    const Result<inverse::ActuationProblem> problem = actuation_problem(setup, slow_signals());
+    ASSERT_TRUE(problem) << problem.error().text();
+    const inverse::ActuationEvaluation slack = inverse::evaluate_actuation(*problem, MatrixXd::Zero(1, 1));
+    ASSERT_TRUE(slack.ok()) << slack.message;
+    EXPECT_EQ(slack.gradient(0), 0.0);
+    const Optimization found = search_signals(setup, *problem, slow_signals(), first_values(setup, problem->sought));
+    ASSERT_TRUE(found.usable()) << found.fit.message;
+    EXPECT_NEAR(found.fit.values(0), 0.004, 4e-5);
+}
+
 /// A hold has one value of each signal: the constant tension of the pose, found from none.
 TEST(OptimizeCommands, FindsTheTensionOfAHold) {
     const test::Folder folder("commands_hold");
