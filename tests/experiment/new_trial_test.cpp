@@ -100,7 +100,7 @@ TEST(NewTrial, CopiesAnExperimentOutsideOfItself) {
 TEST(NewTrial, LeavesEveryTableOfARobot) {
     Folder folder("new_trial_robot");
     test::write_robot(folder, test::robot_toml);
-    const auto copy = folder.path() / ".." / (folder.path().filename().string() + "_copy");
+    const auto copy = folder.path().parent_path() / (folder.path().filename().string() + "_copy");
     ASSERT_TRUE(copy_experiment(folder.path(), copy));
     NewTrial trial = released("one more");
     trial.recording.labels = {"tip", "base_1", "base_2", "base_3"};
