@@ -65,4 +65,14 @@ Result<Registration> rigid_registration(const Eigen::Matrix3Xd& from, const Eige
     return result;
 }
 
+// Minimises sum w |translation + rotation x to - displacement|^2.
+Eigen::MatrixXd d_registration_d_to(const Eigen::Matrix3Xd& to, const Eigen::VectorXd& weights) {
+    assert(weights.size() == to.cols());
+    Eigen::MatrixXd motion(3 * to.cols(), 6);
+    for (Eigen::Index i = 0; i < to.cols(); ++i)
+        motion.middleRows<3>(3 * i) << Eigen::Matrix3d::Identity(), -cross_matrix(Eigen::Vector3d(to.col(i)));
+    const Eigen::MatrixXd weighted = weights.transpose().replicate(3, 1).reshaped().asDiagonal() * motion;
+    return (motion.transpose() * weighted).fullPivLu().solve(weighted.transpose());
+}
+
 }  // namespace myo::measurement

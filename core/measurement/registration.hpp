@@ -25,4 +25,11 @@ struct Registration {
 Result<Registration> rigid_registration(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to,
                                         const Eigen::VectorXd& weights = Eigen::VectorXd());
 
+/// Derivative of the motion by the points `to`: the small rigid motion that follows it when they are displaced.
+///
+/// @return  6 x 3 n: translation [m] and rotation vector about the origin [rad] by x, y, z of each point [m]; exact
+///          where the residuals vanish
+/// Errors: none; the points must be such that rigid_registration() accepts them.
+Eigen::MatrixXd d_registration_d_to(const Eigen::Matrix3Xd& to, const Eigen::VectorXd& weights);
+
 }  // namespace myo::measurement
