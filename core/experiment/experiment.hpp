@@ -120,6 +120,7 @@ struct MarkerDeclaration {
 struct MarkersDeclaration {
     std::optional<double> noise_m;  // 1 sigma per coordinate; absent = estimated from the traces
     double max_standoff_m = 1e-3;   // largest distance of a rest position from the surface
+    double placement_m = 0.0;       // 1 sigma per coordinate of where a marker sits against what is declared; 0: exact
     Comparison compare = Comparison::position;
     std::vector<MarkerDeclaration> on_body;  // move with the body; at least one
     std::vector<MarkerDeclaration> fixed;    // attached to the surroundings, used for registration only

@@ -36,10 +36,11 @@ void read_labels(const toml::TomlReader& markers, MarkersDeclaration& declared) 
 
 MarkersDeclaration read_markers(const toml::TomlReader& document) {
     const toml::TomlReader markers = document.table(
-        "markers", {"noise_m", "max_standoff_m", "compare", "rest_m", "fixed_m", "labels"});
+        "markers", {"noise_m", "max_standoff_m", "placement_m", "compare", "rest_m", "fixed_m", "labels"});
     MarkersDeclaration declared;
     declared.noise_m = markers.optional_number("noise_m", toml::positive());
     declared.max_standoff_m = markers.number_or("max_standoff_m", declared.max_standoff_m, toml::not_negative());
+    declared.placement_m = markers.number_or("placement_m", declared.placement_m, toml::not_negative());
     if (markers.has("compare"))
         declared.compare = markers.choice<Comparison>(
             "compare", {{"position", Comparison::position}, {"displacement", Comparison::displacement}});

@@ -93,6 +93,10 @@ Result<measurement::RigidMotion> register_rest_pose(const experiment::Experiment
         return experiment::declaration_error(experiment, experiment::trial_key(experiment, declaration) + ".trace",
                                              "registration: " + fit.error().what);
     trial.registration_rms_m = fit->rms_m;
+    // Markers on the mount are exact: only those on the body have a place of their own.
+    if (experiment.markers.placement_m > 0.0)
+        trial.registration_by_places = measurement::d_registration_d_to(rest, weights)
+                                           .leftCols(3 * static_cast<Eigen::Index>(experiment.markers.on_body.size()));
     return fit->motion;
 }
 

@@ -67,10 +67,13 @@ struct PreparedTrial {
     std::string start_message;                 // how the start was determined
     std::vector<Eigen::Vector3d> reference_m;  // displacement comparison: mean before the start [m], mesh frame
     std::optional<double> registration_rms_m;  // residual of rest-pose registration [m]
-    std::vector<std::size_t> free_levels;      // actuators with an unknown step level, see actuator_signals.hpp
-    std::vector<double> occluded_fraction;     // per marker, 0 ... 1
-    std::vector<SensorSeries> sensors;         // readings beside the markers
-    double rounding_m = 0.0;                   // increment of the numbers in the file [m], 0 if none is detected
+    /// Derivative of the rest-pose registration by the places of the markers on the body, see d_registration_d_to();
+    /// 6 x 3 markers; empty: it does not depend on them, or they are exact.
+    Eigen::MatrixXd registration_by_places;
+    std::vector<std::size_t> free_levels;   // actuators with an unknown step level, see actuator_signals.hpp
+    std::vector<double> occluded_fraction;  // per marker, 0 ... 1
+    std::vector<SensorSeries> sensors;      // readings beside the markers
+    double rounding_m = 0.0;                // increment of the numbers in the file [m], 0 if none is detected
 };
 
 /// A prepared experiment: models and data of all trials. Not modified while it is used.

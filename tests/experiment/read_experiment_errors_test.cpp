@@ -181,6 +181,10 @@ const std::vector<Mutation> mutations = {
     // markers
     {"noise_m = 1e-4", "noise_m = 0", "noise_m", "markers.noise_m: ", "positive"},
     {"max_standoff_m = 0.007", "max_standoff_m = -1", "max_standoff_m", "markers.max_standoff_m: ", "negative"},
+    {"max_standoff_m = 0.007", "max_standoff_m = 0.007\nplacement_m = -0.001", "placement_m",
+     "markers.placement_m: ", "negative"},
+    {"max_standoff_m = 0.007", "max_standoff_m = 0.007\nplacement_m = nan", "placement_m",
+     "markers.placement_m: ", "finite"},
     {"max_standoff_m = 0.007\n", "", "side = [", "markers.rest_m.side: ", "6 mm off"},
     {"compare = \"displacement\"", "compare = \"displacment\"", "compare", "markers.compare: ", "\"displacement\""},
     {"tip = [0.1, 0.0, 0.024]\nside = [0.05, 0.036, 0.006]\n", "", "[markers.rest_m]",

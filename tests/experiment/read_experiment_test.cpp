@@ -96,6 +96,7 @@ trial = [{ name = "a", role = "fit", trace = "release.csv", format = "csv", star
     EXPECT_EQ(read->gravity_m_s2, Eigen::Vector3d(0, 0, -9.81));
     EXPECT_TRUE(read->registration.known);
     EXPECT_EQ(read->markers.max_standoff_m, 1e-3);
+    EXPECT_EQ(read->markers.placement_m, 0.0);
     EXPECT_EQ(read->markers.compare, Comparison::position);
     EXPECT_FALSE(read->markers.noise_m);
     EXPECT_EQ(read->trials[0].session_time_s, 0.0);
