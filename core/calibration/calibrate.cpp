@@ -39,10 +39,13 @@ struct KeptPredictions {
     }
 };
 
-double rms_of(const std::vector<prediction::TrialPrediction>& predictions) {
+double rms_of(const std::vector<prediction::TrialPrediction>& predictions,
+              const std::vector<Eigen::Vector3d>& places_m) {
     std::vector<Matrix3Xd> all;
-    for (const prediction::TrialPrediction& prediction : predictions)
-        all.insert(all.end(), prediction.residual_m.begin(), prediction.residual_m.end());
+    for (const prediction::TrialPrediction& prediction : predictions) {
+        std::vector<Matrix3Xd> residual = prediction::residual_at(prediction, places_m);
+        all.insert(all.end(), residual.begin(), residual.end());
+    }
     return prediction::rms(all);
 }
 
@@ -71,19 +74,32 @@ public:
         const prediction::ParameterValues values = values_at(p);
         std::vector<prediction::TrialPrediction> predictions = run(values, {}, progress);
         inverse::ResidualEvaluation evaluation = prediction::weighted_residuals(setup_, trials_, predictions, 0);
-        const double rms_m = settings_.evaluated && evaluation.ok ? rms_of(predictions) : 0.0;
+        if (evaluation.ok) {
+            evaluated_at_ = p;
+            places_m_ = prediction::probable_places(setup_, prediction::unknown_places(setup_, trials_, predictions),
+                                                    evaluation.residuals);
+        }
+        const double rms_m = settings_.evaluated && evaluation.ok ? rms_of(predictions, places_m_) : 0.0;
         const bool best = evaluation.ok &&
                           kept_.offer(std::move(predictions), evaluation.residuals.squaredNorm(), is_declared(p));
         tell(values, evaluation, rms_m, best);
         return evaluation;
     }
 
-    /// Jacobian at p, from the tangents of a new run.
+    /// Jacobian at p, from the tangents of a new run with the markers at their most probable places.
     Eigen::MatrixXd jacobian(const Eigen::VectorXd& p, const Progress& progress) {
-        jacobian_ = prediction::weighted_residuals(setup_, trials_, run(values_at(p), parameters_, progress),
+        prediction::ParameterValues values = values_at(p);
+        if (p == evaluated_at_) values.places_m = places_m_;
+        jacobian_ = prediction::weighted_residuals(setup_, trials_, run(values, parameters_, progress),
                                                    parameters_.size())
                         .jacobian;
         return jacobian_;
+    }
+
+    /// Places of the markers in the best evaluation, with deviations from this fit.
+    std::vector<prediction::FoundPlace> places(const inverse::LeastSquaresReport& fit) const {
+        return prediction::found_places(setup_, prediction::unknown_places(setup_, trials_, kept_.best),
+                                        prediction::weighted_residuals(setup_, trials_, kept_.best, 0).residuals, fit);
     }
 
     /// Kept predictions after the fit, without solver paths.
@@ -136,8 +152,20 @@ private:
     std::vector<std::size_t> trials_;
     prediction::ParameterValues declared_;
     KeptPredictions kept_;
-    Eigen::MatrixXd jacobian_;  // of the last linearisation
+    Eigen::MatrixXd jacobian_;               // of the last linearisation
+    Eigen::VectorXd evaluated_at_;           // of the last complete evaluation
+    std::vector<Eigen::Vector3d> places_m_;  // most probable ones there
 };
+
+/// A prediction made with the declared places of the markers, observed at those of the values.
+prediction::TrialPrediction replaced(const setup::Setup& setup, std::size_t trial,
+                                     const prediction::ParameterValues& values, prediction::TrialPrediction there) {
+    if (values.places_m.empty()) return there;
+    prediction::TrialPrediction seen = prediction::observe_trial(setup, trial, values, there.trace);
+    seen.trace = std::move(there.trace);
+    seen.sensor_residuals = std::move(there.sensor_residuals);
+    return seen;
+}
 
 /// Fills before and after: fit trials reuse the runs of the fit, all others are simulated now, in one parallel batch.
 /// After cancellation nothing is simulated.
@@ -155,7 +183,7 @@ void set_runs(const setup::Setup& setup, const prediction::ParameterValues& decl
         places.push_back(&place);
     };
     for (std::size_t i = 0; i < fit.size(); ++i) {
-        after[fit[i]] = std::move(kept.best[i]);
+        after[fit[i]] = replaced(setup, fit[i], fitted, std::move(kept.best[i]));
         if (kept.first.empty())
             run(fit[i], declared, before[fit[i]]);
         else
@@ -330,10 +358,12 @@ Calibration calibrate(const setup::Setup& setup, const CalibrationSettings& sett
     }
     result.stopped = progress.cancelled();
     if (result.usable()) {
+        prediction::ParameterValues fitted = runs.values_at(result.fit.values);
+        result.places = runs.places(result.fit);
+        for (const prediction::FoundPlace& place : result.places) fitted.places_m.push_back(place.shift_m);
         // Validation trials get levels predicted from those of the fit trials, before and after the fit.
         set_runs(setup, prediction::with_predicted_levels(setup, prediction::declared_values(setup)),
-                 prediction::with_predicted_levels(setup, runs.values_at(result.fit.values)), runs.take(), progress,
-                 result);
+                 prediction::with_predicted_levels(setup, std::move(fitted)), runs.take(), progress, result);
         result.warnings = calibration_warnings(setup, result);
     }
     result.seconds = watch.seconds();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "inverse/least_squares.hpp"
+#include "prediction/marker_places.hpp"
 #include "prediction/run_trials.hpp"
 
 namespace myo::calibration {
@@ -58,10 +59,11 @@ struct Calibration {
     CalibrationSettings settings;
     inverse::LeastSquaresReport fit;  // of the start with the lowest cost
     std::vector<CalibrationStart> starts;
-    NumericalDeviations numerical;  // set by calibrate_with_chosen_steps()
-    int earlier_evaluations = 0;    // of fits that this one continues
-    prediction::SetupRun before;    // with the declared values; markers only, no node positions
-    prediction::SetupRun after;     // with the fitted values
+    std::vector<prediction::FoundPlace> places = {};  // per marker; empty: exact, or nothing was fitted
+    NumericalDeviations numerical;                    // set by calibrate_with_chosen_steps()
+    int earlier_evaluations = 0;                      // of fits that this one continues
+    prediction::SetupRun before;                      // with the declared values; markers only, no node positions
+    prediction::SetupRun after;                       // with the fitted values
     double seconds = 0.0;
     bool stopped = false;               // cancelled by the user; trials not run by then are missing in before and after
     std::vector<std::string> warnings;  // readable sentences

@@ -25,7 +25,17 @@ std::vector<prediction::TrialPrediction> residuals_of(const prediction::SetupRun
     std::vector<prediction::TrialPrediction> result;
     for (const std::size_t t : trials) {
         const prediction::TrialPrediction& full = run.predictions[t];
-        result.push_back({full.status, full.message, {}, {}, {}, full.residual_m, {}, full.sensor_residuals});
+        result.push_back({full.status,
+                          full.message,
+                          {},
+                          {},
+                          {},
+                          full.residual_m,
+                          {},
+                          full.sensor_residuals,
+                          {},
+                          full.place_tangents,
+                          full.places_m});
     }
     return result;
 }

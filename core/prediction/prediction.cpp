@@ -5,7 +5,9 @@
 #include <limits>
 
 #include "effect/catalogue.hpp"
+#include "measurement/marker_places.hpp"
 #include "measurement/rigid_motion.hpp"
+#include "prediction/marker_places.hpp"
 #include "prediction/parameter_tangent.hpp"
 #include "prediction/sensor_tangents.hpp"
 #include "setup/actuator_signals.hpp"
@@ -113,6 +115,12 @@ struct ObservedMotion {
 Eigen::VectorXd motion_times(const setup::PreparedTrial& trial, const measurement::ObservationError& error,
                              double start_shift_s) {
     return measurement::true_times(error, trial.measured.time_s).array() - start_shift_s;
+}
+
+/// Markers where the effects and the values place them.
+measurement::MarkerSet markers_of(const setup::Setup& setup, const measurement::ObservationError& error,
+                                  const ParameterValues& values) {
+    return measurement::placed_markers(measurement::seen_markers(setup.markers, error), values.places_m);
 }
 
 bool by_displacement(const setup::Setup& setup) {
@@ -232,8 +240,7 @@ std::vector<Matrix3Xd> start_tangent(const setup::Setup& setup, std::size_t inde
     const setup::PreparedTrial& trial = setup.trials[index];
     const measurement::ObservationError error = affected_trial(setup, index, values).observation_error;
     const measurement::MarkerTracks tracks = measurement::observe(
-        trace, measurement::seen_markers(setup.markers, error),
-        motion_times(trial, error, values.start_shift_s[index]));
+        trace, markers_of(setup, error, values), motion_times(trial, error, values.start_shift_s[index]));
     const Eigen::Matrix3d R = measurement::small_rotation(values.rotation_rad);
     std::vector<Matrix3Xd> tangent = measurement::observed_tangents(error, tracks.velocities, trial.measured.time_s);
     for (Matrix3Xd& marker : tangent) marker = by_displacement(setup) ? Matrix3Xd(-marker) : Matrix3Xd(-R * marker);
@@ -276,9 +283,9 @@ void set_difference(const setup::Setup& setup, std::size_t index, const Paramete
 TrialPrediction observe_trial(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
                               const dynamics::Trace& trace) {
     const measurement::ObservationError error = affected_trial(setup, index, values).observation_error;
-    const measurement::MarkerSet markers = measurement::seen_markers(setup.markers, error);
-    const measurement::MarkerTracks tracks = measurement::observe(
-        trace, markers, motion_times(setup.trials[index], error, values.start_shift_s[index]));
+    const measurement::MarkerSet markers = markers_of(setup, error, values);
+    const Eigen::VectorXd times = motion_times(setup.trials[index], error, values.start_shift_s[index]);
+    const measurement::MarkerTracks tracks = measurement::observe(trace, markers, times);
     // Observation only: the motion is taken from the trace.
     ObservedMotion observed = observed_motion(setup, index, values, error, tracks,
                                               measurement::observe(trace, markers, Eigen::VectorXd::Zero(1)));
@@ -288,7 +295,11 @@ TrialPrediction observe_trial(const setup::Setup& setup, std::size_t index, cons
             std::move(observed.positions_m),
             std::move(observed.start_m),
             std::move(observed.residual_m),
-            {}};
+            {},
+            {},
+            {},
+            place_tangents(setup, index, values, error, markers, trace, times),
+            values.places_m};
 }
 
 double rms(const std::vector<Matrix3Xd>& residual_m) {
@@ -318,7 +329,7 @@ TrialPrediction predict_trial(const setup::Setup& setup, std::size_t index, cons
     affected.options.warm_start = std::move(warm_start);
     const ModelTangents moving = model_tangents(setup, index, values, parameters);
     TrialPrediction result;
-    const measurement::MarkerSet markers = measurement::seen_markers(setup.markers, affected.observation_error);
+    const measurement::MarkerSet markers = markers_of(setup, affected.observation_error, values);
     sensitivity::SensitiveTrace run = sensitivity::simulate_with_tangents(affected.model, affected.options,
                                                                           moving.tangents, markers.nodes, progress);
     result.status = run.trace.status;
@@ -337,6 +348,8 @@ TrialPrediction predict_trial(const setup::Setup& setup, std::size_t index, cons
     result.start_m = std::move(observed.start_m);
     result.residual_m = std::move(observed.residual_m);
     result.trace = std::move(run.trace);
+    result.place_tangents = place_tangents(setup, index, values, motion.error, markers, result.trace, times);
+    result.places_m = values.places_m;
     add_tangents(setup, index, values, parameters, moving.row_of, motion, progress, result);
     if (trial.sensors.empty()) return result;
     result.sensor_residuals = sensor_residuals(setup, index, values, affected, result.trace);

@@ -24,6 +24,8 @@ struct ParameterValues {
     std::vector<double> start_shift_s;                        // per trial: t = 0 is this much later than start_s
     std::vector<std::map<std::size_t, double>> levels;        // per trial: actuator -> level of its step
     std::vector<effect::EffectDeclaration> effects;           // with their current parameters
+    /// Per marker: how far it sits from its declared place, at rest, mesh frame [m], see marker_places.hpp. Empty: 0.
+    std::vector<Eigen::Vector3d> places_m = {};
 };
 /// Initial values: what the experiment declares, shifts 0, free levels passive.
 ParameterValues declared_values(const setup::Setup& setup);
@@ -89,6 +91,10 @@ struct TrialPrediction {
     std::vector<std::vector<Eigen::Matrix3Xd>> tangents;  // [parameter][marker] derivative of the residual
     std::vector<Eigen::VectorXd> sensor_residuals{};      // per series of the trial: prediction minus reading, or NaN
     std::vector<std::vector<Eigen::VectorXd>> sensor_tangents{};  // [parameter][series]
+    /// Derivative of the residual by the places of the markers, if markers.placement_m is positive: [3 marker + axis]
+    /// [marker], 3 x samples; 3 x 0: zero.
+    std::vector<std::vector<Eigen::Matrix3Xd>> place_tangents{};
+    std::vector<Eigen::Vector3d> places_m{};  // those of the values of the prediction
 
     bool ok() const { return status == dynamics::RunStatus::complete; }
 };
