@@ -11,6 +11,7 @@
 #include "material/catalogue.hpp"
 #include "results/calibration_report.hpp"
 #include "results/finding_output.hpp"
+#include "results/marker_places.hpp"
 #include "results/output_files.hpp"
 
 namespace myo::app {
@@ -162,8 +163,8 @@ int end_without_fit(const calibration::Calibration& calibration, Console& consol
 std::string calibration_lines(const setup::Setup& setup, const calibration::Calibration& calibration,
                               const results::RunFacts& facts) {
     return "\n" + results::findings_line(facts.findings) + "\n\n" + parameter_lines(calibration) + "\n\n" +
-           trial_lines(setup, calibration) + "\n" + distance_line(calibration.before, calibration.after) + "\n" +
-           start_lines(calibration);
+           trial_lines(setup, calibration) + "\n" + results::place_lines(calibration.places) +
+           distance_line(calibration.before, calibration.after) + "\n" + start_lines(calibration);
 }
 
 std::string cost_line(const CalibrateCall& call, const calibration::Calibration& calibration) {

@@ -39,6 +39,8 @@ const std::vector<Check>& check_catalogue() {
          true},
         {"influence", "fit", "Do the data determine what is fitted?", CheckTime::after,
          "singular values of the Jacobian", check_influence},
+        {"places", "measure", "Do the markers sit where they are declared?", CheckTime::after,
+         "3 deviations of a place as declared", check_places, true},
         {"residual", "diagnose", "Does the model explain the recordings?", CheckTime::after, "the noise of the markers",
          check_residual},
     };

@@ -37,6 +37,8 @@ std::vector<Finding> check_tendon_legs(const CheckedJob& job);
 std::vector<Finding> check_bounds(const CheckedJob& job);
 /// Parameters that the data do not determine.
 std::vector<Finding> check_influence(const CheckedJob& job);
+/// Places of the markers that a fit found, against markers.placement_m.
+std::vector<Finding> check_places(const CheckedJob& job);
 /// Residual of the fit, or of the declared values, against noise and numerical error.
 std::vector<Finding> check_residual(const CheckedJob& job);
 

@@ -9,6 +9,7 @@
 #include "report/length.hpp"
 #include "results/calibration_report_parts.hpp"
 #include "results/finding_output.hpp"
+#include "results/marker_places.hpp"
 #include "results/output_motion.hpp"
 #include "results/readable_parameter.hpp"
 #include "results/robot_tables.hpp"
@@ -188,6 +189,8 @@ report::HtmlReport calibration_report(const setup::Setup& setup, const calibrati
         report.sections.back().blocks.emplace_back(std::move(sensors));
     if (!facts.findings.empty()) report.sections.push_back(findings_section(facts.findings));
     report.sections.push_back(parameter_section(setup, calibration));
+    if (!calibration.places.empty())
+        report.sections.push_back(places_section(calibration.places, setup.experiment.markers.placement_m));
     for (std::size_t t = 0; t < setup.trials.size(); ++t)
         report.sections.push_back(trial_section(setup, calibration, t));
     report.sections.push_back(model_section(setup, calibration));

@@ -8,6 +8,7 @@
 #include "calibration/values_at_bounds.hpp"
 #include "prediction/predict_trials.hpp"
 #include "results/finding_output.hpp"
+#include "results/marker_places.hpp"
 #include "results/robot_tables.hpp"
 #include "setup/actuator_signals.hpp"
 #include "setup/mesh_suitability.hpp"
@@ -213,6 +214,7 @@ report::Json fit_json(const setup::Setup& setup, const calibration::Calibration&
         json["validation_rms_before_m"] = report::json_number(calibration.before.validation_rms_m);
         json["validation_rms_after_m"] = report::json_number(calibration.after.validation_rms_m);
     }
+    if (!calibration.places.empty()) json["marker_places"] = places_json(calibration.places);
     return json;
 }
 
