@@ -94,6 +94,7 @@ public:
     }
     void enter(FinalFit last) {
         if (last.complete) d_.data.shift = last.fit.numerics->shift;
+        d_.notes.insert(d_.notes.end(), last.notes.begin(), last.notes.end());
         d_.augmented = std::move(last.fit);
         d_.before = std::move(last.before);
         d_.after = std::move(last.after);

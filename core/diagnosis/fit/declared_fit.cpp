@@ -33,6 +33,31 @@ void limit_iterations(DeclaredFit& result, const JointFit& fit, const DeclaredFi
                                                                             fit.predictions[i].trace.newton_iterations;
 }
 
+/// Fit of the declared model. With unknown places of the markers these are linearised at the declared values first and
+/// at the fitted ones then, where a refit starts; later fits keep that linearisation, and the markers at the places
+/// found.
+JointFit fit_of_declared(DeclaredFit& result, const DiagnoseSettings& settings, FitStore& store, PhaseLog& log) {
+    prediction::ParameterValues start = prediction::declared_values(result.setup);
+    const auto fitted = [&](const WarmStart& warm) {
+        return logged_fit("declared fit",
+                          {result.setup, result.data, start, settings.policy, EffectFreedom::all,
+                           settings.policy.declared.effort, warm},
+                          store, log);
+    };
+    if (!(result.setup.experiment.markers.placement_m > 0.0)) return fitted({});
+    const std::vector<prediction::TrialPrediction> declared = prediction::predict_trials_with(
+        result.setup, start, result.data.trials, log.progress());
+    // Where the declared values cannot be run, the fit says so.
+    if (!prediction::all_ok(declared)) return fitted({});
+    result.data = with_unknown_places(result.setup, std::move(result.data), declared);
+    const JointFit first = fitted({});
+    if (!first.usable() || log.cancelled()) return first;
+    start = first.values;
+    start.places_m = probable_places(result.setup, result.data, first.residual);
+    result.data = with_unknown_places(result.setup, std::move(result.data), first.predictions);
+    return fitted({{}, {}, warm_start_of(first).paths});
+}
+
 }  // namespace
 
 DeclaredFit fit_declared(const setup::Setup& setup, const DiagnoseSettings& settings, FitStore& store, PhaseLog& log) {
@@ -46,10 +71,7 @@ DeclaredFit fit_declared(const setup::Setup& setup, const DiagnoseSettings& sett
     const double noise_m = setup::mean_noise(setup);
     lengthen_steps(result, numerics.max_step_change * noise_m, log);
     if (log.cancelled()) return result;
-    JointFit fit = logged_fit("declared fit",
-                              {result.setup, result.data, prediction::declared_values(result.setup), settings.policy,
-                               EffectFreedom::all, settings.policy.declared.effort},
-                              store, log);
+    JointFit fit = fit_of_declared(result, settings, store, log);
     if (log.cancelled()) return result;
     if (!fit.usable())
         if (const auto start = prediction::runnable_start(result.setup, prediction::declared_values(result.setup),

@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "prediction/marker_places.hpp"
+
 namespace myo::diagnosis {
 namespace {
 
@@ -43,7 +45,45 @@ double shift_at(const PredictionShift& shift, const statistics::ResidualSeries& 
                                                  : shift[trial][static_cast<std::size_t>(at.marker)](at.axis, sample);
 }
 
+/// Derivatives of the flat residual by the places of the markers over their deviation, N x 3 markers.
+Eigen::MatrixXd place_columns(const setup::Setup& setup, const FitData& data,
+                              const std::vector<prediction::TrialPrediction>& predictions) {
+    const std::vector<std::size_t> place = places(data);
+    Eigen::MatrixXd A(data.layout.size(), 3 * static_cast<Index>(setup.marker_names.size()));
+    for (Index k = 0; k < A.cols(); ++k)
+        A.col(
+            k) = setup.experiment.markers.placement_m *
+                 gathered(data, [&](const statistics::ResidualSeries& at, int sample) {
+                     const prediction::TrialPrediction& there = predictions[place[static_cast<std::size_t>(at.trial)]];
+                     const Eigen::Matrix3Xd& tangent = there.place_tangents[static_cast<std::size_t>(k)]
+                                                                           [static_cast<std::size_t>(at.marker)];
+                     return tangent.cols() > 0 ? tangent(at.axis, sample) : 0.0;
+                 }).cwiseQuotient(data.noise_m);
+    return A;
+}
+
+/// Flat residual at the declared places if it was computed at those of the predictions.
+VectorXd at_declared_places(const FitData& data, const std::vector<prediction::TrialPrediction>& predictions,
+                            VectorXd residual) {
+    const std::vector<Eigen::Vector3d>& assumed = predictions.front().places_m;
+    for (std::size_t m = 0; m < assumed.size(); ++m)
+        residual -= data.places.derivatives().middleCols<3>(3 * static_cast<Index>(m)) *
+                    (assumed[m] / data.placement_m);
+    return residual;
+}
+
 }  // namespace
+
+FitData with_unknown_places(const setup::Setup& setup, FitData data,
+                            const std::vector<prediction::TrialPrediction>& predictions) {
+    data.placement_m = setup.experiment.markers.placement_m;
+    if (data.placement_m > 0.0) data.places = inverse::MarginalNuisance(place_columns(setup, data, predictions));
+    return data;
+}
+
+std::vector<Eigen::Vector3d> probable_places(const setup::Setup& setup, const FitData& data, const VectorXd& residual) {
+    return prediction::probable_places(setup, data.places, residual);
+}
 
 FitData fit_data(const setup::Setup& setup, const std::vector<std::size_t>& trials) {
     FitData data;
@@ -75,12 +115,15 @@ VectorXd flat_residual(const FitData& data, const std::vector<prediction::TrialP
         const auto trial = static_cast<std::size_t>(at.trial), marker = static_cast<std::size_t>(at.marker);
         return predictions[place[trial]].residual_m[marker](at.axis, sample) + shift_at(data.shift, at, sample);
     });
-    return metres.cwiseQuotient(data.noise_m);
+    const VectorXd residual = metres.cwiseQuotient(data.noise_m);
+    return data.places.empty() ? residual
+                               : VectorXd(data.places.whitened(at_declared_places(data, predictions, residual)));
 }
 
 VectorXd flat_shift(const FitData& data, const PredictionShift& shift) {
-    return gathered(data, [&](const statistics::ResidualSeries& at, int sample) { return shift_at(shift, at, sample); })
-        .cwiseQuotient(data.noise_m);
+    return data.places.whitened(gathered(data, [&](const statistics::ResidualSeries& at, int sample) {
+                                    return shift_at(shift, at, sample);
+                                }).cwiseQuotient(data.noise_m));
 }
 
 Eigen::MatrixXd flat_jacobian(const FitData& data, const std::vector<prediction::TrialPrediction>& predictions,
@@ -92,17 +135,16 @@ Eigen::MatrixXd flat_jacobian(const FitData& data, const std::vector<prediction:
                                            return predictions[place[static_cast<std::size_t>(at.trial)]]
                                                .tangents[p][static_cast<std::size_t>(at.marker)](at.axis, sample);
                                        }).cwiseQuotient(data.noise_m);
-    return J;
+    return data.places.whitened(J);
 }
 
 VectorXd flat_tangent(const FitData& data, const TrialTangents& tangents) {
     const std::vector<std::size_t> place = places(data);
-    return gathered(data,
-                    [&](const statistics::ResidualSeries& at, int sample) {
-                        return tangents[place[static_cast<std::size_t>(at.trial)]][static_cast<std::size_t>(at.marker)](
-                            at.axis, sample);
-                    })
-        .cwiseQuotient(data.noise_m);
+    return data.places.whitened(
+        gathered(data, [&](const statistics::ResidualSeries& at, int sample) {
+            return tangents[place[static_cast<std::size_t>(at.trial)]][static_cast<std::size_t>(at.marker)](at.axis,
+                                                                                                            sample);
+        }).cwiseQuotient(data.noise_m));
 }
 
 double mean_noise_m(const FitData& data) {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "inverse/marginal_nuisance.hpp"
 #include "prediction/prediction.hpp"
 #include "setup/setup.hpp"
 #include "statistics/residual_layout.hpp"
@@ -21,9 +22,22 @@ struct FitData {
     Eigen::VectorXd noise_m;            // N: standard deviation of the noise per entry
     bool noise_declared = true;         // false: noise of still markers, below what a model of a real body can reach
     PredictionShift shift;              // empty: no correction
+    /// Unknown places of the markers over markers.placement_m, three per marker, see with_unknown_places(). If not
+    /// empty, all flat vectors and matrices are whitened by them: residuals of the right model are noise of variance 1.
+    inverse::MarginalNuisance places = {};
+    double placement_m = 0.0;  // markers.placement_m, if there are unknown places
 };
 /// Measured samples of these trials, from the first sample of each that is compared.
 FitData fit_data(const setup::Setup& setup, const std::vector<std::size_t>& trials);
+
+/// The data with the places of the markers as unknowns, linearised at these predictions. Unchanged if
+/// markers.placement_m is 0.
+FitData with_unknown_places(const setup::Setup& setup, FitData data,
+                            const std::vector<prediction::TrialPrediction>& predictions);
+
+/// Most probable places of the markers [m] for a flat residual; empty if they are exact.
+std::vector<Eigen::Vector3d> probable_places(const setup::Setup& setup, const FitData& data,
+                                             const Eigen::VectorXd& residual);
 
 /// Residual (prediction + shift - measurement) / noise, N; predictions in the order of data.trials.
 Eigen::VectorXd flat_residual(const FitData& data, const std::vector<prediction::TrialPrediction>& predictions);

@@ -18,6 +18,7 @@ std::uint64_t setup_fingerprint(const setup::Setup& setup) {
     for (const double number : material.law) print.add(number);
     print.add_all(setup.experiment.gravity_m_s2);
     print.add_all(setup.noise_m);
+    if (setup.experiment.markers.placement_m > 0.0) print.add(setup.experiment.markers.placement_m);
     for (const setup::PreparedTrial& trial : setup.trials) {
         print.add_all(trial.measured.time_s);
         for (const Eigen::Matrix3Xd& track : trial.measured.tracks) print.add_all(track);

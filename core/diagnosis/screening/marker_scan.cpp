@@ -88,7 +88,7 @@ EffectScore scored(const FitData& data, const JointFit& fit, const statistics::N
     EffectScore score;
     score.id = id;
     const VectorXd outside = nuisance.outside(fit.residual);
-    score.candidate = statistics::project_candidate(nuisance, S);
+    score.candidate = statistics::project_candidate(nuisance, data.places.whitened(S));
     score.test = statistics::score_test(score.candidate, outside, data.layout);
     score.predicted = score.candidate.basis * (score.candidate.basis.transpose() * outside);
     return score;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "diagnosis/discretisation/correct_discretisation.hpp"
+#include "prediction/marker_places.hpp"
 
 namespace myo::diagnosis {
 namespace {
@@ -29,9 +30,11 @@ FinalFit final_fit(const FinalFitInput& in, FitStore& store, PhaseLog& log) {
     const VerdictKind kind = in.decision.verdict.kind;
     std::vector<std::size_t> all(setup.trials.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
+    // The markers where this fit finds them: on its own trials, and nothing is refitted on the others.
     const auto predicted = [&](const JudgedFit& fit, const NumericalError& error) {
-        return shifted_run(setup, fit.fit.values, error.shift,
-                           fitted_predictions(setup, all, fit.fit.values, log.progress()), all);
+        prediction::ParameterValues values = fit.fit.values;
+        values.places_m = probable_places(setup, context.data, fit.fit.residual);
+        return shifted_run(setup, values, error.shift, fitted_predictions(setup, all, values, log.progress()), all);
     };
     FinalFit result;
     result.fit = in.decision.fit;
@@ -50,6 +53,9 @@ FinalFit final_fit(const FinalFitInput& in, FitStore& store, PhaseLog& log) {
     }
     result.fit.numerics = with_error_of_other_trials(context, result.fit, log);
     result.after = kind == VerdictKind::none ? result.before : predicted(result.fit, *result.fit.numerics);
+    const std::vector<Eigen::Vector3d>& places = result.after.values.places_m;
+    for (const std::size_t marker : prediction::far_markers(setup, places))
+        result.notes.push_back(prediction::far_marker_sentence(setup, marker, places[marker]));
     result.complete = !log.cancelled();
     return result;
 }

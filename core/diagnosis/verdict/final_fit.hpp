@@ -20,6 +20,7 @@ struct FinalFitInput {
 struct FinalFit {
     JudgedFit fit;
     prediction::SetupRun before, after;  // with the declared fit, and with this one; numerical error removed
+    std::vector<std::string> notes;      // markers that sit far from their declared places
     bool complete = false;               // false: cancelled
 };
 
