@@ -163,6 +163,16 @@ Result<inverse::ActuationProblem> actuation_problem(const setup::Setup& setup, c
         !problem.target.from_start)
         problem.placement_bounds = {registration.max_translation_m,
                                     registration.max_rotation_deg * std::numbers::pi / 180.0};
+    if (const model::MountMotionPointer mount = prediction::declared_mount(setup, 0)) {
+        if (problem.placement_bounds)
+            return experiment::declaration_error(setup.experiment, "registration.known",
+                                                 "must be true, or rest_pose the method: signals cannot be sought with "
+                                                 "a moving mount and an unknown camera frame at once");
+        if (mount->turns() && problem.target.from_start)
+            return experiment::declaration_error(setup.experiment, "markers.compare",
+                                                 "must be \"position\": signals cannot be sought by displacements "
+                                                 "from a mount that turns");
+    }
     problem.smoothness_m_s = settings.smoothness_m_s.value_or(setup::mean_noise(setup));
     return problem;
 }

@@ -115,6 +115,7 @@ struct ScreeningPolicy {
     double min_slip_gain = 0.05;
     /// Damping of the columns of a probe, over its largest column: a column far below it gets hardly any amount.
     double negligible_column = 0.05;
+    std::size_t residual_lines = 3;  // frequencies of the residual that probes are offered
 };
 
 /// Fits of candidates, in parallel.

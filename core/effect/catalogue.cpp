@@ -4,6 +4,8 @@
 #include <cassert>
 #include <utility>
 
+#include "model/mount_forces.hpp"
+
 namespace myo::effect {
 
 /// All effects, in the order of the vocabulary, of lists and of reports. A new effect is a file of its own and one line
@@ -20,6 +22,7 @@ namespace myo::effect {
     entry(hung_mass) \
     entry(gravity_tilt) \
     entry(tendon_friction) \
+    entry(base_vibration) \
     entry(clamp_compliance) \
     entry(clamp_slip) \
     entry(held_pose) \
@@ -72,6 +75,28 @@ bool any_varies_within_cells(const std::vector<EffectDeclaration>& effects) {
     });
 }
 
+namespace {
+
+/// Puts the body on the mount as it moves, see model::mount_forces(): what acts from the laboratory is seen from the
+/// mount, inertia forces come last.
+///
+/// @param outside  number of force elements that act from outside or are actuators; those behind them join the body to
+///                 its mount
+void put_on_mount(std::size_t outside, Affected& affected) {
+    measurement::ObservationError& error = affected.observation_error;
+    error.mount = model::with_vibrations(
+        model::by_clock(affected.recorded_mount, error.clock_offset_s, 1.0 + error.rate_error),
+        affected.mount_vibrations);
+    if (!error.mount) return;
+    std::vector<model::ForceElementPointer>& elements = affected.model.force_elements;
+    // Actuators are part of the body.
+    for (std::size_t e = 0; e < outside; ++e)
+        if (!elements[e]->command()) elements[e] = model::in_laboratory(elements[e], error.mount);
+    elements.push_back(model::mount_forces(affected.model, error.mount));
+}
+
+}  // namespace
+
 void apply_effects(const TrialContext& context, const std::vector<EffectDeclaration>& effects, Affected& affected) {
     // stable_sort below keeps the order of declaration within an EffectKind.
     std::vector<std::pair<const Effect*, const EffectDeclaration*>> order;
@@ -82,8 +107,13 @@ void apply_effects(const TrialContext& context, const std::vector<EffectDeclarat
     // Order by EffectKind: stress-free shapes refer to the cells as supported, whatever was declared first.
     std::stable_sort(order.begin(), order.end(),
                      [](const auto& a, const auto& b) { return a.first->kind < b.first->kind; });
-    for (const auto& [effect, declaration] : order)
-        if (acts_on(context, declaration->parameters)) effect->apply(context, declaration->parameters, affected);
+    std::size_t outside = affected.model.force_elements.size();
+    for (const auto& [effect, declaration] : order) {
+        if (!acts_on(context, declaration->parameters)) continue;
+        effect->apply(context, declaration->parameters, affected);
+        if (effect->kind == EffectKind::force) outside = affected.model.force_elements.size();
+    }
+    put_on_mount(outside, affected);
 }
 
 }  // namespace myo::effect

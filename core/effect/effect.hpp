@@ -26,6 +26,7 @@ enum class EffectParameterKind {
     vector3,            // position or shift
     direction,          // unit vector; fitted as two angles (direction.hpp), so that its scale is in rad
     number_or_vector3,  // a magnitude, or a vector
+    number_or_list,     // a number for all trials, or one per trial
     axis,               // 0 x, 1 y, 2 z
     marker,
     marker_pair,
@@ -55,17 +56,20 @@ struct TrialContext {
     std::vector<measurement::MarkerBinding> markers;  // bound to the cells of the body
     std::vector<std::string> actuator_names;          // muscles, chambers, tendons
     std::string trial;
+    std::size_t number = 0;       // of the trial in the experiment
     double session_time_s = 0.0;  // time of the trial within the session
     dynamics::StartKind start = dynamics::StartKind::straight;
     double interval_s = 0.01;  // between samples of the recording
     double end_s = 0.0;        // end of the trial
 };
 
-/// What an effect may change: model, start and options of the run, and the recording.
+/// What an effect may change: model, start and options of the run, the motion of the mount, and the recording.
 struct Affected {
     model::Model model;
     dynamics::SimulationOptions options;
     measurement::ObservationError observation_error;
+    model::MountMotionPointer recorded_mount = {};          // by the time stamps of the recording; null: at rest
+    std::vector<model::MountVibration> mount_vibrations{};  // beside it, by the clock of the simulation
 };
 
 /// Start values for the search for an effect.
@@ -89,6 +93,7 @@ struct EffectSearch {
     std::vector<model::Model> models;          // models of these trials, with the values of the declared fit
     double largest_energy_density_J_m3 = 0.0;  // isochoric; maximum over cells and trials
     bool damping_is_fitted = false;
+    std::vector<double> residual_lines_Hz{};  // frequencies that stand out in the residual of the fit, strongest first
 };
 
 /// What an effect changes; effects are applied in this order.

@@ -20,8 +20,9 @@ toml::NumberRange range_of(const effect::EffectParameterEntry& entry) {
 /// Value of one parameter, checked against its kind and range in the effect catalogue.
 ///
 /// @param muscles_only  no chamber or tendon is declared; otherwise values in the unit of a signal may be large
+/// @param trials        number of trials, for lists of one number per trial
 effect::EffectParameter read_parameter(const toml::TomlReader& effect, const effect::EffectParameterEntry& entry,
-                                       bool muscles_only) {
+                                       bool muscles_only, Eigen::Index trials) {
     const std::string& key = entry.name;
     switch (entry.kind) {
         case effect::EffectParameterKind::number: {
@@ -38,6 +39,9 @@ effect::EffectParameter read_parameter(const toml::TomlReader& effect, const eff
         case effect::EffectParameterKind::number_or_vector3:
             if (effect.is_array(key)) return Eigen::VectorXd(effect.vector3(key));
             return effect.number(key);
+        case effect::EffectParameterKind::number_or_list:
+            if (effect.is_array(key)) return effect.vector(key, trials);
+            return effect.number(key, range_of(entry));
         case effect::EffectParameterKind::axis: {
             const double axis = effect.number(key);
             if (axis != 0.0 && axis != 1.0 && axis != 2.0)
@@ -62,6 +66,7 @@ effect::EffectParameter read_parameter(const toml::TomlReader& effect, const eff
 std::vector<effect::EffectDeclaration> read_effects(const toml::TomlReader& document) {
     std::vector<effect::EffectDeclaration> effects;
     const bool muscles_only = !document.has_entry("chamber") && !document.has_entry("tendon");
+    const auto trials = static_cast<Eigen::Index>(document.tables_of_names("trial").size());
     for (const toml::TomlReader& table : document.tables_of_names("effect")) {
         if (!table.has_entry("id")) table.fail("id", "required key is missing");
         effect::EffectDeclaration effect;
@@ -78,7 +83,7 @@ std::vector<effect::EffectDeclaration> read_effects(const toml::TomlReader& docu
         const toml::TomlReader checked = table.with_known_keys(known);
         for (const effect::EffectParameterEntry& parameter : entry->parameters)
             if (!parameter.optional || checked.has(parameter.name))
-                effect.parameters.emplace(parameter.name, read_parameter(checked, parameter, muscles_only));
+                effect.parameters.emplace(parameter.name, read_parameter(checked, parameter, muscles_only, trials));
         effect.calibrate = checked.boolean_or("calibrate", false);
         effects.push_back(effect);
     }

@@ -20,6 +20,37 @@ void exchange_and_scale(const ObservationError& error, std::vector<Matrix3Xd>& t
 
 }  // namespace
 
+std::vector<Matrix3Xd> laboratory_tracks(const ObservationError& error, std::vector<Matrix3Xd> tracks,
+                                         const Eigen::VectorXd& times_s) {
+    if (!error.mount) return tracks;
+    for (Index t = 0; t < times_s.size(); ++t) {
+        const model::MountPose pose = error.mount->at(times_s(t));
+        for (Matrix3Xd& track : tracks) track.col(t) = pose.in_laboratory(track.col(t)).eval();
+    }
+    return tracks;
+}
+
+std::vector<Matrix3Xd> laboratory_tangents(const ObservationError& error, std::vector<Matrix3Xd> tangents,
+                                           const Eigen::VectorXd& times_s) {
+    if (!error.mount || !error.mount->turns()) return tangents;
+    for (Index t = 0; t < times_s.size(); ++t) {
+        const Eigen::Matrix3d R = error.mount->at(times_s(t)).rotation;
+        for (Matrix3Xd& tangent : tangents) tangent.col(t) = (R * tangent.col(t)).eval();
+    }
+    return tangents;
+}
+
+std::vector<Matrix3Xd> laboratory_velocities(const ObservationError& error, const std::vector<Matrix3Xd>& tracks,
+                                             std::vector<Matrix3Xd> velocities, const Eigen::VectorXd& times_s) {
+    if (!error.mount) return velocities;
+    for (Index t = 0; t < times_s.size(); ++t) {
+        const model::MountPose pose = error.mount->at(times_s(t));
+        for (std::size_t m = 0; m < tracks.size(); ++m)
+            velocities[m].col(t) = pose.velocities_in_laboratory(tracks[m].col(t), velocities[m].col(t)).eval();
+    }
+    return velocities;
+}
+
 // Sample k is stamped k / declared rate but was taken at k / true rate, plus the offset.
 Eigen::VectorXd true_times(const ObservationError& error, const Eigen::VectorXd& stamped_s) {
     return stamped_s.array() / (1.0 + error.rate_error) + error.clock_offset_s;

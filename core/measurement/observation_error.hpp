@@ -6,6 +6,7 @@
 
 #include "measurement/marker_binding.hpp"
 #include "measurement/recording.hpp"
+#include "model/mount_motion.hpp"
 
 namespace myo::measurement {
 
@@ -37,7 +38,30 @@ struct ObservationError {
     std::vector<MarkerSwap> swaps;
     std::vector<MarkerShift> shifts;
     std::vector<MarkerPlace> places;  // at most one per marker; observe() takes them by seen_markers()
+    /// How the mount moves against the cameras, by the clock of the simulation; null: it stands still. No error, but
+    /// what turns a motion in the mount's frame into one that cameras see.
+    model::MountMotionPointer mount = {};
 };
+
+/// Tracks in the laboratory, where the cameras stand, of markers whose tracks in the mount's frame are given. What
+/// observe() returns is in the mount's frame; observed_tracks() takes what this returns.
+///
+/// @param tracks   one per marker, 3 x T [m], mount's frame
+/// @param times_s  T, of the simulation
+std::vector<Eigen::Matrix3Xd> laboratory_tracks(const ObservationError& error, std::vector<Eigen::Matrix3Xd> tracks,
+                                                const Eigen::VectorXd& times_s);
+
+/// Derivatives of laboratory_tracks() from those of the tracks in the mount's frame, for a given motion of the mount.
+std::vector<Eigen::Matrix3Xd> laboratory_tangents(const ObservationError& error, std::vector<Eigen::Matrix3Xd> tangents,
+                                                  const Eigen::VectorXd& times_s);
+
+/// Velocities in the laboratory of markers in the mount's frame.
+///
+/// @param tracks, velocities  one per marker, 3 x T [m, m/s], mount's frame
+std::vector<Eigen::Matrix3Xd> laboratory_velocities(const ObservationError& error,
+                                                    const std::vector<Eigen::Matrix3Xd>& tracks,
+                                                    std::vector<Eigen::Matrix3Xd> velocities,
+                                                    const Eigen::VectorXd& times_s);
 
 /// True times of samples with these time stamps [s]: t / (1 + rate_error) + clock_offset_s.
 Eigen::VectorXd true_times(const ObservationError& error, const Eigen::VectorXd& stamped_s);

@@ -83,4 +83,11 @@ Matrix3Xd velocity_tangent(const Model& model, const ForceState& at, const Matri
     return gradient;
 }
 
+Matrix3Xd velocity_pull(const Model& model, const ForceState& at, const Matrix3Xd& p) {
+    Matrix3Xd by_v = Matrix3Xd::Zero(3, at.x.cols());
+    for (const ForceElementPointer& element : model.force_elements)
+        element->add_velocity_pull(*model.body, at, p, by_v);
+    return by_v;
+}
+
 }  // namespace myo::model

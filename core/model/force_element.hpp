@@ -44,9 +44,15 @@ public:
 
     /// True if the force changes with the velocity.
     virtual bool depends_on_velocity() const { return false; }
-    /// Adds the derivative of the gradient along dv [m/s] at fixed positions; a symmetric operator on dv.
+    /// Adds the derivative of the gradient along dv [m/s] at fixed positions.
     virtual void add_velocity_tangent(const Body&, const ForceState&, const Eigen::Matrix3Xd&,
                                       Eigen::Matrix3Xd&) const {}
+    /// Transpose of add_velocity_tangent(): adds the adjoint of v for the adjoint p of the gradient, both 3 x n. The
+    /// same for the symmetric operators that dissipation potentials have.
+    virtual void add_velocity_pull(const Body& body, const ForceState& at, const Eigen::Matrix3Xd& p,
+                                   Eigen::Matrix3Xd& by_v) const {
+        add_velocity_tangent(body, at, p, by_v);
+    }
 
     /// Whether the force is the gradient of the potential that add() adds.
     virtual bool has_potential() const { return true; }
@@ -116,5 +122,8 @@ void add_force_elements(const Model& model, const ForceState& at, HessianKind ki
 
 /// Derivative of the gradient of all force elements along dv (3 x n [m/s]), 3 x n [N].
 Eigen::Matrix3Xd velocity_tangent(const Model& model, const ForceState& at, const Eigen::Matrix3Xd& dv);
+
+/// Transpose of velocity_tangent(): adjoint of v for the adjoint p of the gradient, both 3 x n.
+Eigen::Matrix3Xd velocity_pull(const Model& model, const ForceState& at, const Eigen::Matrix3Xd& p);
 
 }  // namespace myo::model

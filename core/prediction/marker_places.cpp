@@ -49,8 +49,11 @@ std::vector<std::vector<Matrix3Xd>> place_tangents(const setup::Setup& setup, st
     if (!(setup.experiment.markers.placement_m > 0.0)) return {};
     const setup::PreparedTrial& trial = setup.trials[index];
     const measurement::MarkerSet columns = measurement::place_derivatives(markers);
-    std::vector<Matrix3Xd> moving = measurement::observe(trace, columns, times_s).positions;
-    const std::vector<Matrix3Xd> origin = measurement::observe(trace, columns, VectorXd::Zero(1)).positions;
+    std::vector<Matrix3Xd> moving = measurement::laboratory_tangents(
+        error, measurement::observe(trace, columns, times_s).positions, times_s);
+    const VectorXd start_s = VectorXd::Zero(1);
+    const std::vector<Matrix3Xd> origin = measurement::laboratory_tangents(
+        error, measurement::observe(trace, columns, start_s).positions, start_s);
     const Eigen::Matrix3d R = measurement::small_rotation(values.rotation_rad);
     const Index samples = trial.measured.sample_count();
     std::vector<std::vector<Matrix3Xd>> tangents;

@@ -146,9 +146,14 @@ ObservedMotion observed_motion(const setup::Setup& setup, std::size_t index, con
     const Eigen::Matrix3d R = measurement::small_rotation(values.rotation_rad);
     const auto samples = trial.measured.sample_count();
     ObservedMotion result;
-    result.positions_m = measurement::observed_tracks(error, tracks.positions, trial.measured.time_s);
+    result.positions_m = measurement::observed_tracks(
+        error,
+        measurement::laboratory_tracks(error, tracks.positions,
+                                       motion_times(trial, error, values.start_shift_s[index])),
+        trial.measured.time_s);
     for (const Matrix3Xd& start : measurement::observed_tracks(
-             error, origin.positions, Eigen::VectorXd::Constant(1, prediction_policy.long_before_s)))
+             error, measurement::laboratory_tracks(error, origin.positions, Eigen::VectorXd::Zero(1)),
+             Eigen::VectorXd::Constant(1, prediction_policy.long_before_s)))
         result.start_m.emplace_back(start.col(0));
     for (std::size_t m = 0; m < result.positions_m.size(); ++m) {
         const Matrix3Xd& x = result.positions_m[m];
@@ -198,53 +203,31 @@ struct SensitiveMotion {
 };
 
 /// Tangent of the residuals along row `row` of the tangents of a run.
-std::vector<Matrix3Xd> moved_tangent(const setup::Setup& setup, const setup::PreparedTrial& trial,
-                                     const ParameterValues& values, const SensitiveMotion& motion, std::size_t row) {
+std::vector<Matrix3Xd> moved_tangent(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
+                                     const SensitiveMotion& motion, std::size_t row) {
+    const setup::PreparedTrial& trial = setup.trials[index];
     const Eigen::Matrix3d R = measurement::small_rotation(values.rotation_rad);
-    std::vector<Matrix3Xd> d = measurement::observed_tangents(motion.error, motion.tracks.tangents[row],
-                                                              trial.measured.time_s);
+    std::vector<Matrix3Xd> d = measurement::observed_tangents(
+        motion.error,
+        measurement::laboratory_tangents(motion.error, motion.tracks.tangents[row],
+                                         motion_times(trial, motion.error, values.start_shift_s[index])),
+        trial.measured.time_s);
+    const std::vector<Matrix3Xd> start = measurement::laboratory_tangents(motion.error, motion.origin.tangents[row],
+                                                                          Eigen::VectorXd::Zero(1));
     for (std::size_t m = 0; m < d.size(); ++m) {
         // The reference position at t = 0 depends on the parameter as well and is subtracted from each sample.
         if (by_displacement(setup))
-            d[m].colwise() -= (1.0 + motion.error.scale_error) * Vector3d(motion.origin.tangents[row][m].col(0));
+            d[m].colwise() -= (1.0 + motion.error.scale_error) * Vector3d(start[m].col(0));
         else
             d[m] = R * d[m];
     }
     return d;
 }
 
-/// Adds the tangents of the residuals: from the run where the parameter moves the body, otherwise without it. A failed
-/// difference run makes the prediction unusable for a fit, but keeps its status and message.
-void add_tangents(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
-                  const std::vector<ModelParameter>& parameters, const std::vector<int>& row_of,
-                  const SensitiveMotion& motion, const Progress& progress, TrialPrediction& result) {
-    for (std::size_t p = 0; p < parameters.size(); ++p) {
-        if (row_of[p] >= 0) {
-            const auto row = static_cast<std::size_t>(row_of[p]);
-            result.tangents.push_back(moved_tangent(setup, setup.trials[index], values, motion, row));
-            continue;
-        }
-        ResidualTangent column = residual_tangent(setup, index, values, parameters[p], result, progress);
-        if (!column.ok()) {
-            result.status = column.status;
-            result.message = column.message;
-            return;
-        }
-        result.tangents.push_back(std::move(column.tangent));
-    }
-}
-
-/// Derivatives of the residuals with respect to the start of the motion.
-std::vector<Matrix3Xd> start_tangent(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
-                                     const dynamics::Trace& trace) {
-    const setup::PreparedTrial& trial = setup.trials[index];
-    const measurement::ObservationError error = affected_trial(setup, index, values).observation_error;
-    const measurement::MarkerTracks tracks = measurement::observe(
-        trace, markers_of(setup, error, values), motion_times(trial, error, values.start_shift_s[index]));
-    const Eigen::Matrix3d R = measurement::small_rotation(values.rotation_rad);
-    std::vector<Matrix3Xd> tangent = measurement::observed_tangents(error, tracks.velocities, trial.measured.time_s);
-    for (Matrix3Xd& marker : tangent) marker = by_displacement(setup) ? Matrix3Xd(-marker) : Matrix3Xd(-R * marker);
-    return tangent;
+/// Zero per marker and sample.
+std::vector<Matrix3Xd> no_tangent(const setup::Setup& setup, std::size_t index) {
+    return std::vector<Matrix3Xd>(setup.marker_names.size(),
+                                  Matrix3Xd::Zero(3, setup.trials[index].measured.sample_count()));
 }
 
 /// Differences of the residuals with respect to a parameter: central if both sides are inside the bounds, otherwise
@@ -278,6 +261,48 @@ void set_difference(const setup::Setup& setup, std::size_t index, const Paramete
                                           : Matrix3Xd((other.residual_m[m] - there.residual_m[m]) / step);
 }
 
+/// Adds the tangents of the residuals: from the run where the parameter moves the body, otherwise without it. A failed
+/// difference run makes the prediction unusable for a fit, but keeps its status and message.
+void add_tangents(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
+                  const std::vector<ModelParameter>& parameters, const std::vector<int>& row_of,
+                  const SensitiveMotion& motion, const Progress& progress, TrialPrediction& result) {
+    for (std::size_t p = 0; p < parameters.size(); ++p) {
+        if (row_of[p] >= 0) {
+            const auto row = static_cast<std::size_t>(row_of[p]);
+            result.tangents.push_back(moved_tangent(setup, index, values, motion, row));
+            // An effect may move the mount as well, which the cameras see at once.
+            if (motion.error.mount && parameters[p].kind == Kind::effect) {
+                ResidualTangent seen{{}, {}, no_tangent(setup, index)};
+                set_difference(setup, index, values, parameters[p], result, false, progress, seen);
+                for (std::size_t m = 0; m < seen.tangent.size(); ++m) result.tangents.back()[m] += seen.tangent[m];
+            }
+            continue;
+        }
+        ResidualTangent column = residual_tangent(setup, index, values, parameters[p], result, progress);
+        if (!column.ok()) {
+            result.status = column.status;
+            result.message = column.message;
+            return;
+        }
+        result.tangents.push_back(std::move(column.tangent));
+    }
+}
+
+/// Derivatives of the residuals with respect to the start of the motion.
+std::vector<Matrix3Xd> start_tangent(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
+                                     const dynamics::Trace& trace) {
+    const setup::PreparedTrial& trial = setup.trials[index];
+    const measurement::ObservationError error = affected_trial(setup, index, values).observation_error;
+    const Eigen::VectorXd times = motion_times(trial, error, values.start_shift_s[index]);
+    const measurement::MarkerTracks tracks = measurement::observe(trace, markers_of(setup, error, values), times);
+    const Eigen::Matrix3d R = measurement::small_rotation(values.rotation_rad);
+    std::vector<Matrix3Xd> tangent = measurement::observed_tangents(
+        error, measurement::laboratory_velocities(error, tracks.positions, tracks.velocities, times),
+        trial.measured.time_s);
+    for (Matrix3Xd& marker : tangent) marker = by_displacement(setup) ? Matrix3Xd(-marker) : Matrix3Xd(-R * marker);
+    return tangent;
+}
+
 }  // namespace
 
 TrialPrediction observe_trial(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
@@ -300,24 +325,6 @@ TrialPrediction observe_trial(const setup::Setup& setup, std::size_t index, cons
             {},
             place_tangents(setup, index, values, error, markers, trace, times),
             values.places_m};
-}
-
-double rms(const std::vector<Matrix3Xd>& residual_m) {
-    double sum = 0.0;
-    long count = 0;
-    for (const Matrix3Xd& marker : residual_m)
-        for (const double r : marker.reshaped())
-            if (std::isfinite(r)) {
-                sum += r * r;
-                ++count;
-            }
-    return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : std::numeric_limits<double>::quiet_NaN();
-}
-
-double rms_between(const TrialPrediction& a, const TrialPrediction& b) {
-    std::vector<Matrix3Xd> all;
-    for (std::size_t m = 0; m < a.residual_m.size(); ++m) all.push_back(a.residual_m[m] - b.residual_m[m]);
-    return rms(all);
 }
 
 TrialPrediction predict_trial(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
@@ -368,9 +375,7 @@ ResidualTangent residual_tangent(const setup::Setup& setup, std::size_t index, c
                                  const Progress& progress) {
     const setup::PreparedTrial& trial = setup.trials[index];
     const auto samples = trial.measured.sample_count();
-    ResidualTangent result{dynamics::RunStatus::complete,
-                           {},
-                           std::vector<Matrix3Xd>(setup.marker_names.size(), Matrix3Xd::Zero(3, samples))};
+    ResidualTangent result{dynamics::RunStatus::complete, {}, no_tangent(setup, index)};
     // Residual = R x + translation - y, so the derivatives with respect to the registration are closed.
     if (parameter.kind == Kind::translation) {
         for (Matrix3Xd& marker : result.tangent) marker.row(static_cast<Eigen::Index>(parameter.index)).setOnes();
@@ -382,8 +387,11 @@ ResidualTangent residual_tangent(const setup::Setup& setup, std::size_t index, c
                                                .col(static_cast<Eigen::Index>(parameter.index));
     } else if (parameter.kind == Kind::start_shift && parameter.trial == index) {
         result.tangent = start_tangent(setup, index, values, there.trace);
-    } else if (const bool moves = moves_the_body(setup, index, values, parameter);
-               moves || acts_on_observation_only(setup, index, values, parameter)) {
+    } else if (const bool seen = acts_on_observation_only(setup, index, values, parameter),
+               moves = moves_the_body(setup, index, values, parameter) ||
+                       // A recorded mount moves by the clock of the recording: an error of that moves the body.
+                       (seen && trial.mount);
+               moves || seen) {
         set_difference(setup, index, values, parameter, there, moves, progress, result);
     }
     return result;

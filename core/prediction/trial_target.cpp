@@ -10,6 +10,29 @@ namespace myo::prediction {
 using Eigen::Index;
 using Eigen::Matrix3Xd;
 
+namespace {
+
+/// Measured track in the frame of the mount, where the markers of a motion are. Distances are the same in both frames.
+/// Displacements are those from the start, so that a translation alone comes off them.
+void see_from_mount(const model::MountMotion& mount, const Eigen::VectorXd& times_s, bool from_start,
+                    Matrix3Xd& track) {
+    const model::MountPose start = mount.at(0.0);
+    for (Index t = 0; t < track.cols(); ++t) {
+        const model::MountPose pose = mount.at(times_s(t));
+        if (from_start)
+            track.col(t) -= pose.place_m - start.place_m;
+        else
+            track.col(t) = (pose.rotation.transpose() * (track.col(t) - pose.place_m) + pose.pivot_m).eval();
+    }
+}
+
+}  // namespace
+
+model::MountMotionPointer declared_mount(const setup::Setup& setup, std::size_t index) {
+    if (!setup.trials[index].mount && setup.experiment.effects.empty()) return nullptr;
+    return affected_trial(setup, index, declared_values(setup)).observation_error.mount;
+}
+
 inverse::MarkerTarget trial_target(const setup::Setup& setup, std::size_t index, double until_s) {
     const setup::PreparedTrial& trial = setup.trials[index];
     inverse::MarkerTarget target;
@@ -20,9 +43,11 @@ inverse::MarkerTarget trial_target(const setup::Setup& setup, std::size_t index,
     const Index end = std::upper_bound(times.begin(), times.end(), until_s) - times.begin();
     const Index count = std::max<Index>(0, end - first);
     target.times_s = times.segment(std::min(first, times.size()), count);
+    const model::MountMotionPointer mount = declared_mount(setup, index);
     for (std::size_t m = 0; m < setup.marker_names.size(); ++m) {
         Matrix3Xd track = trial.measured.tracks[m].middleCols(std::min(first, times.size()), count);
         if (target.from_start) track.colwise() -= trial.reference_m[m];
+        if (mount) see_from_mount(*mount, target.times_s, target.from_start, track);
         // A sample with an occluded coordinate is excluded as a whole.
         for (Index t = 0; t < count; ++t)
             if (!track.col(t).allFinite()) track.col(t).setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -39,8 +64,13 @@ TrialPrediction prediction_of(const setup::Setup& setup, std::size_t index, cons
     const std::vector<Matrix3Xd> compared = inverse::target_residuals(all, motion);
     TrialPrediction result;
     result.status = dynamics::RunStatus::complete;
-    result.positions_m = measurement::observe(motion, setup.markers, trial.measured.time_s).positions;
-    for (const Matrix3Xd& start : measurement::observe(motion, setup.markers, Eigen::VectorXd::Zero(1)).positions)
+    measurement::ObservationError seen;
+    seen.mount = declared_mount(setup, index);
+    const Eigen::VectorXd &times = trial.measured.time_s, start_s = Eigen::VectorXd::Zero(1);
+    result.positions_m = measurement::laboratory_tracks(
+        seen, measurement::observe(motion, setup.markers, times).positions, times);
+    for (const Matrix3Xd& start :
+         measurement::laboratory_tracks(seen, measurement::observe(motion, setup.markers, start_s).positions, start_s))
         result.start_m.emplace_back(start.col(0));
     for (const Matrix3Xd& residual : compared) {
         Matrix3Xd whole = Matrix3Xd::Constant(3, trial.measured.sample_count(),

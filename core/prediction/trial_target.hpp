@@ -14,8 +14,12 @@ namespace myo::prediction {
 /// Measured marker motion of a trial in the compared form: positions, or displacements from the start.
 ///
 /// @param until_s  last trial time to compare [s]
-/// @return         3 x T per marker [m], mesh frame, from first_sample on; NaN where occluded
+/// @return         3 x T per marker [m], mesh frame, from first_sample on; NaN where occluded. As seen from the mount
+///                 where that moves, see declared_mount(): its turns must not be compared by displacements
 inverse::MarkerTarget trial_target(const setup::Setup& setup, std::size_t trial, double until_s);
+
+/// How the mount of a trial moves as recorded and by the declared effects; null: it stands still.
+model::MountMotionPointer declared_mount(const setup::Setup& setup, std::size_t trial);
 
 /// Prediction from the motion of the marker nodes alone; its trace is empty.
 ///

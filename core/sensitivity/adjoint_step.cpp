@@ -121,7 +121,7 @@ void AdjointFollower::jump(dynamics::StageSolver& solver, const JumpRecord& at) 
     if (model_.softening) peaks_.use(model_, at.peak_energy_J_m3, s.x, adjoint);
     if (model::depends_on_velocity(model_))
         add_to(state_.nodal[v_field], -1.0,
-               model::velocity_tangent(model_, dynamics::force_state(stage, s.x, s.v), adjoint));
+               model::velocity_pull(model_, dynamics::force_state(stage, s.x, s.v), adjoint));
     const Matrix3Xd u = model_.velocity_force_1_s * s.v;
     gradient_.add({s.x,
                    &s.v,
@@ -219,7 +219,7 @@ bool AdjointFollower::step(dynamics::StageSolver& solver, const StepRecord& reco
         const Matrix3Xd v = model::depends_on_velocity(model_) ? dynamics::stage_velocities(stage, solution.x)
                                                                : Matrix3Xd();  // only force elements use it
         if (model::depends_on_velocity(model_))
-            velocity_rows[static_cast<std::size_t>(k)] = -model::velocity_tangent(
+            velocity_rows[static_cast<std::size_t>(k)] = -model::velocity_pull(
                 model_, dynamics::force_state(stage, solution.x, v), rows[row]);
         const Matrix3Xd u = accelerations(plain, record, nodal_fields + k),
                         by_velocity_force = accelerations(by_lambda, record, nodal_fields + k);

@@ -7,6 +7,7 @@
 #include "experiment/read_trial.hpp"
 #include "measurement/gaps.hpp"
 #include "measurement/motion_start.hpp"
+#include "measurement/recorded_mount.hpp"
 #include "measurement/recording_edit.hpp"
 #include "measurement/registration.hpp"
 #include "measurement/rest_pose.hpp"
@@ -138,6 +139,29 @@ Result<void> take_samples(const experiment::Experiment& experiment, const std::s
     return {};
 }
 
+/// Motion of the mount from the fixed markers, which come last.
+Result<void> find_mount(const experiment::Experiment& experiment, const experiment::TrialDeclaration& declaration,
+                        const measurement::Recording& placed, PreparedTrial& trial) {
+    if (experiment.mount != experiment::MountMotion::markers) return {};
+    const std::vector<experiment::MarkerDeclaration>& fixed = experiment.markers.fixed;
+    measurement::Recording seen;
+    seen.time_s = placed.time_s;
+    seen.tracks.assign(placed.tracks.end() - static_cast<std::ptrdiff_t>(fixed.size()), placed.tracks.end());
+    Eigen::Matrix3Xd rest(3, static_cast<Eigen::Index>(fixed.size()));
+    for (Eigen::Index i = 0; i < rest.cols(); ++i) rest.col(i) = fixed[static_cast<std::size_t>(i)].rest_m;
+    const bool limited = !experiment.registration.known &&
+                         experiment.registration.method == experiment::RegistrationMethod::limited;
+    const Result<measurement::RecordedMount> mount = measurement::recorded_mount(seen, rest, limited);
+    if (!mount)
+        return experiment::declaration_error(experiment, experiment::trial_key(experiment, declaration) + ".trace",
+                                             declaration.trace.filename().string() + ": " + mount.error().what);
+    trial.mount = mount->motion;
+    trial.mount_gap_s = mount->gap_s;
+    // The mount moves by the clock of the recording: a start beside it would be another motion.
+    trial.start_found = false;
+    return {};
+}
+
 }  // namespace
 
 bool is_foreign_recording(const experiment::Experiment& experiment, const experiment::TrialDeclaration& declaration) {
@@ -173,6 +197,7 @@ Result<void> place_recording(const experiment::Experiment& experiment, const exp
     // Time first, then space; both maps are recorded in `trial` for the report.
     measurement::Recording placed = measurement::transform(measurement::shift_time(recording, -trial.start_s),
                                                            camera_to_mesh);
+    if (const Result<void> found = find_mount(experiment, declaration, placed, trial); !found) return found.error();
     placed = measurement::slice_time(placed, placed.time_s(0), end_of(declaration, placed, trial.start_s));
     return take_samples(experiment, key, std::move(placed), trial);
 }
@@ -185,6 +210,9 @@ std::vector<std::string> doubtful_frames(const Setup& setup) {
             warnings.push_back("trial " + trial.name + ": its trace begins " +
                                format_number(trial.measured.time_s(0), 4) +
                                " s after the start, t = 0; if its clock began elsewhere, state start_s");
+        if (trial.mount_gap_s > recording_frame_policy.mount_gap_s)
+            warnings.push_back("trial " + trial.name + ": three markers of the mount are not seen for " +
+                               format_number(trial.mount_gap_s, 3) + " s; its motion is bridged there");
         if (trial.registration_rms_m &&
             *trial.registration_rms_m > recording_frame_policy.far_of_body * (body.highest - body.lowest).maxCoeff())
             warnings.push_back("trial " + trial.name + ": before its start the markers are " +

@@ -23,7 +23,6 @@
 #include "setup/obstacles.hpp"
 #include "setup/recorded_size.hpp"
 #include "setup/recording_frame.hpp"
-#include "setup/refuse_unsupported.hpp"
 
 namespace myo::setup {
 namespace {
@@ -371,7 +370,6 @@ Result<Setup> prepare_setup(const experiment::Experiment& experiment, const Setu
     setup.experiment = experiment;
     setup.settings = settings;
     setup.warnings = experiment.warnings;
-    if (const Result<void> supported = refuse_unsupported(experiment); !supported) return supported.error();
     Result<mesh::SurfaceMesh> surface = experiment::read_body_surface(experiment, &setup.warnings);
     if (!surface) return surface.error();
     setup.surface = std::move(*surface);

@@ -61,6 +61,8 @@ struct PreparedTrial {
     dynamics::SimulationOptions options;
     /// Markers on the body in the order of declaration, mesh frame [m]; t = 0 at the start [s].
     measurement::Recording measured;
+    model::MountMotionPointer mount;           // as its markers were seen to move, by t of `measured`; null: at rest
+    double mount_gap_s = 0.0;                  // longest time during which its markers did not show it
     Eigen::Index first_sample = 0;             // first compared sample (t >= 0)
     double start_s = 0.0;                      // file time of t = 0
     bool start_found = false;                  // start detected in the data, so that a fit may shift it

@@ -23,6 +23,7 @@ effect::TrialContext trial_context(const Setup& setup, std::size_t index) {
     context.markers = setup.markers.bindings;
     context.actuator_names = actuator_names(experiment);
     context.trial = trial.name;
+    context.number = index;
     context.session_time_s = experiment.trials[index].session_time_s;
     context.start = trial.options.start;
     context.interval_s = sampling_interval_s(trial);
@@ -33,7 +34,8 @@ effect::TrialContext trial_context(const Setup& setup, std::size_t index) {
 effect::Affected with_effects(const Setup& setup, std::size_t trial, model::Model model,
                               const std::vector<effect::EffectDeclaration>& effects) {
     effect::Affected affected{std::move(model), setup.trials[trial].options, {}};
-    if (effects.empty()) return affected;
+    affected.recorded_mount = setup.trials[trial].mount;
+    if (effects.empty() && !affected.recorded_mount) return affected;
     effect::apply_effects(trial_context(setup, trial), effects, affected);
     if (setup.trials[trial].hold) return affected;
     // Effects on the clock can shift the last sample beyond the simulated end.
@@ -71,6 +73,12 @@ std::vector<EffectNumber> effect_numbers(const effect::EffectDeclaration& effect
             for (int i = 0; i < 2; ++i)
                 numbers.push_back({parameter.name, i, name + ".turn_" + std::to_string(i + 1) + "_rad",
                                    parameter.lowest, parameter.highest, parameter.scale, false, base});
+            continue;
+        }
+        if (parameter.kind == effect::EffectParameterKind::number_or_list) {
+            for (int i = 0; i < static_cast<int>(v->size()); ++i)
+                numbers.push_back({parameter.name, i, name + ".trial_" + std::to_string(i + 1), parameter.lowest,
+                                   parameter.highest, parameter.scale, false});
             continue;
         }
         for (int i = 0; i < static_cast<int>(v->size()); ++i)

@@ -27,6 +27,8 @@ std::map<std::string, EffectParameters> visible_effects() {
           {"normal", at(0.0, 0.0, 1.0)}}},
         {"hung_mass", {{"inertia_ratio", 1.0}}},
         {"gravity_tilt", {{"tilt_deg", 5.0}, {"axis", at(1.0, 0.0, 0.0)}}},
+        {"base_vibration",
+         {{"amplitude_m", 2e-3}, {"frequency_Hz", 8.0}, {"direction", at(0.0, 0.6, 0.8)}, {"phase_rad", 0.5}}},
         {"clamp_compliance", {{"stiffness_Pa_per_m", 1e7}}},
         {"clamp_slip", {{"free_length_m", 0.012}}},
         {"held_pose", {{"offset_m", at(0.0, 0.004, 0.0)}}},
@@ -54,7 +56,7 @@ const std::set<std::string> seen_alone{"clock_offset", "frame_rate_error", "scal
 const std::set<std::string> of_tendons{"tendon_friction"};
 
 TEST(EffectCatalogue, NamesAreUniqueAndEntriesComplete) {
-    EXPECT_EQ(effect_catalogue().size(), 32u);
+    EXPECT_EQ(effect_catalogue().size(), 33u);
     for (const Effect& effect : effect_catalogue()) {
         EXPECT_EQ(find_effect(effect.id), &effect);
         EXPECT_FALSE(effect.parameters.empty()) << effect.id;
@@ -119,6 +121,53 @@ TEST(CableTug, IsSoughtAlongTheSpringWhoseTensorTheColumnsAddUpTo) {
         const Eigen::Vector3d along = (vector(found, "anchor_m") - vector(found, "position_m")).normalized();
         EXPECT_NEAR(std::abs(along.dot(d)), 1.0, 1e-9);
     }
+}
+
+/// Six columns of a vibration along a line lead back to it; with several trials each has its phase.
+TEST(BaseVibration, IsSoughtAlongTheLineThatTheColumnsAddUpTo) {
+    const test::HeldBeam beam = test::held_beam({6, 2, 2});
+    const Effect& vibration = *find_effect("base_vibration");
+    const Eigen::Vector3d d = Eigen::Vector3d(0.2, -0.5, 0.9).normalized();
+    EffectSearch search;
+    search.residual_lines_Hz = {7.3, 12.0};
+    for (std::size_t trials = 1; trials <= 2; ++trials) {
+        search.trials.push_back(beam.context);
+        search.trials.back().number = 2 * (trials - 1);
+        search.trials.back().trial = trials == 1 ? "drop" : "drop again";
+        const std::vector<EffectProbe> probes = vibration.probes(search);
+        ASSERT_EQ(probes.size(), 2u);
+        ASSERT_EQ(probes[0].columns.size(), 6 * trials);
+        // Amplitudes of sine and cosine for 3 mm with phases 0.4 and -2 rad.
+        Eigen::VectorXd multiples(6 * static_cast<Eigen::Index>(trials));
+        for (std::size_t i = 0; i < probes[0].columns.size(); ++i) {
+            const EffectParameters& column = probes[0].columns[i];
+            const double phase = i < 6 ? 0.4 : -2.0, along = d.dot(vector(column, "direction"));
+            const Eigen::VectorXd own = std::get<Eigen::VectorXd>(column.at("phase_rad"));
+            EXPECT_EQ(own.size(), i < 6 ? 1 : 3);
+            multiples(static_cast<Eigen::Index>(i)) = 3e-3 / number(column, "amplitude_m") * along *
+                                                      (own(own.size() - 1) == 0.0 ? std::cos(phase) : std::sin(phase));
+        }
+        const EffectParameters found = vibration.canonical(beam.affected.model,
+                                                           probes[0].joined(probes[0].columns, multiples));
+        EXPECT_NEAR(number(found, "amplitude_m"), 3e-3, 1e-12);
+        EXPECT_EQ(number(found, "frequency_Hz"), 7.3);
+        EXPECT_LT((vector(found, "direction") - d).norm(), 1e-9);
+        if (trials == 1) {
+            EXPECT_NEAR(number(found, "phase_rad"), 0.4, 1e-9);
+        } else {
+            const Eigen::VectorXd phases = std::get<Eigen::VectorXd>(found.at("phase_rad"));
+            EXPECT_NEAR(phases(0), 0.4, 1e-9);
+            EXPECT_NEAR(phases(2), -2.0, 1e-9);
+        }
+    }
+    // The other way along the line is half a turn of the phase.
+    const EffectParameters turned = vibration.canonical(beam.affected.model,
+                                                        {{"amplitude_m", 1e-3},
+                                                         {"frequency_Hz", 5.0},
+                                                         {"direction", Eigen::VectorXd(-d)},
+                                                         {"phase_rad", 0.4 - 3.14159265358979323846}});
+    EXPECT_LT((vector(turned, "direction") - d).norm(), 1e-9);
+    EXPECT_NEAR(number(turned, "phase_rad"), 0.4, 1e-9);
 }
 
 class MovingEffect : public ::testing::TestWithParam<std::pair<const std::string, EffectParameters>> {};

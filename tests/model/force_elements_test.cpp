@@ -8,11 +8,13 @@
 #include "model/contact.hpp"
 #include "model/elastic_bed.hpp"
 #include "model/loaded_face.hpp"
+#include "model/mount_forces.hpp"
 #include "model/point_friction.hpp"
 #include "model/point_stop.hpp"
 #include "model/surface_drag.hpp"
 #include "support/hollow.hpp"
 #include "support/tendon_body.hpp"
+#include "support/turning_mount.hpp"
 
 namespace myo::model {
 namespace {
@@ -68,6 +70,22 @@ Model model_with(const ForceCase& c) {
     if (element == "rough_plane") touching(plane_distance({0.0, 0.0, 0.004}, {0.2, -0.1, 1.0}), 0.4);
     if (element == "rough_sphere") touching(sphere_distance({0.08, 0.02, 0.01}, 0.04), 0.4);
     if (element == "rough_box") touching(box_distance({0.05, 0.02, 0.02}, {0.1, 0.1, 0.1}, 0.02), 0.4);
+    if (element == "mount") {
+        model.gravity_m_s2 = {0.0, 1.0, -9.81};
+        model.forces.push_back({VectorXd::Constant(body.node_count(), 1.0 / body.node_count()), {0.1, 0.2, 0.3}});
+        model.force_elements = {mount_forces(model, test::tumbling_mount())};
+    }
+    if (element == "seen_bed")
+        model.force_elements = {in_laboratory(elastic_bed(body, free_faces(body), 3e5), test::tumbling_mount())};
+    if (element == "seen_drag")
+        model.force_elements = {
+            in_laboratory(surface_drag(body, free_faces(body), 20.0, 900.0), test::tumbling_mount())};
+    if (element == "seen_rough_plane") {
+        touching(plane_distance(test::tumbling_mount()->at(0.3).in_laboratory(Vector3d(0.0, 0.0, 0.004)).col(0),
+                                test::tumbling_mount()->at(0.3).rotation * Vector3d(0.2, -0.1, 1.0)),
+                 0.4);
+        model.force_elements = {in_laboratory(model.force_elements.front(), test::tumbling_mount())};
+    }
     const std::vector<Vector3d> path{
         {-0.01, 0.004, 0.002}, {0.02, 0.004, 0.003}, {0.043, 0.005, 0.026}, {0.058, 0.027, 0.02}};
     if (element == "tension") test::pull_by_tension(path, fibre::Signal{{0.0, 1.0}, {2.0, 3.0}}, model);
@@ -158,6 +176,8 @@ TEST_P(ForceElements, KnowTheirDerivativesByParametersAndVelocity) {
                                   gradient_of(element, {x, &down, factor, time_s})) /
                                  2e-5;
     EXPECT_LE((velocity_tangent(model, state, dv) - difference).norm(), 1e-7 * difference.norm());
+    EXPECT_NEAR(velocity_pull(model, state, p).cwiseProduct(dv).sum(), difference.cwiseProduct(p).sum(),
+                1e-7 * difference.norm() * p.norm());
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -174,7 +194,10 @@ INSTANTIATE_TEST_SUITE_P(
                     ForceCase{"smooth_sphere", fem::ElementKind::tet10},
                     ForceCase{"rough_plane", fem::ElementKind::tet10},
                     ForceCase{"rough_sphere", fem::ElementKind::hex8},
-                    ForceCase{"rough_sphere", fem::ElementKind::tet10}, ForceCase{"rough_box", fem::ElementKind::hex8}),
+                    ForceCase{"rough_sphere", fem::ElementKind::tet10}, ForceCase{"rough_box", fem::ElementKind::hex8},
+                    ForceCase{"mount", fem::ElementKind::hex8}, ForceCase{"mount", fem::ElementKind::tet10},
+                    ForceCase{"seen_bed", fem::ElementKind::hex8}, ForceCase{"seen_drag", fem::ElementKind::hex8},
+                    ForceCase{"seen_rough_plane", fem::ElementKind::hex8}),
     [](const auto& c) { return std::string(c.param.element) + "_" + to_string(c.param.kind); });
 
 /// In statics the displacement from the rest shape stands for the velocity, and springs hold what nothing holds.

@@ -10,6 +10,7 @@
 #include "diagnosis/missing_force/peak_energy.hpp"
 #include "diagnosis/screening/marker_scan.hpp"
 #include "diagnosis/screening/probe_score.hpp"
+#include "diagnosis/screening/residual_lines.hpp"
 #include "effect/catalogue.hpp"
 #include "prediction/predict_trials.hpp"
 
@@ -129,6 +130,7 @@ std::vector<EffectScore> score_effects(const setup::Setup& setup, const FitData&
                                        const Progress& progress) {
     effect::EffectSearch search = effect_search(setup, data, fit.values);
     search.largest_energy_density_J_m3 = peak_isochoric_energy(search.models, unaffected);
+    search.residual_lines_Hz = residual_lines(flat_residual(data, unaffected), data.layout, policy.residual_lines);
     const std::vector<Probe> probes = chosen_probes(search, allowed, size);
     std::vector<ProbeColumn> columns = columns_of(probes, fit.values, data.trials.size());
     std::vector<EffectScore> scores(probes.size());
