@@ -5,6 +5,7 @@
 
 #include "backend/fields.hpp"
 #include "measurement/rigid_motion.hpp"
+#include "prediction/laboratory_trace.hpp"
 #include "prediction/prediction.hpp"
 
 namespace myo::backend {
@@ -42,8 +43,10 @@ ui::commands::RunResult shown_run(const setup::Setup& setup, const prediction::S
         shown.name = setup.trials[t].name;
         result.steps += std::max(0.0, static_cast<double>(prediction.trace.times_s.size()) - 1.0);
         const Eigen::VectorXd& sampled = setup.trials[t].measured.time_s;
+        const std::optional<dynamics::Trace> seen = prediction::laboratory_trace(setup, t, run.values,
+                                                                                 prediction.trace);
         if (!prediction.trace.positions.empty())
-            add_frames(prediction.trace,
+            add_frames(seen ? *seen : prediction.trace,
                        sampled.size() > 0 ? sampled(sampled.size() - 1) : prediction.trace.times_s.back(), shown);
         for (std::size_t m = 0; m < setup.marker_names.size() && prediction.ok(); ++m) {
             // Prediction in the compared form (measurement plus residual), but without gaps.

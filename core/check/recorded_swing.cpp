@@ -63,6 +63,8 @@ std::vector<double> turning_times(const Eigen::VectorXd& time_s, const Eigen::Ve
 }
 
 RecordedSwing recorded_swing(const setup::PreparedTrial& trial, double from_s, double noise_m) {
+    // A body that its mount shakes does not swing freely.
+    if (trial.mount) return {};
     const Eigen::VectorXd& time = trial.measured.time_s;
     const auto after = std::lower_bound(time.begin(), time.end(), from_s) - time.begin();
     const Index first = std::max(trial.first_sample, static_cast<Index>(after));

@@ -55,7 +55,9 @@ std::vector<Eigen::Vector3d> at_start(const CheckedJob& job, std::size_t t) {
             if (!job.run->predictions[t].ok()) return {};
             distance = job.run->predictions[t].residual_m[m].col(first);
         } else {
-            distance = setup.experiment.markers.on_body[m].rest_m - trial.measured.tracks[m].col(first);
+            const Eigen::Vector3d& rest = setup.experiment.markers.on_body[m].rest_m;
+            distance = (trial.mount ? Eigen::Vector3d(trial.mount->at(0.0).in_laboratory(rest)) : rest) -
+                       trial.measured.tracks[m].col(first);
         }
         if (distance.allFinite()) distances.push_back(distance);
     }

@@ -52,6 +52,26 @@ private:
     QuinticSpline place_, turn_;
 };
 
+/// A mount whose turns do not exceed their noise.
+class SlidingMount : public model::MountMotion {
+public:
+    SlidingMount(const Vector3d& pivot, QuinticSpline place) : pivot_m_(pivot), place_(std::move(place)) {}
+
+    model::MountPose at(double time_s) const override {
+        model::MountPose pose;
+        pose.pivot_m = pivot_m_;
+        pose.place_m = place_.at(time_s);
+        pose.velocity_m_s = place_.at(time_s, 1);
+        pose.acceleration_m_s2 = place_.at(time_s, 2);
+        return pose;
+    }
+    bool turns() const override { return false; }
+
+private:
+    Vector3d pivot_m_;
+    QuinticSpline place_;
+};
+
 class StandingMount : public model::MountMotion {
 public:
     StandingMount(const Vector3d& pivot, const RigidMotion& motion) {
@@ -192,10 +212,17 @@ Result<RecordedMount> recorded_mount(const Recording& seen, const Matrix3Xd& res
         result.motion = std::make_shared<StandingMount>(pivot, mean_motion(found, 0, found.samples.size(), pivot));
         return result;
     }
+    // The vector part is half the rotation vector.
+    const double of_turn = turn_variance(rest, pivot, variance),
+                 turned = turns.topRows<3>().squaredNorm() / static_cast<double>(count);
     const double of_place = 3.0 * variance / static_cast<double>(rest.cols());
-    result.motion = std::make_shared<SplinedMount>(
-        pivot, smoothing_spline(times, places, of_place),
-        smoothing_spline(times, turns, turn_variance(rest, pivot, variance)));
+    QuinticSpline place = smoothing_spline(times, places, of_place);
+    if (turned <= std::max(std::pow(recorded_mount_policy.turn_ratio, 2) * of_turn,
+                           std::pow(0.5 * recorded_mount_policy.least_turn_rad, 2))) {
+        result.motion = std::make_shared<SlidingMount>(pivot, std::move(place));
+        return result;
+    }
+    result.motion = std::make_shared<SplinedMount>(pivot, std::move(place), smoothing_spline(times, turns, of_turn));
     return result;
 }
 

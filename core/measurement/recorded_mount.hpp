@@ -10,7 +10,11 @@ struct RecordedMountPolicy {
     /// Fewer samples are averaged to a mount at rest: a spline of degree five with its strength would not be
     /// determined.
     Eigen::Index least_samples = 12;
-    double rest_s = 1.0;  // length of the rest before the start that is averaged, as in RestPoseOptions
+    /// A mount whose rotations have at most this ratio to their noise, rms over the samples, is taken not to turn: the
+    /// rms of noise alone varies by a few percent.
+    double turn_ratio = 1.2;
+    double least_turn_rad = 1e-6;  // rms, likewise: rounding of recordings without noise
+    double rest_s = 1.0;           // length of the rest before the start that is averaged, as in RestPoseOptions
 };
 inline constexpr RecordedMountPolicy recorded_mount_policy;
 
@@ -26,7 +30,8 @@ struct RecordedMount {
 /// Per sample the rigid motion that brings the markers from rest to where they were seen, then smoothing_spline() of
 /// their centre and of the quaternion of the rotation. The noise comes from the distances between the markers, which
 /// are those of a rigid body. Places that are declared wrongly by a constant offset are corrected by their mean, so
-/// that an occluded marker does not jerk the mount. Before the first sample the mount stands still.
+/// that an occluded marker does not jerk the mount. Rotations within their noise are none. Before the first sample the
+/// mount stands still.
 ///
 /// @param seen       the markers on the mount alone [m]; times of the trial, t = 0 at the start [s]
 /// @param rest_m     their declared places, 3 x markers, in the mesh frame

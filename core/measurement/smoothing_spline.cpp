@@ -13,7 +13,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr Index degree = 5;
+constexpr Index degree = smoothing_policy.degree;
 
 /// Values of the uniform B-splines of a degree that are not zero in an interval, at u = 0 ... 1 within it.
 std::array<double, degree + 1> basis(double u, Index of_degree) {

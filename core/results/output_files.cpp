@@ -11,6 +11,7 @@
 #include "base/files.hpp"
 #include "measurement/trace_csv.hpp"
 #include "mesh/vtk_writer.hpp"
+#include "prediction/laboratory_trace.hpp"
 #include "results/output_motion.hpp"
 
 namespace myo::results {
@@ -124,7 +125,9 @@ Result<void> write_series(const fs::path& folder, const setup::Setup& setup, con
         if (!run.predictions[t].ok()) continue;
         // The earlier series may have more frames than the new one; a failed series is removed as a whole.
         remove_series(folder, names[t]);
-        const Result<void> written = write_trial_series(folder, names[t], setup, run.predictions[t].trace, frames,
+        const dynamics::Trace& trace = run.predictions[t].trace;
+        const std::optional<dynamics::Trace> seen = prediction::laboratory_trace(setup, t, run.values, trace);
+        const Result<void> written = write_trial_series(folder, names[t], setup, seen ? *seen : trace, frames,
                                                         progress);
         if (written) continue;
         remove_series(folder, names[t]);

@@ -159,6 +159,10 @@ INSTANTIATE_TEST_SUITE_P(
         Spoiled{"file = \"core.stl\"", "file = \"core.stl\"\nregion = 3", "region", "part[1].region: ", "exactly one"},
         Spoiled{"base_2 = [-0.09, 0.01, 0.0]\n", "", "motion", "mount.motion: ", "three markers"},
         Spoiled{"base_3 = [-0.09, 0.01, 0.03]", "base_3 = [-0.09, 0.02, 0.0]", "motion", "mount.motion: ", "one line"},
+        Spoiled{"[mount]",
+                "[[effect]]\nid = \"base_vibration\"\namplitude_m = 1e-3\nfrequency_Hz = 5\ndirection = [0, 0, 1]\n"
+                "phase_rad = [0.1]\n[mount]",
+                "phase_rad", "effect[0].phase_rad: ", "numbers"},
         Spoiled{"point_m = [0.0, 0.0, -0.01]", "point_m = [0.0, 0.0, 0.01]", "[[obstacle]]",
                 "obstacle[0]: ", "at rest"},
         Spoiled{"radius_m = 0.05", "radius_m = 0.08", "[[obstacle]]\nkind = \"sphere\"", "obstacle[1]: ", "at rest"},

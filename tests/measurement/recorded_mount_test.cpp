@@ -127,7 +127,7 @@ TEST(RecordedMount, IsTheMotionOfItsMarkers) {
     test::record("turn_rad", turn);
     test::record("spin_rad_s", spin);
     test::record("acceleration_m_s2", acceleration);
-    EXPECT_LT(place, 3e-4);  // noise on an arm, and across the gap
+    EXPECT_LT(place, 3e-4);   // noise on an arm, and across the gap
     EXPECT_LT(offset, 5e-4);  // of the marker that sits elsewhere
     EXPECT_LT(turn, 0.02);
     EXPECT_LT(spin, 0.15);
@@ -176,6 +176,24 @@ TEST(RecordedMount, MovesAgainstItsRestWhereTheFrameIsUnknown) {
     for (const double t : {-0.3, 0.4, 0.9})
         EXPECT_LT((found->motion->at(t).in_laboratory(X) - mount.at(std::max(t, 0.0)).in_laboratory(X)).norm(), 5e-5)
             << t;
+}
+
+/// Noise alone turns nothing.
+TEST(RecordedMount, SlidesWhereItsTurnsAreNoise) {
+    test::TurningMount mount;
+    mount.shake_m = {0.003, 0.0, 0.0};
+    mount.omega_rad_s = 20.0;
+    const auto found = [&] {
+        const Result<RecordedMount> mounted = recorded_mount(seen(mount, on_mount(), 100.0, 200, 1e-4), on_mount(),
+                                                             false);
+        EXPECT_TRUE(mounted);
+        return mounted->motion;
+    };
+    EXPECT_FALSE(found()->turns());
+    EXPECT_EQ(found()->at(0.7).rotation, Eigen::Matrix3d::Identity());
+    EXPECT_LT((found()->at(0.7).place_m - mount.at(0.7).in_laboratory(on_mount()).rowwise().mean()).norm(), 1e-4);
+    mount.swing_rad = 0.02;
+    EXPECT_TRUE(found()->turns());
 }
 
 TEST(RecordedMount, NeedsThreeMarkersAtOnce) {
