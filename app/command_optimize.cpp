@@ -240,9 +240,8 @@ std::function<int()> declare_optimize(CLI::App& app) {
     app.add_flag("--hold", call->hold, "hold each value until the next instead of going there in a straight line");
     app.add_option_function<std::string>(
            "--smoothness", [call](const std::string& text) { read_smoothness(text, *call); },
-           "so many millimetres of rms error a signal that changes by 1, or by its limit, per second is worth "
-           "(default: the "
-           "noise of the markers)")
+           "so many millimetres of rms error a change by 1 (muscle), or by three times its limit, per second is worth "
+           "(default: the noise of the markers)")
         ->type_name("MM");
     add_optional_number(app, "--lowest", call->lowest,
                         "lowest activation of any muscle (default: that of [limits], else 0.5)");

@@ -1,10 +1,13 @@
 #include "calibration/gradcheck.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 
 #include "base/stopwatch.hpp"
 #include "calibration/declared_gradients.hpp"
+#include "experiment/actuators.hpp"
+#include "model/force_element.hpp"
 #include "prediction/trial_target.hpp"
 #include "setup/actuator_signals.hpp"
 #include "setup/trial_effects.hpp"
@@ -67,6 +70,28 @@ std::vector<sensitivity::GradientCheckRow> placement_rows(const inverse::MarkerT
     return rows;
 }
 
+struct GradcheckPolicy {
+    double least_tension_N = 0.05;     // raised tension
+    double of_largest_tension = 0.01;  // the same over the largest tension of a signal, whose steps are 0.2 % of it
+};
+constexpr GradcheckPolicy gradcheck_policy;
+
+/// Raises the tensions of tendons that are at 0 at some time: a tendon never pushes, so that no difference exists
+/// there.
+void pull_taut(const setup::Setup& setup, model::Model& model) {
+    const std::vector<experiment::Actuator> actuators = experiment::actuators(setup.experiment);
+    for (std::size_t i = 0; i < actuators.size(); ++i) {
+        if (actuators[i].kind != experiment::ActuatorKind::tendon_tension) continue;
+        fibre::Signal tension = setup::actuator_signal(setup.experiment, model, i);
+        const auto [least, largest] = std::minmax_element(tension.values.begin(), tension.values.end());
+        const double by = std::max(gradcheck_policy.least_tension_N, gradcheck_policy.of_largest_tension * *largest);
+        if (*least >= by) continue;
+        for (double& value : tension.values) value += by;
+        model::ForceElementPointer& element = model.force_elements[*setup::actuator_element(setup.experiment, i)];
+        element = element->with_command(tension);
+    }
+}
+
 /// Adds the rows of the declared effects and parts.
 void add_declared(DeclaredGradients declared, TrialGradientCheck& result) {
     for (sensitivity::GradientCheckRow& row : declared.rows) result.check.rows.push_back(std::move(row));
@@ -89,6 +114,7 @@ TrialGradientCheck gradcheck(const setup::Setup& setup, std::size_t index, int s
                                          0.5 * setup::level_bounds(setup.experiment, actuator).scale;
         setup::set_level(setup.experiment, actuator, values.levels[index][actuator], model);
     }
+    pull_taut(setup, model);
     effect::Affected affected = setup::with_effects(setup, index, std::move(model), setup.experiment.effects);
     model = std::move(affected.model);
     dynamics::SimulationOptions options = affected.options;

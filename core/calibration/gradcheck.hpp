@@ -24,7 +24,8 @@ struct TrialGradientCheck {
 /// and the tangents of fits by numbers of effects and parts, see declared_gradients().
 ///
 /// So that every input influences the loss, the run starts with a smooth velocity field of up to half the body size per
-/// second, free levels are half a scale from passive (1.05 of a muscle), and camera frame and clock are slightly off.
+/// second, free levels are half a scale from passive (1.05 of a muscle), tendons are never slack, and camera frame and
+/// clock are slightly off.
 ///
 /// @param trial  index into Setup::trials
 /// Errors: those of the runs, in the status of the check.

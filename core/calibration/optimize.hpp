@@ -14,9 +14,6 @@
 
 namespace myo::calibration {
 
-/// Lowest activation of any muscle, unless settings or [limits] say otherwise.
-inline constexpr double default_lowest_activation = 0.5;
-
 /// How the actuation of a trial is searched for.
 struct OptimizeSettings {
     double frequency_Hz = 20.0;            // of the knots of the signals

@@ -14,10 +14,14 @@ namespace {
 using experiment::ActuatorKind;
 
 struct SoughtSignalsPolicy {
-    double beyond_trials = 1.5;  // undeclared limit, over the largest command of the trials
+    double lowest_activation = 0.5;  // of any muscle, unless settings or [limits] say otherwise
+    double beyond_trials = 1.5;      // undeclared limit, over the largest command of the trials
+    /// Scale over the limit: commands then change by a fifth of their scale, as activations do, so that the smoothness
+    /// means the same for all signals.
+    double scales_of_limit = 3.0;
     /// Scale of a signal that nothing limits, over that of a free level: as those of muscles are, 1 and 0.1.
     double scales_of_level = 10.0;
-    double first_shortening = 0.1;  // beyond that before t = 0, over the scale: tight in most poses
+    double first_shortening = 0.03;  // beyond that before t = 0, over the scale: tight in most poses
 };
 constexpr SoughtSignalsPolicy sought_signals_policy;
 
@@ -81,7 +85,7 @@ void add_commands(const setup::Setup& setup, inverse::SoughtSignals& sought) {
 }  // namespace
 
 double lowest_activation(const experiment::Experiment& experiment, const OptimizeSettings& settings) {
-    return settings.lowest.value_or(experiment.limits.activation.value_or(default_lowest_activation));
+    return settings.lowest.value_or(experiment.limits.activation.value_or(sought_signals_policy.lowest_activation));
 }
 
 std::vector<std::string> unrecorded_levels(const setup::Setup& setup) {
@@ -119,7 +123,8 @@ setup::LevelBounds command_bounds(const setup::Setup& setup, std::size_t actuato
     const double most = limit.value_or(sought_signals_policy.beyond_trials * largest);
     const bool both_signs = range.lowest < 0.0 && range.highest > 0.0;
     const double lower = range.lowest < 0.0 ? -most : 0.0, upper = range.lowest < 0.0 && !both_signs ? 0.0 : most;
-    return {std::max(lower, possible.lower), std::min(upper, possible.upper), most};
+    return {std::max(lower, possible.lower), std::min(upper, possible.upper),
+            sought_signals_policy.scales_of_limit * most};
 }
 
 inverse::SoughtSignals sought_signals(const setup::Setup& setup, const OptimizeSettings& settings, double end_s) {

@@ -11,7 +11,7 @@ namespace myo::calibration {
 /// Actuators of a setup with a single trial that follow none and whose level before t = 0 is not given.
 std::vector<std::string> unrecorded_levels(const setup::Setup& setup);
 
-/// Lowest activation of any muscle: of the settings, of [limits], or default_lowest_activation.
+/// Lowest activation of any muscle: of the settings, of [limits], or 0.5.
 double lowest_activation(const experiment::Experiment& experiment, const OptimizeSettings& settings);
 
 /// One signal per muscle that follows none, per chamber and per tendon. The bounds of muscles keep their followers
@@ -22,7 +22,7 @@ double lowest_activation(const experiment::Experiment& experiment, const Optimiz
 /// Errors: none; a signal without a value between its bounds has lower >= upper.
 inverse::SoughtSignals sought_signals(const setup::Setup& setup, const OptimizeSettings& settings, double end_s);
 
-/// Values from which a search starts: those before t = 0, within the bounds. Shortenings start a tenth of their scale
+/// Values from which a search starts: those before t = 0, within the bounds. Shortenings start a tenth of their limit
 /// further in: a slack thread has no derivative by its shortening, and a search would end where it starts.
 Eigen::MatrixXd first_values(const setup::Setup& setup, const inverse::SoughtSignals& sought);
 

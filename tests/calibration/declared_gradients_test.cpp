@@ -48,5 +48,24 @@ TEST(DeclaredGradients, AgreeWithDifferences) {
     EXPECT_THAT(run.left_out[0], testing::StartsWith("effect.scale_error.relative_error"));
 }
 
+/// A tension of 0 has no difference on both sides; the check pulls the tendon taut.
+TEST(TendonGradient, AgreesWithDifferencesWhereNothingPulls) {
+    const test::Folder folder("slack_gradient");
+    const setup::Setup setup = test::chambered_beam(folder, 0.1, [](experiment::Experiment& e) {
+        e.chambers.clear();
+        e.tendons.push_back(test::upper_tendon());
+    });
+    const TrialGradientCheck run = gradcheck(setup, 0, 2);
+    ASSERT_TRUE(run.check.complete()) << run.check.message;
+    int tensions = 0;
+    for (const sensitivity::GradientCheckRow& row : run.check.rows)
+        if (row.name.find("tension_N") != std::string::npos) {
+            ++tensions;
+            EXPECT_NE(row.adjoint, 0.0);
+            EXPECT_LE(row.relative_error, 1e-5) << row.name;
+        }
+    EXPECT_EQ(tensions, 1);
+}
+
 }  // namespace
 }  // namespace myo::calibration

@@ -169,7 +169,7 @@ TEST(OptimizeCommands, FindsTheTensionOfAHold) {
 TEST(OptimizeCommands, KeepsToTheLimits) {
     const test::Folder folder("commands_limits");
     setup::Setup setup = driven_beam(folder, {});
-    EXPECT_NEAR(command_bounds(setup, 0).scale, 1.5 * 9000.0, 1e-9);
+    EXPECT_NEAR(command_bounds(setup, 0).scale, 3.0 * 1.5 * 9000.0, 1e-9);
     setup.experiment.limits.pressure_Pa = 8000.0;
     EXPECT_EQ(command_bounds(setup, 0).upper, 8000.0);
     EXPECT_EQ(command_bounds(setup, 0).lower, 0.0);

@@ -203,7 +203,7 @@ TEST(OptimizeOutputOfCommands, IsInTheirUnits) {
     EXPECT_THAT(table->muscles, ElementsAre("upper_Pa", "cable_N"));
     EXPECT_EQ(table->values, made.fit.values);
     const std::string page = report::html(optimize_report(setup, made, {}));
-    for (const char* text : {"pressure [Pa]", "tension [N]", "upper 6000 Pa", "At 0 chambers and tendons are at rest"})
+    for (const char* text : {"pressure [Pa]", "tension [N]", "upper 18000 Pa", "At 0 chambers and tendons are at rest"})
         EXPECT_NE(page.find(text), std::string::npos) << text;
 }
 
