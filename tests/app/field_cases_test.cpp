@@ -152,5 +152,27 @@ TEST(FieldMeshes, OfSliversAreCountedWithTheirPlace) {
     EXPECT_THAT(run.err, HasSubstr("almost flat"));
 }
 
+/// Robots with chambers, tendons and holds: each declared model runs and comes nearer to its recordings than a body
+/// that stays at rest.
+TEST(FieldRobots, RunAsDeclared) {
+    const std::vector<fs::path> robots = shared_entries(
+        "robots", [](const fs::path& path) { return fs::exists(path / "experiment.toml"); });
+    if (robots.empty()) GTEST_SKIP() << "skipped: no data";
+    for (const fs::path& robot : robots) {
+        const Folder folder("field_robot");
+        const ProgramRun run = run_program(
+            {"simulate", robot.string(), "--element", "hex8", "--resolution", "0.008", "--out", folder.str("out")});
+        ASSERT_EQ(run.status, 0) << robot << run.err;
+        const nlohmann::json result = json_of(folder, "simulate");
+        for (const nlohmann::json& trial : result.at("trials")) {
+            const double rms_m = trial.at("rms_m").get<double>();
+            EXPECT_TRUE(std::isfinite(rms_m)) << robot << trial.at("name");
+            // A body of 10 to 40 cm whose bending is of the order of its length.
+            EXPECT_LT(rms_m, 0.04) << robot << trial.at("name");
+        }
+        expect_clean(folder);
+    }
+}
+
 }  // namespace
 }  // namespace myo::test
