@@ -7,7 +7,7 @@ namespace myo::measurement {
 struct SmoothingPolicy {
     Eigen::Index degree = 5;  // the least with a second derivative that is itself twice differentiable
     /// Range of the weight of the third differences against the squared errors, and the factor between weights tried.
-    /// From the least on, motion slower than a third of the sampling rate passes unchanged.
+    /// The least changes motion at a third of the sampling rate by less than a percent.
     double least_weight = 1e-6, most_weight = 1e10, factor = 1.7782794100389228;  // a quarter of a decade
     double difference = 0.05;  // of ln(weight), for the derivative of the determinant
 };
