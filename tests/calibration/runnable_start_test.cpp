@@ -11,14 +11,14 @@ constexpr double inflated_modulus_Pa = 2.6e5;
 
 /// The chambered beam under a pressure near the one at which it runs away, with the pose of the true modulus as its
 /// measurement and half that modulus declared.
-setup::Setup inflated_beam(const test::Folder& folder, double pressure_Pa) {
+setup::Setup inflated_beam(const test::Folder& folder, double inflated_Pa) {
     setup::Setup setup = test::chambered_beam(folder, 0.1, [&](experiment::Experiment& e) {
         e.material.youngs_modulus_Pa = 0.5 * inflated_modulus_Pa;
         e.material.youngs_modulus_tolerance = 2.0;
         e.trials.resize(1);
         e.trials[0].hold = true;
         e.trials[0].start = experiment::StartState::equilibrium;
-        e.trials[0].constant_commands = {{"upper", pressure_Pa}};
+        e.trials[0].constant_commands = {{"upper", inflated_Pa}};
     });
     prediction::ParameterValues truth = prediction::declared_values(setup);
     truth.youngs_modulus_Pa = inflated_modulus_Pa;
