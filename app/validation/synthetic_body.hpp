@@ -20,7 +20,7 @@ enum class BodyFamily {
     plate,     // wide, thin box, declared by its size
     ell,       // L of two legs in a vertical plane, declared as STL
     tail,      // bar tapered in both directions, declared as STL
-    threaded,  // beam with a tendon along its top, for effects that need one
+    threaded,  // beam with a tendon above its middle, for effects that need one
 };
 /// Id of a family, as --geometry takes it.
 std::string to_string(BodyFamily family);

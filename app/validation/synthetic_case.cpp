@@ -118,15 +118,16 @@ std::vector<SyntheticMuscle> drawn_muscles(const SyntheticBody& body, const Synt
     return {low, high};
 }
 
-/// A thread along the top of the body whose largest tension lifts the end by a tenth to a fifth of the free length.
+/// A thread above the middle of the body, bent at every guide so that friction matters, whose largest tension lifts the
+/// end by a tenth to a fifth of the free length.
 SyntheticTendon drawn_tendon(const SyntheticBody& body, const SyntheticMaterial& material, RandomStream& random) {
     constexpr int guides = 5;
-    constexpr double above_middle = 0.35, last = 0.95;  // of the thickness; of the length
+    constexpr double above_middle = 0.25, wave = 0.15, last = 0.95;  // of the thickness, twice; of the length
     SyntheticTendon tendon{"thread", Eigen::Matrix3Xd(3, guides)};
     const Vector3d size = body.bounds.size(), middle = body.bounds.lowest + 0.5 * size;
     for (Eigen::Index i = 0; i < guides; ++i)
         tendon.path_m.col(i) = Vector3d(last * size.x() * static_cast<double>(i) / (guides - 1), middle.y(),
-                                        middle.z() + above_middle * size.z());
+                                        middle.z() + (above_middle + (i % 2 == 0 ? wave : -wave)) * size.z());
     // A constant moment T e bends a beam by T e L^2 / (2 E I) at its end.
     const double length = body.length_m() - body.held_m, inertia = size.y() * std::pow(size.z(), 3) / 12.0;
     tendon.largest_tension_N = 1e-3 * std::round(1e3 * 2.0 * random.uniform(0.1, 0.2) * material.youngs_modulus_Pa *

@@ -77,6 +77,9 @@ struct NumericsPolicy {
 
 /// Fit of the declared parameters, the reference of all comparisons.
 struct DeclaredFitPolicy {
+    /// Possible error of a sensor's prediction by mesh and step, over the reading: one layer of quadratic cells bends
+    /// up to 5 % too far (test SmallLoad.LayersOfQuadraticCells).
+    double numerical_share_of_readings = 0.05;
     Effort effort{30};
     ErrorCorrection correction{{12}, 1.0};
     /// A run with this many times the iterations of the declared fit is stopped: its parameters are implausible.

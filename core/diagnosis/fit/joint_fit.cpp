@@ -74,6 +74,7 @@ public:
           start_(task.start),
           max_evaluations_(task.effort.evaluations),
           fit_(fit),
+          policy_(task.policy.declared),
           priors_(fit.parameters, task.policy.declared.prior_widths),
           warm_paths_(task.warm.paths) {}
 
@@ -99,7 +100,7 @@ public:
             }
         evaluation.ok = true;
         const VectorXd residual = flat_residual(data_, predictions_);
-        const VectorXd of_sensors = sensor_rows(setup_, data_.trials, predictions_);
+        const VectorXd of_sensors = sensor_rows(setup_, data_.trials, predictions_, policy_);
         evaluation.residuals.resize(residual.size() + of_sensors.size() + priors_.size());
         evaluation.residuals << residual, of_sensors, priors_.residual(p);
         if (evaluation.residuals.squaredNorm() < least_) {
@@ -159,7 +160,7 @@ private:
         columns.topRows(data_.layout.size()) = flat_jacobian(data_, runs, parameters.size());
         for (std::size_t k = 0; k < parameters.size(); ++k)
             columns.col(static_cast<Index>(k)).tail(rows - data_.layout.size()) = sensor_slope(setup_, data_.trials,
-                                                                                               runs, k);
+                                                                                               runs, k, policy_);
         return columns;
     }
 
@@ -168,6 +169,7 @@ private:
     const prediction::ParameterValues& start_;
     int max_evaluations_;
     JointFit& fit_;
+    const DeclaredFitPolicy& policy_;
     Priors priors_;
     std::vector<std::shared_ptr<const dynamics::StagePath>> warm_paths_;  // paths of the best evaluation so far
     double least_ = std::numeric_limits<double>::infinity();

@@ -9,10 +9,11 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-/// value(prediction, series, reading) over the noise for every reading; 0 where it is not finite.
+/// value(prediction, series, reading) over what each reading may be off by; 0 where it is not finite.
 template <class Value>
 VectorXd readings(const setup::Setup& setup, const std::vector<std::size_t>& trials,
-                  const std::vector<prediction::TrialPrediction>& predictions, const Value& value) {
+                  const std::vector<prediction::TrialPrediction>& predictions, const DeclaredFitPolicy& policy,
+                  const Value& value) {
     assert(predictions.size() == trials.size());
     Index rows = 0;
     for (const std::size_t trial : trials)
@@ -23,7 +24,9 @@ VectorXd readings(const setup::Setup& setup, const std::vector<std::size_t>& tri
         const std::vector<setup::SensorSeries>& sensors = setup.trials[trials[i]].sensors;
         for (std::size_t s = 0; s < sensors.size(); ++s)
             for (Index k = 0; k < sensors[s].values.size(); ++k, ++row)
-                if (const double at = value(predictions[i], s, k); std::isfinite(at)) flat(row) = at / sensors[s].noise;
+                if (const double at = value(predictions[i], s, k); std::isfinite(at))
+                    flat(row) = at /
+                                std::hypot(sensors[s].noise, policy.numerical_share_of_readings * sensors[s].values(k));
     }
     return flat;
 }
@@ -31,17 +34,19 @@ VectorXd readings(const setup::Setup& setup, const std::vector<std::size_t>& tri
 }  // namespace
 
 VectorXd sensor_rows(const setup::Setup& setup, const std::vector<std::size_t>& trials,
-                     const std::vector<prediction::TrialPrediction>& predictions) {
-    return readings(setup, trials, predictions, [](const prediction::TrialPrediction& p, std::size_t s, Index k) {
-        return p.sensor_residuals[s](k);
-    });
+                     const std::vector<prediction::TrialPrediction>& predictions, const DeclaredFitPolicy& policy) {
+    return readings(
+        setup, trials, predictions, policy,
+        [](const prediction::TrialPrediction& p, std::size_t s, Index k) { return p.sensor_residuals[s](k); });
 }
 
 VectorXd sensor_slope(const setup::Setup& setup, const std::vector<std::size_t>& trials,
-                      const std::vector<prediction::TrialPrediction>& predictions, std::size_t number) {
-    return readings(setup, trials, predictions, [number](const prediction::TrialPrediction& p, std::size_t s, Index k) {
-        return p.sensor_tangents[number][s](k);
-    });
+                      const std::vector<prediction::TrialPrediction>& predictions, std::size_t number,
+                      const DeclaredFitPolicy& policy) {
+    return readings(setup, trials, predictions, policy,
+                    [number](const prediction::TrialPrediction& p, std::size_t s, Index k) {
+                        return p.sensor_tangents[number][s](k);
+                    });
 }
 
 }  // namespace myo::diagnosis
