@@ -28,10 +28,13 @@ struct KeptPredictions {
     std::vector<prediction::TrialPrediction> first, best;
     double min_cost = std::numeric_limits<double>::infinity();
 
+    /// Stores the markers of predictions with the declared values, once.
+    void keep_declared(const std::vector<prediction::TrialPrediction>& predictions) {
+        if (!first.empty()) return;
+        for (const prediction::TrialPrediction& prediction : predictions) first.push_back(markers_only(prediction));
+    }
     /// Stores the predictions if they have the lowest cost so far; returns whether they do.
-    bool offer(std::vector<prediction::TrialPrediction> predictions, double cost, bool as_declared) {
-        if (first.empty() && as_declared)
-            for (const prediction::TrialPrediction& prediction : predictions) first.push_back(markers_only(prediction));
+    bool offer(std::vector<prediction::TrialPrediction> predictions, double cost) {
         if (!(cost < min_cost)) return false;
         min_cost = cost;
         best = std::move(predictions);
@@ -39,13 +42,10 @@ struct KeptPredictions {
     }
 };
 
-double rms_of(const std::vector<prediction::TrialPrediction>& predictions,
-              const std::vector<Eigen::Vector3d>& places_m) {
+double rms_of(const std::vector<prediction::TrialPrediction>& predictions) {
     std::vector<Matrix3Xd> all;
-    for (const prediction::TrialPrediction& prediction : predictions) {
-        std::vector<Matrix3Xd> residual = prediction::residual_at(prediction, places_m);
-        all.insert(all.end(), residual.begin(), residual.end());
-    }
+    for (const prediction::TrialPrediction& prediction : predictions)
+        all.insert(all.end(), prediction.residual_m.begin(), prediction.residual_m.end());
     return prediction::rms(all);
 }
 
@@ -71,17 +71,17 @@ public:
 
     /// Weighted residuals at p; keeps the predictions if they are the best so far and informs the listener.
     inverse::ResidualEvaluation residuals(const Eigen::VectorXd& p, const Progress& progress) {
-        const prediction::ParameterValues values = values_at(p);
+        prediction::ParameterValues values = values_at(p);
         std::vector<prediction::TrialPrediction> predictions = run(values, {}, progress);
-        inverse::ResidualEvaluation evaluation = prediction::weighted_residuals(setup_, trials_, predictions, 0);
-        if (evaluation.ok) {
+        if (prediction::all_ok(predictions)) {
+            if (is_declared(p)) kept_.keep_declared(predictions);
+            predictions = prediction::at_probable_places(setup_, trials_, values, std::move(predictions));
             evaluated_at_ = p;
-            places_m_ = prediction::probable_places(setup_, prediction::unknown_places(setup_, trials_, predictions),
-                                                    evaluation.residuals);
+            places_m_ = values.places_m;
         }
-        const double rms_m = settings_.evaluated && evaluation.ok ? rms_of(predictions, places_m_) : 0.0;
-        const bool best = evaluation.ok &&
-                          kept_.offer(std::move(predictions), evaluation.residuals.squaredNorm(), is_declared(p));
+        inverse::ResidualEvaluation evaluation = prediction::weighted_residuals(setup_, trials_, predictions, 0);
+        const double rms_m = settings_.evaluated && evaluation.ok ? rms_of(predictions) : 0.0;
+        const bool best = evaluation.ok && kept_.offer(std::move(predictions), evaluation.residuals.squaredNorm());
         tell(values, evaluation, rms_m, best);
         return evaluation;
     }
@@ -157,16 +157,6 @@ private:
     std::vector<Eigen::Vector3d> places_m_;  // most probable ones there
 };
 
-/// A prediction made with the declared places of the markers, observed at those of the values.
-prediction::TrialPrediction replaced(const setup::Setup& setup, std::size_t trial,
-                                     const prediction::ParameterValues& values, prediction::TrialPrediction there) {
-    if (values.places_m.empty()) return there;
-    prediction::TrialPrediction seen = prediction::observe_trial(setup, trial, values, there.trace);
-    seen.trace = std::move(there.trace);
-    seen.sensor_residuals = std::move(there.sensor_residuals);
-    return seen;
-}
-
 /// Fills before and after: fit trials reuse the runs of the fit, all others are simulated now, in one parallel batch.
 /// After cancellation nothing is simulated.
 void set_runs(const setup::Setup& setup, const prediction::ParameterValues& declared,
@@ -183,7 +173,7 @@ void set_runs(const setup::Setup& setup, const prediction::ParameterValues& decl
         places.push_back(&place);
     };
     for (std::size_t i = 0; i < fit.size(); ++i) {
-        after[fit[i]] = replaced(setup, fit[i], fitted, std::move(kept.best[i]));
+        after[fit[i]] = std::move(kept.best[i]);
         if (kept.first.empty())
             run(fit[i], declared, before[fit[i]]);
         else

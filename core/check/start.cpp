@@ -68,7 +68,12 @@ std::vector<Eigen::Vector3d> at_start(const CheckedJob& job, std::size_t t) {
 
 std::vector<Finding> check_start(const CheckedJob& job) {
     std::vector<Finding> findings;
-    const double noise = std::sqrt(3.0) * setup::mean_noise(job.setup);  // of a distance: three independent coordinates
+    // Until a fit has found them, the places of the markers are uncertain, too.
+    const bool placed = job.run != nullptr && !job.run->values.places_m.empty();
+    const double coordinate = placed
+                                  ? setup::mean_noise(job.setup)
+                                  : std::hypot(setup::mean_noise(job.setup), job.setup.experiment.markers.placement_m);
+    const double noise = std::sqrt(3.0) * coordinate;  // of a distance: three independent coordinates
     for (std::size_t t = 0; t < job.setup.trials.size(); ++t) {
         const setup::PreparedTrial& trial = job.setup.trials[t];
         if (trial.hold) continue;  // a pose has no start

@@ -2,7 +2,7 @@
 
 #include "effect/effect.hpp"
 #include "effect/markers_by_name.hpp"
-#include "fem/material_point.hpp"
+#include "measurement/marker_places.hpp"
 
 namespace myo::effect {
 namespace marker_offset_parts {
@@ -32,11 +32,9 @@ void apply(const TrialContext& context, const EffectParameters& parameters, Affe
     if (marker < 0) return;
     measurement::MarkerPlace& place = place_of(context, static_cast<std::size_t>(marker), affected.observation_error);
     place.shift_m += vector(parameters, "shift_m");
-    const measurement::MarkerBinding& declared = context.markers[static_cast<std::size_t>(marker)];
     const mesh::VolumeMesh& mesh = context.body->mesh;
-    const Vector3d foot = mesh.nodes(Eigen::all, declared.nodes) * declared.weights;
-    const fem::MaterialPoint point = fem::material_point(mesh, mesh::BoundaryLocator(mesh), foot + place.shift_m);
-    place.binding = {point.nodes, point.weights, point.gradient, declared.offset};
+    place.binding = measurement::moved_binding(mesh, mesh::BoundaryLocator(mesh),
+                                               context.markers[static_cast<std::size_t>(marker)], place.shift_m);
 }
 
 /// Shifts add like vectors.

@@ -5,6 +5,7 @@
 #include "base/text.hpp"
 #include "measurement/marker_places.hpp"
 #include "measurement/rigid_motion.hpp"
+#include "prediction/place_registration.hpp"
 
 namespace myo::prediction {
 namespace {
@@ -16,27 +17,6 @@ using Eigen::VectorXd;
 
 bool compares_displacements(const setup::Setup& setup) {
     return setup.experiment.markers.compare == experiment::Comparison::displacement;
-}
-
-/// Change of the measured tracks of all markers if one place changes, through the rest-pose registration: zero columns
-/// where not measured.
-std::vector<Matrix3Xd> registered_change(const setup::Setup& setup, const setup::PreparedTrial& trial, Index unknown) {
-    const Vector3d translation = trial.registration_by_places.col(unknown).head<3>(),
-                   rotation = trial.registration_by_places.col(unknown).tail<3>();
-    std::vector<Matrix3Xd> change;
-    for (std::size_t m = 0; m < trial.measured.tracks.size(); ++m) {
-        const Matrix3Xd& measured = trial.measured.tracks[m];
-        Matrix3Xd moved = Matrix3Xd::Zero(3, measured.cols());
-        for (Index t = 0; t < measured.cols(); ++t) {
-            if (!measured.col(t).allFinite()) continue;
-            // Displacements are turned only.
-            moved.col(t) = compares_displacements(setup)
-                               ? Vector3d(rotation.cross(Vector3d(measured.col(t)) - trial.reference_m[m]))
-                               : Vector3d(translation + rotation.cross(Vector3d(measured.col(t))));
-        }
-        change.push_back(std::move(moved));
-    }
-    return change;
 }
 
 }  // namespace
@@ -68,7 +48,8 @@ std::vector<std::vector<Matrix3Xd>> place_tangents(const setup::Setup& setup, st
         else
             for (Matrix3Xd& track : tracks) track = (R * track).eval();
         if (trial.registration_by_places.size() > 0) {
-            const std::vector<Matrix3Xd> change = registered_change(setup, trial, static_cast<Index>(k));
+            const std::vector<Matrix3Xd> change = registered_change(
+                setup, trial, VectorXd::Unit(trial.registration_by_places.cols(), static_cast<Index>(k)));
             for (std::size_t m = 0; m < tracks.size(); ++m)
                 tracks[m] = tracks[m].cols() > 0 ? Matrix3Xd(tracks[m] - change[m]) : Matrix3Xd(-change[m]);
         }

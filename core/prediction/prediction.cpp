@@ -9,6 +9,7 @@
 #include "measurement/rigid_motion.hpp"
 #include "prediction/marker_places.hpp"
 #include "prediction/parameter_tangent.hpp"
+#include "prediction/place_registration.hpp"
 #include "prediction/sensor_tangents.hpp"
 #include "setup/actuator_signals.hpp"
 
@@ -54,39 +55,6 @@ std::vector<ModelParameter> effect_parameters(const setup::Setup& setup, const e
     return list;
 }
 
-double value_of(const ModelParameter& p, const ParameterValues& values) {
-    switch (p.kind) {
-        case Kind::youngs_modulus: return values.youngs_modulus_Pa;
-        case Kind::damping: return values.damping_s;
-        case Kind::law: return values.law[p.index];
-        case Kind::part_modulus: return values.part_modulus_Pa[p.index];
-        case Kind::part_damping: return values.part_damping_s[p.index];
-        case Kind::translation: return values.translation_m(static_cast<Eigen::Index>(p.index));
-        case Kind::rotation: return values.rotation_rad(static_cast<Eigen::Index>(p.index));
-        case Kind::start_shift: return values.start_shift_s[p.trial];
-        case Kind::level: return values.levels[p.trial].at(p.index);
-        case Kind::effect: return setup::effect_number(values.effects[p.index], p.of_effect, p.component, p.base);
-    }
-    return 0.0;
-}
-
-void set_value(const ModelParameter& p, double value, ParameterValues& values) {
-    switch (p.kind) {
-        case Kind::youngs_modulus: values.youngs_modulus_Pa = value; break;
-        case Kind::damping: values.damping_s = value; break;
-        case Kind::law: values.law[p.index] = value; break;
-        case Kind::part_modulus: values.part_modulus_Pa[p.index] = value; break;
-        case Kind::part_damping: values.part_damping_s[p.index] = value; break;
-        case Kind::translation: values.translation_m(static_cast<Eigen::Index>(p.index)) = value; break;
-        case Kind::rotation: values.rotation_rad(static_cast<Eigen::Index>(p.index)) = value; break;
-        case Kind::start_shift: values.start_shift_s[p.trial] = value; break;
-        case Kind::level: values.levels[p.trial][p.index] = value; break;
-        case Kind::effect:
-            setup::set_effect_number(values.effects[p.index], p.of_effect, p.component, value, p.base);
-            break;
-    }
-}
-
 model::Model trial_model(const setup::Setup& setup, std::size_t trial, const ParameterValues& values) {
     model::Model model = setup.trials[trial].model;
     setup::set_materials(setup,
@@ -120,7 +88,8 @@ Eigen::VectorXd motion_times(const setup::PreparedTrial& trial, const measuremen
 /// Markers where the effects and the values place them.
 measurement::MarkerSet markers_of(const setup::Setup& setup, const measurement::ObservationError& error,
                                   const ParameterValues& values) {
-    return measurement::placed_markers(measurement::seen_markers(setup.markers, error), values.places_m);
+    return measurement::placed_markers(setup.body->mesh, measurement::seen_markers(setup.markers, error),
+                                       values.places_m);
 }
 
 bool by_displacement(const setup::Setup& setup) {
@@ -167,6 +136,7 @@ ObservedMotion observed_motion(const setup::Setup& setup, std::size_t index, con
         }
         result.residual_m.push_back(std::move(residual));
     }
+    follow_registration(setup, trial, values.places_m, result.residual_m);
     return result;
 }
 

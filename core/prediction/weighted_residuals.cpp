@@ -1,9 +1,19 @@
 #include "prediction/weighted_residuals.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "prediction/marker_places.hpp"
 
 namespace myo::prediction {
 namespace {
+
+/// Residuals are linear in the places but for the variation of the deformation gradient within a cell.
+struct ProbablePlacePolicy {
+    int max_rounds = 6;     // two or three do, unless a marker lies on the border of cells
+    double settled = 1e-5;  // change of a place over its deviation
+};
+constexpr ProbablePlacePolicy probable_place_policy;
 
 /// Rows of all residuals of these trials.
 Eigen::Index row_count(const setup::Setup& setup, const std::vector<std::size_t>& trials) {
@@ -105,6 +115,29 @@ inverse::ResidualEvaluation weighted_residuals(const setup::Setup& setup, const 
     }
     result.ok = true;
     return result;
+}
+
+std::vector<TrialPrediction> at_probable_places(const setup::Setup& setup, const std::vector<std::size_t>& trials,
+                                                ParameterValues& values, std::vector<TrialPrediction> predictions) {
+    for (int round = 0; round < probable_place_policy.max_rounds; ++round) {
+        const inverse::MarginalNuisance unknown = unknown_places(setup, trials, predictions);
+        if (unknown.empty()) break;
+        const std::vector<Eigen::Vector3d> places = probable_places(
+            setup, unknown, weighted_residuals(setup, trials, predictions, 0).residuals);
+        double change_m = 0.0;
+        for (std::size_t m = 0; m < places.size(); ++m)
+            change_m = std::max(change_m,
+                                (values.places_m.empty() ? places[m] : places[m] - values.places_m[m]).norm());
+        if (change_m < probable_place_policy.settled * setup.experiment.markers.placement_m) break;
+        values.places_m = places;
+        for (std::size_t i = 0; i < trials.size(); ++i) {
+            TrialPrediction seen = observe_trial(setup, trials[i], values, predictions[i].trace);
+            seen.trace = std::move(predictions[i].trace);
+            seen.sensor_residuals = std::move(predictions[i].sensor_residuals);
+            predictions[i] = std::move(seen);
+        }
+    }
+    return predictions;
 }
 
 }  // namespace myo::prediction

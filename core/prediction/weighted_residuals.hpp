@@ -26,4 +26,12 @@ inverse::ResidualEvaluation weighted_residuals(const setup::Setup& setup, const 
 inverse::MarginalNuisance unknown_places(const setup::Setup& setup, const std::vector<std::size_t>& trials,
                                          const std::vector<TrialPrediction>& predictions);
 
+/// The predictions of runs, observed with the markers at their most probable places for these runs; as they are if the
+/// places are exact or a trial could not be run.
+///
+/// @param values       with which they were made; receive the places
+/// @param predictions  one per entry of `trials`, with traces
+std::vector<TrialPrediction> at_probable_places(const setup::Setup& setup, const std::vector<std::size_t>& trials,
+                                                ParameterValues& values, std::vector<TrialPrediction> predictions);
+
 }  // namespace myo::prediction

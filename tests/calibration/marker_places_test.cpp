@@ -83,6 +83,49 @@ TEST(MarkerPlaces, AreFittedBesideTheModulus) {
     EXPECT_GT(ignored, 10.0 * squares);
 }
 
+/// The beam at rest under four forces on its tip, the last one to be predicted.
+setup::Setup held_beam(const test::Folder& folder) {
+    std::string toml = test::swung_beam_toml();
+    toml.resize(toml.find("[[trial]]"));
+    const char* const forces[] = {"[0, 0, 1.5]", "[0, 1.0, 1.0]", "[0, -1.5, 1.2]", "[0.5, 1.2, -1.2]"};
+    for (int t = 0; t < 4; ++t)
+        toml += "[[trial]]\nname = \"hold " + std::to_string(t) + "\"\nrole = \"" + (t < 3 ? "fit" : "validate") +
+                "\"\ntrace = \"swing.csv\"\nformat = \"csv\"\nhold = true\n[[trial.load]]\nkind = \"force\"\n"
+                "box_m = [[0.0995, -0.001, -0.001], [0.1005, 0.031, 0.031]]\nforce_N = " +
+                forces[t] + "\n";
+    const setup::Setup swung = test::swung_beam(folder, 0.2);  // writes the trace
+    folder.write("experiment.toml", toml);
+    return test::setup_in(folder);
+}
+
+TEST(MarkerPlaces, AreSharedByHoldsAndTurnWithTheMaterial) {
+    const test::Folder folder("places");
+    setup::Setup setup = held_beam(folder);
+    prediction::ParameterValues values = prediction::declared_values(setup);
+    values.youngs_modulus_Pa = true_modulus_Pa;
+    values.places_m = {{0.001, 0.002, 0.002}, {-0.001, 0.001, 0.002}, {0.001, -0.001, 0.003}, {0.002, -0.001, 0.001}};
+    for (std::size_t t = 0; t < 4; ++t) {
+        const dynamics::Trace trace = prediction::predict_trial(setup, t, values).trace;
+        test::record(setup, t, values, trace, static_cast<unsigned>(t));
+    }
+    const Calibration exact = calibrate(setup);
+    setup.experiment.markers.placement_m = placement_m;
+    const Calibration open = calibrate(setup);
+    ASSERT_TRUE(open.fit.converged()) << open.fit.message;
+    EXPECT_LT(std::abs(error_in_deviations(open)), 3.0);
+    EXPECT_GT(std::abs(exact.fit.values(0) - true_modulus_Pa), 5.0 * open.fit.deviations(0));
+    ASSERT_EQ(open.places.size(), 4u);
+    double squares = 0.0;
+    for (std::size_t m = 0; m < 4; ++m)
+        squares += (open.places[m].shift_m - values.places_m[m])
+                       .cwiseQuotient(open.places[m].deviation_m)
+                       .squaredNorm();
+    EXPECT_LT(squares, 3.0 * 12.0);
+    EXPECT_LT(open.places[0].deviation_m.maxCoeff(), 3e-4);
+    EXPECT_LT(open.after.validation_rms_m, 2e-4);
+    EXPECT_GT(exact.after.validation_rms_m, 1e-3);
+}
+
 TEST(MarkerPlaces, AreReportedAndQuestionedFarFromTheirDeclaration) {
     const test::Folder folder("places");
     Recorded of = recorded(test::swung_beam(folder, 0.2), 1);

@@ -48,7 +48,7 @@ TEST(UnknownPlaces, AreTakenOutOfTheDeclaredFit) {
     };
     const DeclaredFit open = fitted();
     EXPECT_NEAR(mean_square(open.fit.fit.residual), 1.0, 0.15);
-    EXPECT_NEAR(open.fit.fit.values.youngs_modulus_Pa, 1.08 * 2.6e5, 0.01 * 2.6e5);
+    EXPECT_NEAR(open.fit.fit.values.youngs_modulus_Pa, 1.08 * 2.6e5, 0.02 * 2.6e5);  // with long steps
     const std::vector<Vector3d> found = probable_places(of.setup, open.data, open.fit.fit.residual);
     ASSERT_EQ(found.size(), 4u);
     for (std::size_t m = 0; m < 4; ++m) {
@@ -73,12 +73,13 @@ TEST(UnknownPlaces, WhitenAllFlatVectorsAlike) {
     EXPECT_LT((flat_residual(open, {there}) - open.places.whitened(flat_residual(plain, {there}))).norm(), 1e-9);
     EXPECT_LT((flat_jacobian(open, {there}, 1) - open.places.whitened(flat_jacobian(plain, {there}, 1))).norm(), 1e-12);
     EXPECT_EQ(flat_tangent(open, {there.tangents[0]}), flat_jacobian(open, {there}, 1).col(0));
-    // The residual does not depend on the places at which the markers were observed.
+    // To first order the residual does not depend on the places at which the markers were observed.
     prediction::ParameterValues placed = values;
     placed.places_m = of.truth;
     const prediction::TrialPrediction other = prediction::observe_trial(of.setup, 0, placed, there.trace);
-    EXPECT_LT((flat_residual(open, {other}) - flat_residual(open, {there})).norm(), 1e-8);
-    EXPECT_GT((flat_residual(plain, {other}) - flat_residual(plain, {there})).norm(), 100.0);
+    const double seen = (flat_residual(plain, {other}) - flat_residual(plain, {there})).norm();
+    EXPECT_GT(seen, 100.0);
+    EXPECT_LT((flat_residual(open, {other}) - flat_residual(open, {there})).norm(), 1e-3 * seen);
     // What a place does to the residuals is nearly gone, what the modulus does is not.
     const VectorXd place = open.places.derivatives().col(2);
     EXPECT_LT(open.places.whitened(place).norm(), 1.0);

@@ -36,8 +36,8 @@ void limit_iterations(DeclaredFit& result, const JointFit& fit, const DeclaredFi
 /// Fit of the declared model. With unknown places of the markers these are linearised at the declared values first and
 /// at the fitted ones then, where a refit starts; later fits keep that linearisation, and the markers at the places
 /// found.
-JointFit fit_of_declared(DeclaredFit& result, const DiagnoseSettings& settings, FitStore& store, PhaseLog& log) {
-    prediction::ParameterValues start = prediction::declared_values(result.setup);
+JointFit fit_of_declared(DeclaredFit& result, prediction::ParameterValues start, const DiagnoseSettings& settings,
+                         FitStore& store, PhaseLog& log) {
     const auto fitted = [&](const WarmStart& warm) {
         return logged_fit("declared fit",
                           {result.setup, result.data, start, settings.policy, EffectFreedom::all,
@@ -47,14 +47,18 @@ JointFit fit_of_declared(DeclaredFit& result, const DiagnoseSettings& settings, 
     if (!(result.setup.experiment.markers.placement_m > 0.0)) return fitted({});
     const std::vector<prediction::TrialPrediction> declared = prediction::predict_trials_with(
         result.setup, start, result.data.trials, log.progress());
-    // Where the declared values cannot be run, the fit says so.
+    // Where these values cannot be run, the fit says so.
     if (!prediction::all_ok(declared)) return fitted({});
     result.data = with_unknown_places(result.setup, std::move(result.data), declared);
     const JointFit first = fitted({});
     if (!first.usable() || log.cancelled()) return first;
     start = first.values;
     start.places_m = probable_places(result.setup, result.data, first.residual);
-    result.data = with_unknown_places(result.setup, std::move(result.data), first.predictions);
+    std::vector<prediction::TrialPrediction> placed;
+    for (std::size_t i = 0; i < result.data.trials.size(); ++i)
+        placed.push_back(
+            prediction::observe_trial(result.setup, result.data.trials[i], start, first.predictions[i].trace));
+    result.data = with_unknown_places(result.setup, std::move(result.data), placed);
     return fitted({{}, {}, warm_start_of(first).paths});
 }
 
@@ -71,15 +75,13 @@ DeclaredFit fit_declared(const setup::Setup& setup, const DiagnoseSettings& sett
     const double noise_m = setup::mean_noise(setup);
     lengthen_steps(result, numerics.max_step_change * noise_m, log);
     if (log.cancelled()) return result;
-    JointFit fit = fit_of_declared(result, settings, store, log);
+    const prediction::ParameterValues declared = prediction::declared_values(result.setup);
+    JointFit fit = fit_of_declared(result, declared, settings, store, log);
     if (log.cancelled()) return result;
     if (!fit.usable())
-        if (const auto start = prediction::runnable_start(result.setup, prediction::declared_values(result.setup),
-                                                          fit.parameters, result.data.trials, log.progress()))
-            fit = logged_fit("declared fit",
-                             {result.setup, result.data, *start, settings.policy, EffectFreedom::all,
-                              settings.policy.declared.effort},
-                             store, log);
+        if (const auto start = prediction::runnable_start(result.setup, declared, fit.parameters, result.data.trials,
+                                                          log.progress()))
+            fit = fit_of_declared(result, *start, settings, store, log);
     if (!fit.usable()) {
         result.failure = "the declared model cannot be run: " + fit.report.message;
         return result;
