@@ -34,7 +34,7 @@ const std::vector<Check>& check_catalogue() {
         {"inside_out", "run", "Do the cells keep their orientation?", CheckTime::after,
          "a Jacobian below 0 is no deformation", check_inside_out, true},
         {"tendon_legs", "fibres", "Do the tendons keep their lever arms between their guides?", CheckTime::after,
-         "the mean lever arm of a leg in an arc: 10 % less", check_tendon_legs, true},
+         "the mean lever arm of a leg in an arc changes by 10 %", check_tendon_legs, true},
         {"bounds", "fit", "Did the fit end within its bounds?", CheckTime::after, "the declared ranges", check_bounds,
          true},
         {"influence", "fit", "Do the data determine what is fitted?", CheckTime::after,

@@ -31,7 +31,7 @@ std::vector<Finding> check_signals(const CheckedJob& job);
 std::vector<Finding> check_recordings(const CheckedJob& job);
 /// Inverted cells during the run.
 std::vector<Finding> check_inside_out(const CheckedJob& job);
-/// Lever arm that straight legs of tendons lose where the body bends between two guides.
+/// Change of the lever arm of straight legs of tendons where the body bends between two guides.
 std::vector<Finding> check_tendon_legs(const CheckedJob& job);
 /// Fitted values at their bounds.
 std::vector<Finding> check_bounds(const CheckedJob& job);

@@ -15,9 +15,9 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
 struct TendonLegsPolicy {
-    /// Part of its lever arm that a leg loses at its middle. The mean over a leg in an arc is two thirds of that, and
-    /// with it the bending moment: 10 % too little.
-    double max_lost = 0.15;
+    /// Change of the lever arm of a leg at its middle, over the arm. The mean over a leg in an arc is two thirds of
+    /// that, and with it the change of the bending moment: 10 %.
+    double max_changed = 0.15;
     /// Number of states that are looked at in a trial.
     std::size_t max_states = 100;
     /// Half thickness of the slice of the body around the middle of a leg, whose centroid the lever arm is measured
@@ -80,9 +80,9 @@ double sag(const Leg& leg, const Matrix3Xd& x) {
     return (position(leg.middle, x) - 0.5 * (position(*leg.ends[0], x) + position(*leg.ends[1], x))).norm();
 }
 
-/// The leg that loses most of its lever arm in a run.
+/// The leg whose lever arm changes most in a run.
 struct Worst {
-    double lost = 0.0, sag_m = 0.0;
+    double changed = 0.0, sag_m = 0.0;
     const Leg* leg = nullptr;
     std::size_t trial = 0;
 };
@@ -95,7 +95,7 @@ Worst worst_leg(const CheckedJob& job, const std::vector<Leg>& legs) {
         for (std::size_t i = 0; i < states.size(); i += stride)
             for (const Leg& leg : legs) {
                 const double sag_m = sag(leg, states[i]);
-                if (sag_m > worst.lost * leg.lever_m) worst = {sag_m / leg.lever_m, sag_m, &leg, t};
+                if (sag_m > worst.changed * leg.lever_m) worst = {sag_m / leg.lever_m, sag_m, &leg, t};
             }
     }
     return worst;
@@ -104,17 +104,17 @@ Worst worst_leg(const CheckedJob& job, const std::vector<Leg>& legs) {
 Finding finding_of(const CheckedJob& job, const std::string& tendon, const Worst& worst) {
     Finding finding = passed_finding(tendon,
                                      "tendon " + tendon + ": straight between its guides, it keeps its lever arm");
-    finding.figure = worst.lost;
-    finding.threshold = tendon_legs_policy.max_lost;
-    if (!(worst.lost > tendon_legs_policy.max_lost)) return finding;
+    finding.figure = worst.changed;
+    finding.threshold = tendon_legs_policy.max_changed;
+    if (!(worst.changed > tendon_legs_policy.max_changed)) return finding;
     finding.level = CheckLevel::doubtful;
     const std::size_t guide = worst.leg->first_guide + 1;
     finding.sentence = "tendon " + tendon + ": from guide " + std::to_string(guide) + " to " +
                        std::to_string(guide + 1) + ", " + format_number(1e3 * worst.leg->length_m, 3) +
-                       " mm, it runs straight and comes " + format_number(1e3 * worst.sag_m, 2) +
-                       " mm nearer to the middle of the bent body in trial " + job.setup.trials[worst.trial].name +
-                       ", " + format_number(100.0 * worst.lost, 2) +
-                       " % of its lever arm: the body bends less there, and may buckle between the guides";
+                       " mm, it runs straight, up to " + format_number(1e3 * worst.sag_m, 2) +
+                       " mm off the material of the bent body in trial " + job.setup.trials[worst.trial].name +
+                       ", which changes its lever arm by " + format_number(100.0 * worst.changed, 2) +
+                       " %: on the inner side of a bend it grows, the body bends more, and may buckle between guides";
     finding
         .way_out = "if the thread runs in a channel, declare guides closer together; if it runs free, nothing is wrong";
     return finding;

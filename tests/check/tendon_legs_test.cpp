@@ -20,7 +20,7 @@ Eigen::Matrix3Xd bent(const Eigen::Matrix3Xd& rest, double curvature_1_m) {
     return x;
 }
 
-TEST(CheckTendonLegs, SeesTheLeverArmThatAStraightLegLosesInABentBody) {
+TEST(CheckTendonLegs, SeesStraightLegsLeaveTheMaterialOfABentBody) {
     const test::Folder folder("tendon_legs");
     const setup::Setup setup = test::chambered_beam(folder, 0.1, [&](experiment::Experiment& e) {
         e.chambers.clear();
