@@ -10,8 +10,6 @@
 namespace myo::results {
 namespace {
 
-using Eigen::Index;
-
 /// A range of commands in a readable unit: "0 … 25 kPa".
 std::string range_words(const setup::CommandRange& range, const std::string& unit) {
     const bool pressure = unit == "Pa", length = unit == "m";

@@ -8,7 +8,8 @@
 namespace myo::setup {
 
 /// Sets the noise of each marker [m]: declared, or estimated per trial and pooled (rms). Markers without an estimate
-/// get the mean of the others; if all trials are holds, all markers do. Never below the deviation that rounding produces.
+/// get the mean of the others; if all trials are holds, all markers do. Never below the deviation that rounding
+/// produces.
 ///
 /// @param recordings  traces of the trials as measured; trials of `setup` with their rounding
 /// @param setup  gets the noise, and warnings about it

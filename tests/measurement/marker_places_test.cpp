@@ -69,8 +69,8 @@ TEST(MarkerPlaces, DerivativesAreColumnsOfTheDeformationGradient) {
             return position(placed_markers(mesh, declared, {place}), 0, x);
         };
         EXPECT_LT((position(columns, axis, x) - (at(1e-5) - at(-1e-5)) / 2e-5).norm(), 1e-8) << axis;
-        EXPECT_GT((position(columns, axis, x) - Vector3d::Unit(static_cast<Index>(axis))).norm(),
-                  axis == 1 ? 0.0 : 0.1);
+        if (axis == 1) continue;  // the axis of bending, along which nothing stretches
+        EXPECT_GT((position(columns, axis, x) - Vector3d::Unit(static_cast<Index>(axis))).norm(), 0.1) << axis;
     }
 }
 
