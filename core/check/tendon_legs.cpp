@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <vector>
 
 #include "base/text.hpp"
@@ -39,22 +38,33 @@ Vector3d position(const fem::MaterialPoint& point, const Matrix3Xd& x) {
     return x(Eigen::all, point.nodes) * point.weights;
 }
 
+/// Centres and volumes of the cells at rest.
+struct Cells {
+    Matrix3Xd centres_m;  // 3 x cells
+    Eigen::VectorXd volumes_m3;
+};
+
+Cells cells_at_rest(const mesh::VolumeMesh& mesh) {
+    Cells cells{Matrix3Xd(3, mesh.cell_count()), mesh::cell_volumes(mesh)};
+    for (Eigen::Index c = 0; c < mesh.cell_count(); ++c)
+        cells.centres_m.col(c) = mesh.nodes(Eigen::all, mesh.cells.col(c)).rowwise().mean();
+    return cells;
+}
+
 /// Centroid of the cells around the middle of a leg, within `half_m` along it; the middle itself if there are none.
-Vector3d centroid_of_slice(const mesh::VolumeMesh& mesh, const Vector3d& middle, const Vector3d& along, double half_m) {
-    const Eigen::VectorXd volumes = mesh::cell_volumes(mesh);
+Vector3d centroid_of_slice(const Cells& cells, const Vector3d& middle, const Vector3d& along, double half_m) {
     Vector3d sum = Vector3d::Zero();
     double volume = 0.0;
-    for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
-        const Vector3d centre = mesh.nodes(Eigen::all, mesh.cells.col(c)).rowwise().mean();
-        if (std::abs((centre - middle).dot(along)) > half_m) continue;
-        sum += volumes(c) * centre;
-        volume += volumes(c);
+    for (Eigen::Index c = 0; c < cells.centres_m.cols(); ++c) {
+        if (std::abs((cells.centres_m.col(c) - middle).dot(along)) > half_m) continue;
+        sum += cells.volumes_m3(c) * cells.centres_m.col(c);
+        volume += cells.volumes_m3(c);
     }
     return volume > 0.0 ? Vector3d(sum / volume) : middle;
 }
 
-std::vector<Leg> legs_on_body(const setup::Tendon& tendon, const mesh::VolumeMesh& mesh) {
-    const mesh::BoundaryLocator boundary(mesh);
+std::vector<Leg> legs_on_body(const setup::Tendon& tendon, const mesh::VolumeMesh& mesh,
+                              const mesh::BoundaryLocator& boundary, const Cells& cells) {
     std::vector<Leg> legs;
     const std::vector<model::TendonGuide>& guides = tendon.route.guides;
     for (std::size_t g = 0; g + 1 < guides.size(); ++g) {
@@ -68,7 +78,7 @@ std::vector<Leg> legs_on_body(const setup::Tendon& tendon, const mesh::VolumeMes
         leg.length_m = (guides[g + 1].rest_m - guides[g].rest_m).norm();
         if (!(leg.length_m > 0.0)) continue;
         const Vector3d along = (guides[g + 1].rest_m - guides[g].rest_m) / leg.length_m;
-        const Vector3d arm = middle - centroid_of_slice(mesh, middle, along, tendon_legs_policy.slice * leg.length_m);
+        const Vector3d arm = middle - centroid_of_slice(cells, middle, along, tendon_legs_policy.slice * leg.length_m);
         leg.lever_m = (arm - arm.dot(along) * along).norm();
         if (leg.lever_m > 0.0) legs.push_back(std::move(leg));
     }
@@ -124,8 +134,12 @@ Finding finding_of(const CheckedJob& job, const std::string& tendon, const Worst
 
 std::vector<Finding> check_tendon_legs(const CheckedJob& job) {
     std::vector<Finding> findings;
+    if (job.setup.tendons.empty()) return findings;
+    const mesh::VolumeMesh& mesh = job.setup.mesh.mesh;
+    const mesh::BoundaryLocator boundary(mesh);
+    const Cells cells = cells_at_rest(mesh);
     for (std::size_t i = 0; i < job.setup.tendons.size(); ++i) {
-        const std::vector<Leg> legs = legs_on_body(job.setup.tendons[i], job.setup.mesh.mesh);
+        const std::vector<Leg> legs = legs_on_body(job.setup.tendons[i], mesh, boundary, cells);
         if (legs.empty()) continue;
         findings.push_back(finding_of(job, job.setup.experiment.tendons[i].name, worst_leg(job, legs)));
     }

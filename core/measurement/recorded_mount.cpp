@@ -22,17 +22,23 @@ using Eigen::Vector3d;
 using Eigen::Vector4d;
 using Eigen::VectorXd;
 
+/// Pose of a mount that does not turn and whose pivot follows a spline.
+model::MountPose slid(const Vector3d& pivot_m, const QuinticSpline& place, double time_s) {
+    model::MountPose pose;
+    pose.pivot_m = pivot_m;
+    pose.place_m = place.at(time_s);
+    pose.velocity_m_s = place.at(time_s, 1);
+    pose.acceleration_m_s2 = place.at(time_s, 2);
+    return pose;
+}
+
 class SplinedMount : public model::MountMotion {
 public:
     SplinedMount(const Vector3d& pivot, QuinticSpline place, QuinticSpline turn)
         : pivot_m_(pivot), place_(std::move(place)), turn_(std::move(turn)) {}
 
     model::MountPose at(double time_s) const override {
-        model::MountPose pose;
-        pose.pivot_m = pivot_m_;
-        pose.place_m = place_.at(time_s);
-        pose.velocity_m_s = place_.at(time_s, 1);
-        pose.acceleration_m_s2 = place_.at(time_s, 2);
+        model::MountPose pose = slid(pivot_m_, place_, time_s);
         // The quaternion is the splined one over its length; derivatives of s = |s| q solved for those of q.
         const Vector4d s = turn_.at(time_s), ds = turn_.at(time_s, 1), dds = turn_.at(time_s, 2);
         const double n = s.norm();
@@ -57,14 +63,7 @@ class SlidingMount : public model::MountMotion {
 public:
     SlidingMount(const Vector3d& pivot, QuinticSpline place) : pivot_m_(pivot), place_(std::move(place)) {}
 
-    model::MountPose at(double time_s) const override {
-        model::MountPose pose;
-        pose.pivot_m = pivot_m_;
-        pose.place_m = place_.at(time_s);
-        pose.velocity_m_s = place_.at(time_s, 1);
-        pose.acceleration_m_s2 = place_.at(time_s, 2);
-        return pose;
-    }
+    model::MountPose at(double time_s) const override { return slid(pivot_m_, place_, time_s); }
     bool turns() const override { return false; }
 
 private:

@@ -11,8 +11,8 @@
 namespace myo::prediction {
 
 // Places of the markers on the body as unknowns of a fit (markers.placement_m). They are three per marker, the same in
-// all trials and holds, with a normal prior of zero mean. Residuals are linear in them, so a fit of the other
-// parameters marginalises them instead of moving them.
+// all trials and holds, with a normal prior of zero mean. To first order residuals are linear in them, so a fit of the
+// other parameters marginalises them; each evaluation is linearised at the most probable places.
 
 /// Derivatives of a trial's residuals by the places of the markers, see TrialPrediction::place_tangents. Empty if the
 /// places are exact.

@@ -99,7 +99,7 @@ TEST(MarkerPlaces, MarginalFitIsTheFitOfModulusAndPlacesTogether) {
     ASSERT_EQ(parameters.size(), 1u);
     const double scale = parameters[0].parameter.scale;
 
-    // Of the modulus alone, the places marginalised and their most probable ones used for the derivative.
+    // A fit of the modulus alone, with the places marginalised and their most probable ones used for the derivative.
     ParameterValues marginal = declared_values(setup);
     VectorXd residuals;
     for (int round = 0; round < 7; ++round) {
@@ -110,7 +110,7 @@ TEST(MarkerPlaces, MarginalFitIsTheFitOfModulusAndPlacesTogether) {
         marginal.places_m = probable_places(setup, unknown_places(setup, {0}, there), residuals);
         marginal.youngs_modulus_Pa += step_of(at.jacobian * scale, residuals)(0) * scale;
     }
-    // Of modulus and places together, with a row of the prior for each coordinate.
+    // A fit of modulus and places together, with a row of the prior for each coordinate.
     ParameterValues together = declared_values(setup);
     together.places_m.assign(4, Vector3d::Zero());
     setup::Setup plain = setup;
