@@ -142,18 +142,14 @@ public:
     bool depends_on_velocity() const override { return element_->depends_on_velocity(); }
     void add_velocity_tangent(const Body& body, const ForceState& at, const Matrix3Xd& dv,
                               Matrix3Xd& gradient) const override {
-        const Seen seen = seen_at(at);
-        const Matrix3d& R = seen.pose.rotation;
-        Matrix3Xd there = Matrix3Xd::Zero(3, dv.cols());
-        element_->add_velocity_tangent(body, seen.state(at), R * dv, there);
-        gradient += R.transpose() * there;
+        gradient += through_laboratory(at, dv, [&](const Seen& seen, const Matrix3Xd& turned, Matrix3Xd& there) {
+            element_->add_velocity_tangent(body, seen.state(at), turned, there);
+        });
     }
     void add_velocity_pull(const Body& body, const ForceState& at, const Matrix3Xd& p, Matrix3Xd& by_v) const override {
-        const Seen seen = seen_at(at);
-        const Matrix3d& R = seen.pose.rotation;
-        Matrix3Xd there = Matrix3Xd::Zero(3, p.cols());
-        element_->add_velocity_pull(body, seen.state(at), R * p, there);
-        by_v += R.transpose() * there;
+        by_v += through_laboratory(at, p, [&](const Seen& seen, const Matrix3Xd& turned, Matrix3Xd& there) {
+            element_->add_velocity_pull(body, seen.state(at), turned, there);
+        });
     }
 
     bool has_potential() const override {
@@ -162,13 +158,12 @@ public:
     // Beyond what the element has: where a node goes changes its velocity by the spin of the mount.
     void add_unsymmetric_tangent(const Body& body, const ForceState& at, const Matrix3Xd& dx,
                                  Matrix3Xd& gradient) const override {
-        const Seen seen = seen_at(at);
-        const Matrix3d& R = seen.pose.rotation;
-        Matrix3Xd there = Matrix3Xd::Zero(3, dx.cols());
-        element_->add_unsymmetric_tangent(body, seen.state(at), R * dx, there);
-        if (at.v && motion_->turns())
-            element_->add_velocity_tangent(body, seen.state(at), R * cross_matrix(seen.pose.spin_rad_s) * dx, there);
-        gradient += R.transpose() * there;
+        gradient += through_laboratory(at, dx, [&](const Seen& seen, const Matrix3Xd& turned, Matrix3Xd& there) {
+            element_->add_unsymmetric_tangent(body, seen.state(at), turned, there);
+            if (at.v && motion_->turns())
+                element_->add_velocity_tangent(body, seen.state(at),
+                                               seen.pose.rotation * cross_matrix(seen.pose.spin_rad_s) * dx, there);
+        });
     }
     void add_unsymmetric_pull(const Body& body, const ForceState& at, const Matrix3Xd& p,
                               Matrix3Xd& by_x) const override {
@@ -208,6 +203,14 @@ private:
             return {x, at.v ? &v : nullptr, at.velocity_factor_1_s, at.time_s, at.before_jump};
         }
     };
+    /// What an operation of the element makes of directions, which it is given and gives back in the laboratory.
+    template <class Operation>
+    Matrix3Xd through_laboratory(const ForceState& at, const Matrix3Xd& directions, const Operation& operation) const {
+        const Seen seen = seen_at(at);
+        Matrix3Xd there = Matrix3Xd::Zero(3, directions.cols());
+        operation(seen, seen.pose.rotation * directions, there);
+        return seen.pose.rotation.transpose() * there;
+    }
     Seen seen_at(const ForceState& at) const {
         Seen seen{motion_->at(at.time_s), {}, {}};
         seen.x = seen.pose.in_laboratory(at.x);

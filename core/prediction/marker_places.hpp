@@ -25,10 +25,6 @@ std::vector<std::vector<Eigen::Matrix3Xd>> place_tangents(const setup::Setup& se
                                                           const measurement::MarkerSet& markers,
                                                           const dynamics::Trace& trace, const Eigen::VectorXd& times_s);
 
-/// Residuals of a prediction if the markers sat at these places, as residual_m.
-std::vector<Eigen::Matrix3Xd> residual_at(const TrialPrediction& prediction,
-                                          const std::vector<Eigen::Vector3d>& places_m);
-
 /// Place of one marker as a fit found it.
 struct FoundPlace {
     std::string marker;

@@ -35,6 +35,24 @@ double largest(const std::vector<Matrix3Xd>& tracks) {
     return most;
 }
 
+/// Residuals that the derivatives by the places predict for markers at these places.
+std::vector<Matrix3Xd> residual_at(const TrialPrediction& prediction, const std::vector<Vector3d>& places_m) {
+    std::vector<Matrix3Xd> residual = prediction.residual_m;
+    for (std::size_t k = 0; k < prediction.place_tangents.size(); ++k) {
+        const std::size_t marker = k / 3;
+        const auto axis = static_cast<Index>(k % 3);
+        const auto at = [&](const std::vector<Vector3d>& places) {
+            return places.empty() ? 0.0 : places[marker](axis);
+        };
+        const double change = at(places_m) - at(prediction.places_m);
+        if (change == 0.0) continue;
+        for (std::size_t m = 0; m < residual.size(); ++m)
+            if (const Matrix3Xd& tangent = prediction.place_tangents[k][m]; tangent.cols() > 0)
+                residual[m] += change * tangent;
+    }
+    return residual;
+}
+
 /// Largest error of residual_at() for this part of the true places, there and back, over that part.
 double miss_of_linearity(const setup::Setup& setup, const ParameterValues& values, const dynamics::Trace& trace,
                          double part) {

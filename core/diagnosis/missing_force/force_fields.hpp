@@ -21,7 +21,7 @@ ForceFields force_fields(const model::Body& body, const MissingForcePolicy& poli
 
 /// Knots of courses that are piecewise linear in time.
 struct KnotTimes {
-    double spacing_s = 0.025;
+    double spacing_s = 0.0;
     int count = 2;
 
     double end_s() const { return spacing_s * static_cast<double>(count - 1); }

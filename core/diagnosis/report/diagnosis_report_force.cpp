@@ -27,7 +27,7 @@ std::string course_words(const statistics::Correlate& c) {
 
 std::string mode_words(const ForceMode& mode) {
     std::string words = "It acts mainly " + mode.where + ", with up to " + readable_number(mode.peak_N(), 2) + " N.";
-    if (mode.steady > 0.8)
+    if (mode.steady > diagnosis_report_policy.min_steady)
         return words + " It is nearly constant: a load, a stress or a shape that the model does not have.";
     if (mode.correlates.empty()) return words;
     const statistics::Correlate& first = mode.correlates.front();

@@ -21,6 +21,8 @@ struct DiagnosisReportPolicy {
     int lags = 60;                    // of the autocorrelation [samples]
     double min_correlation = 0.5;     // smallest of a correlate that the text mentions
     double max_p = 0.01;              // largest of a correlate that the text mentions
+    double min_steady = 0.8;  // share of the mean in the squares of a course, above which the text calls it nearly
+                              // constant
 };
 inline constexpr DiagnosisReportPolicy diagnosis_report_policy;
 
