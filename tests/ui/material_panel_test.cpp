@@ -32,8 +32,9 @@ TEST(MaterialPanel, SetsTheNumbersOfALaw) {
     EXPECT_EQ(rows[0].name, "Limit J");
     EXPECT_EQ(rows[0].values, (std::vector<std::string>{"30", "12.5"}));
     set_limit("0");
-    EXPECT_EQ(driver.state().settings.law.at("gent_limit"), 0.1) << "values outside are brought back";
-    driver.click("bar/undo");
+    EXPECT_EQ(driver.state().settings.law.at("gent_limit"), 12.5) << "values outside are refused";
+    EXPECT_TRUE(driver.has("model/gent_limit: 0 is below the lowest Limit J, 0.1"));
+    driver.key(ImGuiKey_Escape);
     EXPECT_EQ(driver.state().settings.law.at("gent_limit"), 12.5);
     // The number is kept for when the law is chosen again.
     driver.click("model/material");

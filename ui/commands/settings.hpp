@@ -57,6 +57,7 @@ inline constexpr Limits damping_limits{0.0, 1.0};
 inline constexpr Limits time_step_limits{1e-5, 0.1};
 inline constexpr Limits spectral_radius_limits{0.0, 1.0};
 inline constexpr Limits velocity_force_limits{-100.0, 100.0};
+inline constexpr Limits damping_frequency_limits{0.01, 1000.0};  // not part of the settings
 inline constexpr Limits muscle_stiffness_limits{1.0, 1e9};
 inline constexpr Limits muscle_ratio_limits{-10.0, 10.0};
 

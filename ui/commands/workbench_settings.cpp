@@ -59,7 +59,8 @@ void Workbench::on(const Undo&) { set_settings(undo_.undo(state_.settings)); }
 void Workbench::on(const Redo&) { set_settings(undo_.redo(state_.settings)); }
 
 void Workbench::on(const SetDampingFrequency& c) {
-    state_.damping_frequency_Hz = std::clamp(c.frequency_Hz, 0.01, 1000.0);
+    state_.damping_frequency_Hz = std::clamp(c.frequency_Hz, damping_frequency_limits.lowest,
+                                             damping_frequency_limits.highest);
     check_stability();
 }
 

@@ -54,7 +54,8 @@ void draw_clip_directions(PanelContext& context, const viewport::Camera& camera,
 
 }  // namespace
 
-void draw_clip_options(PanelContext& context, const viewport::Camera& camera, commands::ViewOptions& view) {
+void draw_clip_options(PanelContext& context, const viewport::Camera& camera, NumberEdits& edits,
+                       commands::ViewOptions& view) {
     if (!context.state.body) return;
     const commands::MeshedBody& body = *context.state.body;
     commands::ClipPlane& plane = view.clip;
@@ -71,13 +72,18 @@ void draw_clip_options(PanelContext& context, const viewport::Camera& camera, co
     // The slider covers exactly the extent of the body along the present direction.
     float position = static_cast<float>(1e3 * plane.position_m);
     ImGui::SetNextItemWidth(140.0f * context.theme.scale);
-    if (ImGui::SliderFloat("Plane##clip", &position, static_cast<float>(1e3 * lowest),
-                           static_cast<float>(1e3 * highest), "%.1f mm", ImGuiSliderFlags_AlwaysClamp))
+    if (ImGui::SliderFloat("##clip", &position, static_cast<float>(1e3 * lowest), static_cast<float>(1e3 * highest), "",
+                           ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput))
         plane.position_m = 1e-3 * static_cast<double>(position);
     context.items.mark("view/clip_position");
-    tooltip(
-        context.theme,
-        "Position d of the plane along its normal, in coordinates of the body at rest. Ctrl+click to type a value.");
+    const std::string tip = "Position d of the plane along its normal, in coordinates of the body at rest.";
+    tooltip(context.theme, tip);
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(90.0f * context.theme.scale);
+    const NumberField field{"Plane", "view/clip_place",      commands::Dimension::length, "mm", tip, {lowest, highest},
+                            0.1,     "position of the plane"};
+    bool goes_on = false;
+    number_field(context, field, edits, plane.position_m, goes_on);
     ImGui::Checkbox("Show the other part", &plane.flip);
     context.items.mark("view/clip_flip");
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "panels/panel.hpp"
+#include "panels/number_field.hpp"
 #include "viewport/camera.hpp"
 
 namespace myo::ui::panels {
@@ -9,6 +9,7 @@ namespace myo::ui::panels {
 ///
 /// @param camera  for the direction "View"
 /// @param view  options that the controls change
-void draw_clip_options(PanelContext& context, const viewport::Camera& camera, commands::ViewOptions& view);
+void draw_clip_options(PanelContext& context, const viewport::Camera& camera, NumberEdits& edits,
+                       commands::ViewOptions& view);
 
 }  // namespace myo::ui::panels

@@ -74,19 +74,20 @@ void draw_muscle_row(PanelContext& context, int m) {
 }
 
 /// Ratio of the selected muscle to the one that it follows.
-void draw_ratio(PanelContext& context, OpenEdit& edit) {
-    // NumberField: label, item name, unit, tooltip, SI value per shown unit, limits, smallest change while dragging.
+void draw_ratio(PanelContext& context, NumberEdits& edit) {
+    // NumberField: label, item name, dimension, unit, tooltip, limits, smallest change while dragging.
     double ratio = context.state.chosen_muscle()->ratio;
     bool goes_on = false;
     const NumberField field{"Ratio",
                             "fibres/ratio",
+                            commands::Dimension::ratio,
                             "",
                             "Factor from a \xe2\x88\x92 1 of the other muscle to that of this one: \xe2\x88\x92"
                             "1 lengthens as much as the other shortens.",
-                            1.0,
                             commands::muscle_ratio_limits,
-                            0.01};
-    if (number_row(context, field, edit, ratio, goes_on))
+                            0.01,
+                            "ratio"};
+    if (number_row(context, field, edit, ratio, goes_on, context.state.chosen_muscle()->name))
         change(context, "ratio of antagonists", goes_on, [&](commands::Muscle& m) { m.ratio = ratio; });
 }
 
@@ -113,18 +114,19 @@ void draw_colors(PanelContext& context, const commands::Muscle& muscle) {
     }
 }
 
-void draw_stiffness(PanelContext& context, OpenEdit& edit) {
+void draw_stiffness(PanelContext& context, NumberEdits& edit) {
     double stiffness = context.state.chosen_muscle()->stiffness_Pa;
     bool goes_on = false;
     const NumberField field{
         "Stiffness w",
         "fibres/stiffness",
+        commands::Dimension::pressure,
         "kPa",
         "Energy per rest volume w/2 (|F m| \xe2\x88\x92 a)\xc2\xb2: m the fibre's direction, a(t) the target stretch.",
-        1e3,
         commands::muscle_stiffness_limits,
-        0.1};
-    if (number_row(context, field, edit, stiffness, goes_on))
+        0.1,
+        "stiffness"};
+    if (number_row(context, field, edit, stiffness, goes_on, context.state.chosen_muscle()->name))
         change(context, "stiffness of a muscle", goes_on, [&](commands::Muscle& m) { m.stiffness_Pa = stiffness; });
 }
 

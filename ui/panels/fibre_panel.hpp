@@ -1,6 +1,6 @@
 #pragma once
 
-#include "panels/widgets.hpp"
+#include "panels/number_field.hpp"
 
 namespace myo::ui::panels {
 
@@ -30,7 +30,7 @@ private:
     /// Tools and settings of the brush.
     void draw_brush(PanelContext& context);
 
-    OpenEdit edit_;           // drag in progress in one of the number fields
+    NumberEdits edit_;        // edits in progress in one of the number fields
     std::string typed_name_;  // text in the name field
     bool typing_ = false;     // the name field has the keyboard
 };

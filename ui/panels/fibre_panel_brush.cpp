@@ -62,7 +62,7 @@ constexpr std::array<Tool, 4> tools{{{commands::BrushTool::none, platform::icon:
                                       "Click on the body: fills the elements up to existing paint"}}};
 
 /// Number of the brush. Brush settings are not part of undo, so it does not matter whether a drag continues.
-void brush_row(PanelContext& context, const NumberField& field, OpenEdit& edit, double& value) {
+void brush_row(PanelContext& context, const NumberField& field, NumberEdits& edit, double& value) {
     bool ignored = false;
     number_row(context, field, edit, value, ignored);
 }
@@ -86,14 +86,14 @@ void draw_tools(PanelContext& context, commands::BrushSettings& brush) {
 }
 
 /// Radius and depth of the brush. `reach`: size of the body [m], for the ranges of the sliders.
-void draw_brush_extent(PanelContext& context, OpenEdit& edit, commands::BrushSettings& brush, double reach) {
+void draw_brush_extent(PanelContext& context, NumberEdits& edit, commands::BrushSettings& brush, double reach) {
     brush_row(context,
               {"Radius",
                "fibres/radius",
+               commands::Dimension::length,
                "mm",
                "Radius r of the brush [mm]: it paints the elements whose centre is at most r from the stroke, "
                "measured along the surface.",
-               1e-3,
                {1e-3 * reach, 0.5 * reach},
                0.05},
               edit, brush.radius_m);
@@ -101,9 +101,9 @@ void draw_brush_extent(PanelContext& context, OpenEdit& edit, commands::BrushSet
     brush_row(context,
               {"Depth",
                "fibres/depth",
+               commands::Dimension::length,
                "mm",
                "Depth of the brush below the surface [mm], along the surface's normal.",
-               1e-3,
                {1e-3 * reach, reach},
                0.05},
               edit, brush.depth_m);
@@ -114,24 +114,24 @@ void draw_brush_extent(PanelContext& context, OpenEdit& edit, commands::BrushSet
 }
 
 /// Weight that the brush paints, in its centre and towards its edge.
-void draw_brush_weight(PanelContext& context, OpenEdit& edit, commands::BrushSettings& brush) {
+void draw_brush_weight(PanelContext& context, NumberEdits& edit, commands::BrushSettings& brush) {
     brush_row(context,
               {"Soft edge",
                "fibres/falloff",
+               commands::Dimension::ratio,
                "%",
                "Share q of the radius over which the weight falls to zero: at the distance d from the stroke it is "
                "the strength times s² (3 − 2 s), s = (r − d) / (q r), at most 1.",
-               0.01,
                {0.0, 1.0},
                0.5},
               edit, brush.falloff);
     brush_row(context,
               {"Strength",
                "fibres/strength",
+               commands::Dimension::ratio,
                "%",
                "Weight in the centre: the share of an element that becomes muscle. The fibres' energy w/2 (|F m| − "
                "a)² is scaled by it.",
-               0.01,
                {0.01, 1.0},
                0.5},
               edit, brush.strength);

@@ -14,7 +14,7 @@ namespace myo::ui::panels {
 namespace {
 
 /// Number of the settings of a search. No part of undo, so it does not matter whether a drag continues.
-bool request_row(PanelContext& context, const NumberField& field, OpenEdit& edit, double& value) {
+bool request_row(PanelContext& context, const NumberField& field, NumberEdits& edit, double& value) {
     bool ignored = false;
     return number_row(context, field, edit, value, ignored);
 }
@@ -27,28 +27,29 @@ NumberField bound_field(const char* label, const char* name, const std::string& 
                         const commands::Limits& limits) {
     return {label,
             name,
+            commands::Dimension::ratio,
             "",
             which +
                 " bound of the target stretch a, dimensionless: target length of the fibres over their length at "
                 "rest. " +
                 meaning,
-            1.0,
             limits,
             0.005};
 }
 
 /// Density of the knots, bounds and length of the search for signals.
-void draw_optimize_rows(PanelContext& context, OpenEdit& edit, commands::OptimizeRequest& request) {
+void draw_optimize_rows(PanelContext& context, NumberEdits& edit, commands::OptimizeRequest& request) {
     request_row(
         context,
         {"Knots",
          "fit/frequency",
+         commands::Dimension::frequency,
          "1/s",
          "Knots of each signal a(t) per second [1/s]; between them it is linear. A trial of T seconds has about "
          "T times as many unknowns for each muscle.",
-         1.0,
          {0.5, 200.0},
-         0.1},
+         0.1,
+         "density of knots"},
         edit, request.frequency_Hz);
     request_row(context, bound_field("Minimum a", "fit/lowest", "Lower", "Below 1 they pull.", {0.1, 1.0}), edit,
                 request.lowest);
@@ -59,11 +60,13 @@ void draw_optimize_rows(PanelContext& context, OpenEdit& edit, commands::Optimiz
     const NumberField field{
         "Evaluations",
         "fit/evaluations",
+        commands::Dimension::number,
         "",
         "Maximum number of runs of the trial, each with the exact gradient of its loss by the adjoint method.",
-        1.0,
         {1.0, 1000.0},
-        1.0};
+        1.0,
+        "number of evaluations",
+        true};
     if (request_row(context, field, edit, evaluations))
         request.max_evaluations = static_cast<int>(std::lround(evaluations));
 }

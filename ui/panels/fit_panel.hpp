@@ -1,6 +1,6 @@
 #pragma once
 
-#include "panels/widgets.hpp"
+#include "panels/number_field.hpp"
 
 namespace myo::ui::panels {
 
@@ -25,7 +25,7 @@ private:
     /// Result of the last search, while its run is shown.
     void draw_found(PanelContext& context);
 
-    OpenEdit edit_;  // drag in progress in one of the number fields
+    NumberEdits edit_;  // edit in progress in one of the number fields
 };
 
 }  // namespace myo::ui::panels

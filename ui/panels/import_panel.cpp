@@ -158,7 +158,14 @@ void ImportPanel::draw_file(PanelContext& context) {
     bool goes_on = false;
     if (file.asks_rate)
         number_row(context,
-                   {"Rate", "import/rate", "Hz", "Samples per second; not stated in the file", 1.0, {1.0, 1e5}, 1.0},
+                   {"Rate",
+                    "import/rate",
+                    commands::Dimension::frequency,
+                    "Hz",
+                    "Samples per second; not stated in the file",
+                    {1.0, 1e5},
+                    1.0,
+                    "rate"},
                    edit_, reading.rate_Hz, goes_on);
     if (file.asks_rate) {
         row_label(context.theme, "0, 0, 0");
@@ -276,11 +283,12 @@ void ImportPanel::draw_start(PanelContext& context, commands::ImportChoices& cho
     number_row(context,
                {"t = 0 is at",
                 "import/start",
+                commands::Dimension::time,
                 "s",
                 "Time in the file at which the trial begins. The line in the plot below can be dragged, too.",
-                1.0,
                 {time[0], time[time.size() - 1]},
-                1e-3},
+                1e-3,
+                "start"},
                edit_, choices.start_s, goes_on);
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
     // Disabled if the recording shows no motion that stands out.

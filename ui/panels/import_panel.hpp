@@ -1,7 +1,7 @@
 #pragma once
 
+#include "panels/number_field.hpp"
 #include "panels/panel.hpp"
-#include "panels/widgets.hpp"
 
 namespace myo::ui::panels {
 
@@ -35,7 +35,7 @@ private:
     /// Name, role, start and folder of the new trial.
     void draw_trial(PanelContext& context, commands::ImportChoices& choices);
 
-    OpenEdit edit_;  // drag in progress in one of the number fields
+    NumberEdits edit_;  // edit in progress in one of the number fields
 };
 
 /// Draws what is missing, and the buttons that finish or cancel the import. Shown at the foot of the side panel.

@@ -16,30 +16,30 @@ namespace {
 /// Limits are in SI units, the smallest step of a drag is in the shown unit; see NumberField.
 const std::vector<SettingField>& material_fields() {
     static const std::vector<SettingField> fields{
-        {{"E", "model/youngs_modulus", "kPa",
+        {{"E", "model/youngs_modulus", commands::Dimension::pressure, "kPa",
           "Young's modulus E [Pa]: stress over strain in small tension. With Poisson's ratio it gives the shear "
           "modulus "
           "μ = E / (2 (1 + ν)) and the bulk modulus "
           "κ = E / (3 (1 − 2ν)).",
-          1e3, commands::youngs_modulus_limits, 0.1},
+          commands::youngs_modulus_limits, 0.1, "Young's modulus"},
          &commands::Settings::youngs_modulus_Pa},
-        {{"ν", "model/poissons_ratio", "",
+        {{"ν", "model/poissons_ratio", commands::Dimension::ratio, "",
           "Poisson's ratio ν, dimensionless: transverse contraction of a bar in tension, ν = −ε_across / ε_along. "
           "Silicone "
           "is nearly incompressible, ν ≈ 0.49 to "
           "0.499. Lamé's λ = E ν / ((1 + ν) (1 − 2ν)).",
-          1.0, commands::poissons_ratio_limits, 1e-4},
+          commands::poissons_ratio_limits, 1e-4, "Poisson's ratio"},
          &commands::Settings::poissons_ratio},
-        {{"ρ", "model/density", "kg/m³",
+        {{"ρ", "model/density", commands::Dimension::density, "kg/m³",
           "Density ρ [kg/m³] at rest. The mass matrix M in M dv/dt = f is ρ times the integrals of the shape "
           "functions' products, m = ρ V in all.",
-          1.0, commands::density_limits, 1.0},
+          commands::density_limits, 1.0, "density"},
          &commands::Settings::density_kg_m3},
-        {{"Damping τ", "model/damping", "ms",
+        {{"Damping τ", "model/damping", commands::Dimension::time, "ms",
           "Kelvin–Voigt time τ [s]: stress S = 2 τ μ dev(dE/dt), E Green's strain. A vibration of angular frequency ω "
           "has the damping ratio ζ = c τ ω / 2: c = 1 in shear and torsion, 2 (1 + ν) / 3 in slender stretching and "
           "bending, 2 (1 − ν + ν²) / (3 (1 − ν)) in wide plates.",
-          1e-3, commands::damping_limits, 0.01},
+          commands::damping_limits, 0.01, "Kelvin–Voigt time"},
          &commands::Settings::damping_s}};
     return fields;
 }
@@ -90,7 +90,9 @@ void MaterialPanel::draw_law_numbers(PanelContext& context) {
     for (const commands::ChoiceNumber& number : law->numbers) {
         commands::Settings settings = state.settings;
         double& value = settings.law.try_emplace(number.key, number.usual).first->second;
-        const NumberField field{number.label, "model/" + number.key, number.unit, number.tip, 1.0, number.limits};
+        const NumberField field{
+            number.label, "model/" + number.key, commands::dimension_of_unit(number.unit), number.unit,
+            number.tip,   number.limits};
         bool continues = false;
         if (number_row(context, field, edit_, value, continues))
             context.emit(commands::ChangeSettings{settings, field.name, continues});

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "panels/widgets.hpp"
+#include "panels/number_field.hpp"
 
 namespace myo::ui::panels {
 
@@ -22,8 +22,8 @@ private:
     /// List of the added effects with a button to remove each. Draws nothing without any.
     void draw_effects(PanelContext& context);
 
-    OpenEdit edit_;          // drag in progress in the material fields
-    OpenEdit preview_edit_;  // drag in progress in the preview length
+    NumberEdits edit_;          // edits in progress in the material fields
+    NumberEdits preview_edit_;  // edit in progress in the preview length
 };
 
 }  // namespace myo::ui::panels

@@ -40,12 +40,13 @@ void MeshPanel::draw_resolution(PanelContext& context) {
     const NumberField field{
         "Edge length",
         "body/edge_length",
+        commands::Dimension::length,
         "mm",
         "Target edge length of the elements. Along a side of length L there are about L / edge elements, "
         "adapted so that the body's size is met exactly: half the edge, eight times the elements.",
-        1e-3,
         range,
-        0.05};
+        0.05,
+        "edge length"};
     commands::Settings settings = state.settings;
     bool goes_on = false;
     if (number_row(context, field, edit_, settings.resolution_m, goes_on))

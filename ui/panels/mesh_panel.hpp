@@ -1,6 +1,6 @@
 #pragma once
 
-#include "panels/widgets.hpp"
+#include "panels/number_field.hpp"
 
 namespace myo::ui::panels {
 
@@ -29,8 +29,8 @@ private:
     /// Size and quality of the mesh that is shown.
     void draw_report(PanelContext& context);
 
-    OpenEdit edit_;   // drag in progress in the number field
-    OpenEdit slide_;  // drag in progress in the slider
+    NumberEdits edit_;  // edit in progress in the number field
+    OpenEdit slide_;    // drag in progress in the slider
 };
 
 }  // namespace myo::ui::panels

@@ -33,10 +33,12 @@ void PictureDialog::draw_sides(PanelContext& context) {
     ImGui::BeginDisabled(size_ != "other");
     for (const auto& [label, item, side] : {std::tuple{"Width", "picture/width", &request_.width},
                                             std::tuple{"Height", "picture/height", &request_.height}}) {
-        row_label(context.theme, label);
-        ImGui::InputInt((std::string("##") + item).c_str(), side, 0, 0);
-        context.items.mark(item);
-        *side = std::clamp(*side, min_side, max_side);
+        const NumberField field{
+            label, item, commands::Dimension::number, "", "In pixels.", {min_side, max_side}, 1.0, std::string("side"),
+            true};
+        double pixels = *side;
+        bool goes_on = false;
+        if (number_row(context, field, edit_, pixels, goes_on)) *side = static_cast<int>(std::lround(pixels));
     }
     ImGui::EndDisabled();
 }
@@ -73,9 +75,9 @@ void PictureDialog::draw_time(PanelContext& context) {
         number_row(context,
                    {"Time",
                     "picture/time",
+                    commands::Dimension::time,
                     "s",
                     "Time of the picture: the time shown when the dialog was opened",
-                    1.0,
                     {span[0], span[1]},
                     1e-2},
                    edit_, *request_.time_s, goes_on);
@@ -85,25 +87,46 @@ void PictureDialog::draw_time(PanelContext& context) {
 void PictureDialog::draw_motion(PanelContext& context) {
     const std::array<double, 2> span = commands::time_span(context.state);
     bool goes_on = false;
-    number_row(context, {"From", "picture/from", "s", "Time of the first picture", 1.0, {span[0], span[1]}, 1e-2},
+    number_row(context,
+               {"From",
+                "picture/from",
+                commands::Dimension::time,
+                "s",
+                "Time of the first picture",
+                {span[0], std::clamp(request_.to_s, span[0], span[1])},
+                1e-2,
+                "first time"},
                edit_, request_.from_s, goes_on);
     number_row(context,
                {"To",
                 "picture/to",
+                commands::Dimension::time,
                 "s",
                 "Time of the last picture",
-                1.0,
                 {request_.from_s, std::max(request_.from_s, span[1])},
-                1e-2},
+                1e-2,
+                "last time"},
                edit_, request_.to_s, goes_on);
-    // Changing the first time may pass the last one.
-    request_.to_s = std::max(request_.to_s, request_.from_s);
-    number_row(context, {"Rate", "picture/rate", "1/s", "Pictures per second of the film", 1.0, {1.0, 240.0}, 1.0},
+    number_row(context,
+               {"Rate",
+                "picture/rate",
+                commands::Dimension::frequency,
+                "1/s",
+                "Pictures per second of the film",
+                {1.0, 240.0},
+                1.0,
+                "rate"},
                edit_, request_.rate_Hz, goes_on);
-    number_row(
-        context,
-        {"Speed", "picture/speed", "\xc3\x97", "Speed of the film relative to real time", 1.0, {0.01, 10.0}, 0.01},
-        edit_, request_.speed, goes_on);
+    number_row(context,
+               {"Speed",
+                "picture/speed",
+                commands::Dimension::ratio,
+                "\xc3\x97",
+                "Speed of the film relative to real time",
+                {0.01, 10.0},
+                0.01,
+                "speed"},
+               edit_, request_.speed, goes_on);
     // A copy: the number of images depends on what is selected now.
     PictureRequest moving = request_;
     moving.moves = true;
@@ -165,7 +188,8 @@ void PictureDialog::draw(PanelContext& context) {
     ImGui::EndDisabled();
     context.items.mark("picture/where");
     ImGui::SameLine();
-    if (ImGui::Button("Cancel", {width, 0.0f}) || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) {
+    if (ImGui::Button("Cancel", {width, 0.0f}) ||
+        (ImGui::IsKeyPressed(ImGuiKey_Escape, false) && !ImGui::GetIO().WantTextInput)) {
         open_ = false;
         ImGui::CloseCurrentPopup();
     }

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "panels/number_field.hpp"
 #include "panels/panel.hpp"
-#include "panels/widgets.hpp"
 #include "viewport/camera.hpp"
 
 namespace myo::ui::panels {
@@ -37,7 +37,7 @@ private:
     std::string size_ = "view";  // id of the selected size
     viewport::ViewSize view_;    // size of the view when the dialog was opened
     PictureRequest request_;     // as edited
-    OpenEdit edit_;              // drag in progress
+    NumberEdits edit_;           // edits in progress
 };
 
 }  // namespace myo::ui::panels

@@ -2,9 +2,18 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+
 namespace myo::ui::panels {
 
 namespace {
+
+/// There is nothing to compare with after the last sample of the shown trial.
+double longest_preview_s(const commands::WorkbenchState& state) {
+    constexpr double without_trial_s = 1e3;
+    const commands::SceneTrial* const trial = state.scene_trial();
+    return trial && trial->time_s.size() > 0 ? trial->time_s[trial->time_s.size() - 1] : without_trial_s;
+}
 
 void draw_preview_state(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
@@ -20,7 +29,7 @@ void draw_preview_state(PanelContext& context) {
 
 }  // namespace
 
-void draw_preview_rows(PanelContext& context, OpenEdit& edit) {
+void draw_preview_rows(PanelContext& context, NumberEdits& edit) {
     const commands::WorkbenchState& state = context.state;
     if (!state.scene) return;
     row_label(context.theme, "Live preview",
@@ -33,15 +42,15 @@ void draw_preview_rows(PanelContext& context, OpenEdit& edit) {
     ImGui::PopID();
     context.items.mark("preview/on");
     if (!state.preview.on) return;
-    static const NumberField field{
+    const NumberField field{
         "Preview length",
         "preview/length",
+        commands::Dimension::time,
         "s",
         "Seconds of the trial that are run, from t = 0 on: length / h steps. The shorter, the faster.",
-        1.0,
-        {0.01, 1e3},
-        0.01};
-    // The shown length is limited by the trial; the emitted one is what the user typed.
+        {0.01, std::max(0.01, longest_preview_s(state))},
+        0.01,
+        "preview length"};
     double length = commands::preview_length_s(state);
     bool goes_on = false;
     if (number_row(context, field, edit, length, goes_on)) context.emit(commands::ChangePreview{true, length});

@@ -2,7 +2,7 @@
 
 namespace myo::ui::panels {
 
-void setting_rows(PanelContext& context, const std::vector<SettingField>& fields, OpenEdit& edit) {
+void setting_rows(PanelContext& context, const std::vector<SettingField>& fields, NumberEdits& edit) {
     for (const SettingField& entry : fields) {
         // A copy per row: it differs from the state in this one number only.
         commands::Settings settings = context.state.settings;

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "panels/widgets.hpp"
+#include "panels/number_field.hpp"
 
 namespace myo::ui::panels {
 
@@ -14,8 +14,8 @@ struct SettingField {
 };
 /// Draws a row for each field. A change is emitted as ChangeSettings.
 ///
-/// @param edit  drag in progress, kept by the panel between frames
-void setting_rows(PanelContext& context, const std::vector<SettingField>& fields, OpenEdit& edit);
+/// @param edit  edits in progress, kept by the panel between frames
+void setting_rows(PanelContext& context, const std::vector<SettingField>& fields, NumberEdits& edit);
 
 /// Draws a list for one of the ids in the settings. A change is emitted as ChangeSettings.
 ///

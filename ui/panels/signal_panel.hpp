@@ -4,7 +4,7 @@
 
 #include "commands/muscle_signal.hpp"
 #include "commands/signal_shapes.hpp"
-#include "panels/widgets.hpp"
+#include "panels/number_field.hpp"
 #include "plot/plot.hpp"
 
 namespace myo::ui::panels {
@@ -46,7 +46,7 @@ private:
 
     commands::SignalRecipe recipe_;                         // of the generator
     std::string recipe_muscle_;                             // muscle that the recipe's level was chosen for
-    OpenEdit edit_;                                         // drag in progress in the generator
+    NumberEdits edit_;                                      // drag in progress in the generator
     plot::LinkedAxis time_;                                 // zoom of the time axis
     plot::PlotState plot_;                                  // zoom of the value axis
     std::map<std::string, plot::PlotState> command_plots_;  // zoom of the commands' axes, by unit

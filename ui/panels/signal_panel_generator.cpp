@@ -20,16 +20,16 @@ const std::vector<commands::Choice>& shape_choices() {
 NumberField level_field() {
     return {"Level a",
             "signals/level",
+            commands::Dimension::ratio,
             "",
             "Target stretch a, dimensionless: target length of the fibres over their length at rest, in the "
             "energy per rest volume w/2 (|F m| − a)². 1 is passive.",
-            1.0,
             {0.05, 5.0},
             0.005};
 }
 
 /// Number of the recipe. No part of undo, so it does not matter whether a drag continues.
-void recipe_row(PanelContext& context, const NumberField& field, OpenEdit& edit, double& value) {
+void recipe_row(PanelContext& context, const NumberField& field, NumberEdits& edit, double& value) {
     bool ignored = false;
     number_row(context, field, edit, value, ignored);
 }
@@ -48,9 +48,9 @@ void SignalPanel::draw_recipe(PanelContext& context) {
         recipe_row(context,
                    {"Start",
                     "signals/start",
+                    commands::Dimension::time,
                     "s",
                     "Time t₀ [s] up to which the muscle is passive, a = 1.",
-                    1.0,
                     {-1e3, 1e3},
                     0.01},
                    edit_, recipe_.start_s);
@@ -58,9 +58,9 @@ void SignalPanel::draw_recipe(PanelContext& context) {
         recipe_row(context,
                    {"Rise",
                     "signals/rise",
+                    commands::Dimension::time,
                     "s",
                     "Time [s] from passive to the level: a = 1 + (level − 1) (t − t₀) / rise.",
-                    1.0,
                     {1e-3, 1e3},
                     0.01},
                    edit_, recipe_.rise_s);
@@ -71,16 +71,21 @@ void SignalPanel::draw_sine(PanelContext& context) {
     recipe_row(context,
                {"Frequency",
                 "signals/frequency",
+                commands::Dimension::frequency,
                 "Hz",
                 "Oscillations per second f [Hz]: a = 1 + (level − 1) (1 − cos 2π f (t − t₀)) / 2.",
-                1.0,
                 {0.01, 100.0},
                 0.01},
                edit_, recipe_.frequency_Hz);
-    recipe_row(
-        context,
-        {"End", "signals/end", "s", "Time [s] at which it stops; a is held from there on.", 1.0, {-1e3, 1e3}, 0.01},
-        edit_, recipe_.end_s);
+    recipe_row(context,
+               {"End",
+                "signals/end",
+                commands::Dimension::time,
+                "s",
+                "Time [s] at which it stops; a is held from there on.",
+                {-1e3, 1e3},
+                0.01},
+               edit_, recipe_.end_s);
 }
 
 /// The popup keeps its recipe, so that several muscles can get the same signal.

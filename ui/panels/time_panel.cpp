@@ -17,32 +17,44 @@ namespace {
 /// Fields as static tables: they are built once, not in each frame.
 const std::vector<SettingField>& radius_fields() {
     static const std::vector<SettingField> fields{
-        {{"ρ∞", "model/spectral_radius", "",
+        {{"ρ∞", "model/spectral_radius", commands::Dimension::ratio, "",
           "Spectral radius ρ∞ of a step at ω h → ∞, dimensionless: the share of a very fast vibration's amplitude that "
           "remains after a step. 0 removes it at once, as "
           "BDF2 does; 1 keeps it, as the trapezoidal rule does.",
-          1.0, commands::spectral_radius_limits, 0.01},
+          commands::spectral_radius_limits, 0.01, "spectral radius"},
          &commands::Settings::spectral_radius}};
     return fields;
 }
 
 const SettingField& step_field() {
-    static const SettingField field{{"Step h", "model/time_step", "ms",
+    static const SettingField field{{"Step h", "model/time_step", commands::Dimension::time, "ms",
                                      "Time step h [s]: states are computed at t = 0, h, 2 h and so on. The error of a "
                                      "run falls with h²; with implicit Euler only with h, which damps by ζ ≈ ω h / 2.",
-                                     1e-3, commands::time_step_limits, 0.01},
+                                     commands::time_step_limits, 0.01, "time step"},
                                     &commands::Settings::time_step_s};
     return field;
 }
 
 const SettingField& velocity_force_field() {
     static const SettingField field{
-        {"\xce\x9b", "model/velocity_force", "1/s",
+        {"\xce\x9b", "model/velocity_force", commands::Dimension::frequency, "1/s",
          "Velocity force f = \xce\x9b M v [N], \xce\x9b in 1/s. A positive \xce\x9b supplies "
          "the energy that a dissipative time "
          "scheme removes; 0 switches it off.",
-         1.0, commands::velocity_force_limits, 0.01},
+         commands::velocity_force_limits, 0.01},
         &commands::Settings::velocity_force_1_s};
+    return field;
+}
+
+const NumberField& damping_frequency_field() {
+    static const NumberField field{"Frequency",
+                                   "model/damping_frequency",
+                                   commands::Dimension::frequency,
+                                   "Hz",
+                                   "Frequency of the vibration [Hz] for which damping and stability are shown.",
+                                   commands::damping_frequency_limits,
+                                   0.01,
+                                   "frequency"};
     return field;
 }
 
@@ -139,7 +151,7 @@ void TimePanel::draw(PanelContext& context) {
 void TimePanel::draw_slider(PanelContext& context, const SettingField& field, commands::Limits range,
                             bool logarithmic) {
     commands::Settings settings = context.state.settings;
-    const double unit = field.field.per_unit;
+    const double unit = commands::find_unit(field.field.dimension, field.field.unit)->si();
     double shown = settings.*field.value / unit;
     bool goes_on = false;
     if (!slider_row(context, field.field.name + "/slider", {range.lowest / unit, range.highest / unit}, logarithmic,
@@ -237,10 +249,9 @@ void TimePanel::draw_numerical_damping(PanelContext& context) {
     // The frequency is edited in the rest of the row.
     ImGui::SetNextItemWidth(-1.0f);
     double shown = frequency;
-    if (ImGui::InputDouble("##frequency", &shown, 0.0, 0.0, "%.4g Hz") && shown > 0.0) {
+    bool goes_on = false;
+    if (number_field(context, damping_frequency_field(), edit_, shown, goes_on))
         context.emit(commands::SetDampingFrequency{shown});
-    }
-    context.items.mark("model/damping_frequency");
     draw_damping_curve(context, *scheme);
 }
 

@@ -37,10 +37,10 @@ private:
     plot::Plot damping_plot(const PanelContext& context, double measured) const;
 
     // Drags in progress: number fields, sliders, the line in the curve, and the preview length.
-    OpenEdit edit_;
+    NumberEdits edit_;
     OpenEdit slide_;
     OpenEdit curve_edit_;
-    OpenEdit preview_edit_;
+    NumberEdits preview_edit_;
 
     // Inputs of the damping curve; the curve is computed again if one of them changes.
     struct CurveKey {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "commands/field_store.hpp"
 #include "panels/clip_options.hpp"
@@ -15,8 +16,46 @@
 namespace myo::ui::panels {
 namespace {
 
+/// An end of the range. A unit that no dimension has is not typed: the number is in it.
+void draw_range_end(PanelContext& context, const commands::FieldKind& kind, NumberEdits& edits, NumberField field,
+                    double& value) {
+    field.dimension = commands::dimension_of_unit(kind.unit);
+    const bool known = commands::find_unit(field.dimension, kind.unit) != nullptr;
+    const double scale = known ? 1.0 : kind.per_unit;
+    if (known)
+        field.unit = kind.unit;
+    else
+        field.dimension = commands::Dimension::number;
+    field.limits = {field.limits.lowest / scale, field.limits.highest / scale};
+    double shown = value / scale;
+    bool goes_on = false;
+    if (number_field(context, field, edits, shown, goes_on, kind.id)) value = scale * shown;
+}
+
+/// Two fields beside each other. The ends stay apart: an empty or reversed range has no colours.
+void draw_range_ends(PanelContext& context, const commands::FieldKind& kind, NumberEdits& edits,
+                     std::array<double, 2>& range) {
+    const double far = 1e15 * kind.per_unit, infinity = std::numeric_limits<double>::infinity();
+    const float width = 110.0f * context.theme.scale;
+    NumberField field;
+    field.name = "view/field/lowest";
+    field.tip = "Value of the first colour.";
+    field.quantity = "lower end";
+    field.limits = {-far, std::nextafter(range[1], -infinity)};
+    ImGui::SetNextItemWidth(width);
+    draw_range_end(context, kind, edits, field, range[0]);
+    ImGui::SameLine();
+    field.name = "view/field/highest";
+    field.tip = "Value of the last colour.";
+    field.quantity = "upper end";
+    field.limits = {std::nextafter(range[0], infinity), far};
+    ImGui::SetNextItemWidth(width);
+    draw_range_end(context, kind, edits, field, range[1]);
+}
+
 /// Rows for the range of the colours, edited in the field's unit and stored in SI units.
-void draw_field_range(PanelContext& context, const commands::FieldKind& kind, commands::ViewOptions& view) {
+void draw_field_range(PanelContext& context, const commands::FieldKind& kind, NumberEdits& edits,
+                      commands::ViewOptions& view) {
     const auto found = view.field_ranges.find(kind.id);
     bool fixed = found != view.field_ranges.end();
     const bool was_fixed = fixed;
@@ -34,16 +73,7 @@ void draw_field_range(PanelContext& context, const commands::FieldKind& kind, co
     }
     if (!fixed && was_fixed) view.field_ranges.erase(kind.id);
     if (!fixed || !was_fixed) return;
-    std::array<double, 2>& range = found->second;
-    std::array<double, 2> typed{range[0] / kind.per_unit, range[1] / kind.per_unit};
-    const std::string format = "%.4g " + kind.unit;
-    ImGui::SetNextItemWidth(220.0f * context.theme.scale);
-    const bool changed = ImGui::InputScalarN("##range", ImGuiDataType_Double, typed.data(), 2, nullptr, nullptr,
-                                             format.c_str(), ImGuiInputTextFlags_EnterReturnsTrue);
-    context.items.mark("view/field/range");
-    // An empty or reversed range is not applied.
-    if (changed && std::isfinite(typed[0]) && std::isfinite(typed[1]) && typed[0] < typed[1])
-        range = {kind.per_unit * typed[0], kind.per_unit * typed[1]};
+    draw_range_ends(context, kind, edits, found->second);
 }
 
 /// Only for unsigned fields: signed ones have the diverging map.
@@ -88,7 +118,7 @@ void draw_field_entries(PanelContext& context, const std::vector<commands::Field
 }
 
 // Closed, the list explains the selected field; open, each entry explains itself.
-void draw_field_choice(PanelContext& context, commands::ViewOptions& view) {
+void draw_field_choice(PanelContext& context, NumberEdits& edits, commands::ViewOptions& view) {
     const std::vector<commands::FieldKind> kinds = commands::field_kinds(context.backend);
     const auto chosen = std::find_if(kinds.begin(), kinds.end(),
                                      [&](const commands::FieldKind& kind) { return kind.id == view.field; });
@@ -106,7 +136,7 @@ void draw_field_choice(PanelContext& context, commands::ViewOptions& view) {
     if (const std::string needed = commands::needed_for(*chosen, context.state); !needed.empty())
         ImGui::TextDisabled("%s", needed.c_str());
     if (!chosen->signed_values) draw_color_map_choice(context, view);
-    draw_field_range(context, *chosen, view);
+    draw_field_range(context, *chosen, edits, view);
 }
 
 /// Options that are a single switch; the others follow below the list.
@@ -140,26 +170,27 @@ constexpr ViewSwitch view_switches[] = {
      "A grid below the body, in squares of 1, 2 or 5 times a power of ten of a metre"}};
 
 /// At least 10 %: an invisible body could not be found again.
-void draw_opacity(PanelContext& context, commands::ViewOptions& view) {
-    float opacity = static_cast<float>(100.0 * view.opacity);
+void draw_opacity(PanelContext& context, NumberEdits& edits, commands::ViewOptions& view) {
+    static const NumberField field{
+        "Body", "view/opacity", commands::Dimension::ratio, "%", "Opacity of the body.", {0.1, 1.0}, 0.5, "opacity"};
     ImGui::SetNextItemWidth(140.0f * context.theme.scale);
-    if (ImGui::SliderFloat("Body", &opacity, 10.0f, 100.0f, "%.0f %%", ImGuiSliderFlags_AlwaysClamp)) {
-        view.opacity = 0.01 * static_cast<double>(opacity);
-    }
-    context.items.mark("view/opacity");
-    tooltip(context.theme, "Opacity of the body. Ctrl+click to type a value.");
+    bool goes_on = false;
+    number_field(context, field, edits, view.opacity, goes_on);
+    ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
+    ImGui::TextUnformatted("Body");
 }
 
 }  // namespace
 
-void draw_view_options(PanelContext& context, const viewport::Camera& camera) {
+void draw_view_options(PanelContext& context, const viewport::Camera& camera, NumberEdits& edits) {
     if (ImGui::Button((std::string(platform::icon::eye) + "  Show").c_str())) ImGui::OpenPopup("view options");
     context.items.mark("view/options");
     tooltip(context.theme, "What the view shows, in which colours, and a plane that cuts the body open");
     const ImVec2 below{ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + 4.0f * context.theme.scale};
     ImGui::SetNextWindowPos(below);
     if (!ImGui::BeginPopup("view options")) return;
-    if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) ImGui::CloseCurrentPopup();
+    // In a text field Escape restores the text.
+    if (ImGui::IsKeyPressed(ImGuiKey_Escape, false) && !ImGui::GetIO().WantTextInput) ImGui::CloseCurrentPopup();
     // All controls edit a copy; one command is emitted if anything changed.
     commands::ViewOptions view = context.state.view;
     for (const ViewSwitch& option : view_switches) {
@@ -167,9 +198,9 @@ void draw_view_options(PanelContext& context, const viewport::Camera& camera) {
         context.items.mark(option.name);
         tooltip(context.theme, option.tip);
     }
-    draw_opacity(context, view);
-    draw_field_choice(context, view);
-    draw_clip_options(context, camera, view);
+    draw_opacity(context, edits, view);
+    draw_field_choice(context, edits, view);
+    draw_clip_options(context, camera, edits, view);
     if (!(view == context.state.view)) context.emit(commands::ChangeView{view});
     ImGui::EndPopup();
 }

@@ -127,31 +127,6 @@ bool OpenEdit::goes_on(const std::string& name, bool changed) {
     return continues;
 }
 
-// ImGui edits the shown value; limits and value are converted to the shown unit and back.
-bool number_row(PanelContext& context, const NumberField& field, OpenEdit& edit, double& value, bool& goes_on) {
-    row_label(context.theme, field.label, field.tip);
-    double shown = value / field.per_unit;
-    const double lowest = field.limits.lowest / field.per_unit;
-    const double highest = field.limits.highest / field.per_unit;
-    // 0.4 % of the value per pixel: the same relative speed for all magnitudes.
-    const float speed = static_cast<float>(std::max(0.004 * std::abs(shown), field.smallest_step));
-    // ImGui expands the text as a format
-    const std::string format = "%.5g" + (field.unit.empty() ? "" : " " + (field.unit == "%" ? "%%" : field.unit));
-    bool changed = ImGui::DragScalar(("##" + field.name).c_str(), ImGuiDataType_Double, &shown, speed, &lowest,
-                                     &highest, format.c_str(), ImGuiSliderFlags_AlwaysClamp);
-    context.items.mark(field.name);
-    // Typed text may be any number that scanf reads, such as nan.
-    if (!std::isfinite(shown)) changed = false;
-    // Right after the item, whose activation it queries.
-    goes_on = edit.goes_on(field.name, changed);
-    // Not while the field is edited: the tooltip would cover it.
-    if (!ImGui::IsItemActive())
-        tooltip(context.theme, field.tip + "\n\nDrag, or double-click to type" +
-                                   (field.unit.empty() ? "." : " a number in " + field.unit + "."));
-    if (changed) value = std::clamp(shown * field.per_unit, field.limits.lowest, field.limits.highest);
-    return changed;
-}
-
 bool slider_row(PanelContext& context, const std::string& name, commands::Limits shown_limits, bool logarithmic,
                 OpenEdit& edit, double& shown, bool& goes_on) {
     row_label(context.theme, "");
@@ -213,7 +188,8 @@ bool begin_popup_above(const platform::Theme& theme, const char* name, float wid
     ImGui::SetNextWindowPos(above, ImGuiCond_Always, {0.0f, 1.0f});
     ImGui::SetNextWindowSize({width * theme.scale, 0.0f});
     if (!ImGui::BeginPopup(name)) return false;
-    if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) ImGui::CloseCurrentPopup();
+    // In a text field Escape restores the text.
+    if (ImGui::IsKeyPressed(ImGuiKey_Escape, false) && !ImGui::GetIO().WantTextInput) ImGui::CloseCurrentPopup();
     return true;
 }
 

@@ -52,18 +52,6 @@ void notice(const platform::Theme& theme, commands::LogLevel level, const std::s
 /// was pressed.
 bool primary_button(const platform::Theme& theme, const std::string& label, const ImVec2& size);
 
-/// Description of a number field, which is dragged, or typed after a double click. Values are stored in SI units and
-/// shown in a convenient unit: with per_unit = 1e3 and unit "kPa", a stored 2.6e5 Pa is shown as "260 kPa".
-struct NumberField {
-    std::string label;                  // in the left column
-    std::string name;                   // item name for tests: "model/youngs_modulus"
-    std::string unit;                   // shown unit; may be empty
-    std::string tip;                    // tooltip
-    double per_unit = 1.0;              // shown value = value / per_unit
-    commands::Limits limits{0.0, 1.0};  // of the value, in its own unit
-    double smallest_step = 1e-3;        // of the shown value per pixel of dragging
-};
-
 /// Remembers which field is being dragged, so that undo treats all changes of one drag as one edit. One object per
 /// group of fields, kept by the panel.
 class OpenEdit {
@@ -71,16 +59,12 @@ public:
     /// Returns whether a change in this frame continues the drag of an earlier one. Call it right after the field's
     /// item.
     bool goes_on(const std::string& name, bool changed);
+    /// The next change is an edit of its own.
+    void close() { name_.clear(); }
 
 private:
     std::string name_;  // field of the edit in progress; empty: none
 };
-
-/// Draws a number row. Returns true if the value changed.
-///
-/// @param value  changed within the field's limits
-/// @param goes_on  set to whether the change continues a drag
-bool number_row(PanelContext& context, const NumberField& field, OpenEdit& edit, double& value, bool& goes_on);
 
 /// Draws a slider below a number row, without a label. Returns true if the value changed.
 ///

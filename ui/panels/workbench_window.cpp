@@ -198,7 +198,7 @@ void WorkbenchWindow::draw_view(PanelContext& context) {
     distances_.update(context, scene_, viewport_);
     if (!update_placing(context, scene_, viewport_)) inspect_.update(context, scene_, viewport_);
     ImGui::SameLine();
-    draw_view_options(context, viewport_.camera);
+    draw_view_options(context, viewport_.camera, view_edits_);
     ImGui::End();
 }
 

@@ -156,6 +156,7 @@ private:
     Layout layout_;                     // of this frame
     viewport::ViewportState viewport_;  // camera and mouse of the 3D view
     PaintTool paint_;
+    NumberEdits view_edits_;  // edits in progress in the options of the view
     InspectTool inspect_;
     DistanceTool distances_;          // also drawn into images of the view
     commands::BodyCut cut_;           // the clip plane, applied to the drawn body
