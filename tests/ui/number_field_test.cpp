@@ -174,7 +174,7 @@ TEST_F(NumberFields, EscapeInAFieldLeavesItsDialogOpen) {
     driver.click("picture/size/other");
     type_into("picture/width", "10");
     driver.key(ImGuiKey_Enter);
-    EXPECT_EQ(sentence("picture/width"), "10 is below the lowest side, 64");
+    EXPECT_EQ(sentence("picture/width"), "10 is below the lowest width, 64");
     driver.key(ImGuiKey_Escape);
     EXPECT_EQ(sentence("picture/width"), "");
     EXPECT_TRUE(driver.has("picture/size"));

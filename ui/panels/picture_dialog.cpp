@@ -31,11 +31,17 @@ void PictureDialog::open(const commands::WorkbenchState& state, const viewport::
 void PictureDialog::draw_sides(PanelContext& context) {
     // The fields always show the size; only "Other" allows to edit it.
     ImGui::BeginDisabled(size_ != "other");
-    for (const auto& [label, item, side] : {std::tuple{"Width", "picture/width", &request_.width},
-                                            std::tuple{"Height", "picture/height", &request_.height}}) {
-        const NumberField field{
-            label, item, commands::Dimension::number, "", "In pixels.", {min_side, max_side}, 1.0, std::string("side"),
-            true};
+    for (const auto& [label, word, side] :
+         {std::tuple{"Width", "width", &request_.width}, std::tuple{"Height", "height", &request_.height}}) {
+        const NumberField field{label,
+                                std::string("picture/") + word,
+                                commands::Dimension::number,
+                                "",
+                                "In pixels.",
+                                {min_side, max_side},
+                                1.0,
+                                word,
+                                true};
         double pixels = *side;
         bool goes_on = false;
         if (number_row(context, field, edit_, pixels, goes_on)) *side = static_cast<int>(std::lround(pixels));
