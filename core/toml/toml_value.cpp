@@ -3,6 +3,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -16,13 +17,18 @@ struct TomlValuePolicy {
 };
 constexpr TomlValuePolicy toml_value_policy;
 
-// Converts the library's nodes. `file` is empty for a value from the command line, whose location is fixed_where.
+// "experiment.toml:12", or "line 12" in a text without name.
+std::string line_of(const std::string& name, std::size_t line) {
+    return (name.empty() ? "line " : name + ":") + std::to_string(line);
+}
+
+// Converts the library's nodes. A value from the command line has the same location as all its elements.
 struct Converter {
-    std::string file;
-    std::string fixed_where;
+    std::string name;
+    std::optional<std::string> fixed_where;
 
     std::string where(const ::toml::source_region& region) const {
-        return file.empty() ? fixed_where : file + ":" + std::to_string(region.begin.line);
+        return fixed_where ? *fixed_where : line_of(name, region.begin.line);
     }
 
     TomlValue table(const ::toml::table& source) const {
@@ -89,6 +95,24 @@ const TomlValue* TomlValue::find(std::string_view key) const {
 
 TomlValue* TomlValue::find(std::string_view key) { return const_cast<TomlValue*>(std::as_const(*this).find(key)); }
 
+bool same_values(const TomlValue& a, const TomlValue& b) {
+    if (a.kind != b.kind || a.items.size() != b.items.size()) return false;
+    switch (a.kind) {
+        case TomlValue::Kind::text: return a.text == b.text;
+        case TomlValue::Kind::number: return a.number == b.number || (std::isnan(a.number) && std::isnan(b.number));
+        case TomlValue::Kind::boolean: return a.truth == b.truth;
+        case TomlValue::Kind::date: return true;
+        case TomlValue::Kind::array: return std::equal(a.items.begin(), a.items.end(), b.items.begin(), same_values);
+        case TomlValue::Kind::table:
+            for (std::size_t i = 0; i < a.items.size(); ++i) {
+                const TomlValue* const other = b.find(a.keys[i]);
+                if (other == nullptr || !same_values(a.items[i], *other)) return false;
+            }
+            return true;
+    }
+    return false;
+}
+
 std::string kind_name(TomlValue::Kind kind) {
     switch (kind) {
         case TomlValue::Kind::text: return "a string";
@@ -109,16 +133,20 @@ Result<TomlValue> read_toml(const std::filesystem::path& path) {
         if (std::filesystem::file_size(path, code) > toml_value_policy.largest_document)
             return Error{"is larger than 16 MB, so it is no experiment description", path.string()};
     }
-    Result<std::string> content = read_file(path);
+    const Result<std::string> content = read_file(path);
     if (!content) return content.error();
+    return parse_toml(*content, path.string());
+}
+
+Result<TomlValue> parse_toml(std::string_view text, const std::string& name) {
     try {
-        const ::toml::table document = ::toml::parse(std::string_view(*content));
-        TomlValue result = Converter{path.string(), {}}.table(document);
-        result.where = path.string() + ":1";
+        const ::toml::table document = ::toml::parse(text);
+        TomlValue result = Converter{name, {}}.table(document);
+        result.where = line_of(name, 1);
         return result;
     } catch (const ::toml::parse_error& failure) {
         return Error{"this is not valid TOML: " + std::string(failure.description()),
-                     path.string() + ":" + std::to_string(failure.source().begin.line)};
+                     line_of(name, failure.source().begin.line)};
     }
 }
 

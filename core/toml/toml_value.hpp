@@ -32,11 +32,21 @@ struct TomlValue {
 /// Type name for messages: "a number", "an array", ...
 std::string kind_name(TomlValue::Kind kind);
 
+/// True if both hold the same values. The order of keys and the locations may differ; dates are compared by kind only.
+bool same_values(const TomlValue& a, const TomlValue& b);
+
 /// Reads a TOML file.
 ///
 /// @return  the document as a table with the location of every value
 /// Errors: missing or unreadable file; larger than 16 MB, thus not written by hand; syntax error, with line.
 Result<TomlValue> read_toml(const std::filesystem::path& path);
+
+/// Parses the text of a TOML document.
+///
+/// @param name  stands in locations in place of the path: "name:12". Empty: "line 12"
+/// @return      as read_toml()
+/// Errors: syntax error, with line.
+Result<TomlValue> parse_toml(std::string_view text, const std::string& name);
 
 /// Parses one value in TOML syntax: "3e5", "[0, 0, -1]", "true". A bare word or file name is read as a string.
 ///

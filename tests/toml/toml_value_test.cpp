@@ -109,6 +109,30 @@ TEST(TomlDocument, MayBeEmpty) {
     EXPECT_EQ(read->where, folder.str("e.toml") + ":1");
 }
 
+TEST(TomlDocument, MayBeATextWithAName) {
+    const Result<TomlValue> read = parse_toml("a = 1\n[b]\nc = 2\n", "form");
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->where, "form:1");
+    EXPECT_EQ(read->find("b")->find("c")->where, "form:3");
+    EXPECT_EQ(parse_toml("a = 1\n\na = 2\n", "form").error().where, "form:3");
+    EXPECT_EQ(parse_toml("a = 1\n\na = 2\n", "").error().where, "line 3");
+}
+
+TEST(TomlDocument, IsComparedByItsValues) {
+    const auto same = [](const std::string& a, const std::string& b) {
+        return same_values(*parse_toml(a, "a"), *parse_toml(b, "b"));
+    };
+    EXPECT_TRUE(same("a = 1\nb = [1.0, nan, { c = true }]\n", "# c\nb = [1, nan, { c = true }]\na = 1.0\n"));
+    EXPECT_FALSE(same("a = 1\n", "a = 2\n"));
+    EXPECT_FALSE(same("a = 1\n", "b = 1\n"));
+    EXPECT_FALSE(same("a = 1\n", "a = 1\nb = 1\n"));
+    EXPECT_FALSE(same("a = 1\n", "a = \"1\"\n"));
+    EXPECT_FALSE(same("a = \"x\"\n", "a = \"y\"\n"));
+    EXPECT_FALSE(same("a = true\n", "a = false\n"));
+    EXPECT_FALSE(same("a = [1, 2]\n", "a = [2, 1]\n"));
+    EXPECT_FALSE(same("a = nan\n", "a = 1\n"));
+}
+
 TEST(TomlValueText, IsOneValue) {
     EXPECT_EQ(parse_toml_value("3e5", "--set")->number, 3e5);
     EXPECT_EQ(parse_toml_value("true", "--set")->kind, Kind::boolean);
