@@ -1,5 +1,6 @@
 #include "toml/toml_text.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 
@@ -25,6 +26,13 @@ std::string toml_text(const std::string& text) {
             result += c;
     }
     return result + "\"";
+}
+
+std::string toml_key(const std::string& key) {
+    const auto bare = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    };
+    return !key.empty() && std::all_of(key.begin(), key.end(), bare) ? key : toml_text(key);
 }
 
 std::string toml_vector(const Eigen::Vector3d& v) { return toml_list(v, toml_number); }

@@ -16,6 +16,9 @@ std::string toml_number(double value);
 /// Quoted string; quotes, backslashes and control characters are escaped.
 std::string toml_text(const std::string& text);
 
+/// Key as it stands in a file: bare if possible, otherwise quoted.
+std::string toml_key(const std::string& key);
+
 /// TOML array "[a, b, c]".
 ///
 /// @param text  formats one item
