@@ -95,7 +95,7 @@ std::string trial_lines(const setup::Setup& setup, const calibration::Calibratio
     };
     for (const setup::PreparedTrial& trial : setup.trials) {
         std::snprintf(line, sizeof line, "\n%-*s  %-9s  %s  %s", column, trial.name.c_str(),
-                      trial.role == experiment::TrialRole::fit ? "fit" : "predicted",
+                      result_word(trial.role).c_str(),
                       shown(results::find_score(calibration.before, trial.name)).c_str(),
                       shown(results::find_score(calibration.after, trial.name)).c_str());
         text += line;

@@ -97,8 +97,7 @@ std::string trial_lines(const setup::Setup& setup, const diagnosis::Diagnosis& d
         const prediction::TrialScore* const before = results::find_score(d.before, trial.name);
         const prediction::TrialScore* const after = results::find_score(d.after, trial.name);
         std::snprintf(line, sizeof line, "%s%-24.80s %-10s %s %s", text.empty() ? "" : "\n", trial.name.c_str(),
-                      trial.role == experiment::TrialRole::fit ? "fit" : "predicted",
-                      in_millimetres(before ? before->rms_m : std::nan("")).c_str(),
+                      result_word(trial.role).c_str(), in_millimetres(before ? before->rms_m : std::nan("")).c_str(),
                       in_millimetres(after ? after->rms_m : std::nan("")).c_str());
         text += line;
     }

@@ -53,7 +53,7 @@ std::string score_table(const setup::Setup& setup, const prediction::SetupRun& r
                                             [](const prediction::MarkerScore& a, const prediction::MarkerScore& b) {
                                                 return !(b.rms_m <= a.rms_m) && b.rms_m == b.rms_m;
                                             });
-        add(score->name.c_str(), score->role == experiment::TrialRole::fit ? "fit" : "validate",
+        add(score->name.c_str(), to_string(score->role).c_str(),
             std::to_string(run.predictions[t].trace.times_s.size() - 1).c_str(), in_millimetres(score->rms_m),
             worst != score->markers.end() ? in_millimetres(worst->rms_m) + "  " + worst->name : "");
     }

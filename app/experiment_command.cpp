@@ -95,7 +95,9 @@ Result<setup::Setup> open_setup(const ExperimentCall& call, const experiment::Ex
     if (const Result<void> fine = check_resolution(call, experiment); !fine) return fine.error();
     Result<setup::Setup> setup = setup::prepare_setup(experiment, setup_settings(call.setup, call.work), progress);
     if (!setup) return setup.error();
-    // Only commands that fit need trials for testing.
+    // Only commands that fit need recorded trials, and some for testing.
+    if (call.fits)
+        if (const Result<void> fit = prediction::require_fit_trial(*setup); !fit) return fit.error();
     if (const auto untested = prediction::untested_fit(*setup); untested && call.fits)
         setup->warnings.push_back(*untested);
     const bool choosable_steps = prediction::choosable(setup->settings);

@@ -41,7 +41,7 @@ std::vector<ui::commands::ReportLine> experiment_lines(const fs::path& path) {
     if (!experiment) return {cannot_be_opened(experiment.error())};
     std::vector<std::string> trials, muscles, chambers, tendons;
     for (const experiment::TrialDeclaration& trial : experiment->trials)
-        trials.push_back(trial.name + (trial.role == experiment::TrialRole::fit ? " (fit)" : " (validate)"));
+        trials.push_back(trial.name + " (" + to_string(trial.role) + ")");
     for (const experiment::MuscleDeclaration& muscle : experiment->muscles) muscles.push_back(muscle.name);
     for (const experiment::ChamberDeclaration& chamber : experiment->chambers) chambers.push_back(chamber.name);
     for (const experiment::TendonDeclaration& tendon : experiment->tendons) tendons.push_back(tendon.name);

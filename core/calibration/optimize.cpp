@@ -124,6 +124,9 @@ Result<inverse::ActuationProblem> actuation_problem(const setup::Setup& setup, c
         return experiment::declaration_error(
             setup.experiment, "muscle",
             "no muscle, chamber or tendon is declared, so there is no actuation to be found");
+    if (trial.role == experiment::TrialRole::simulate)
+        return experiment::declaration_error(setup.experiment, "trial[0].role",
+                                             "trial " + trial.name + " has no recording that signals could follow");
     const double lowest = lowest_activation(setup.experiment, settings);
     if (!(lowest < settings.highest)) return Error{"is not below --highest", "--lowest"};
     if (!(lowest > 0.0) && !setup.settings.as_published)

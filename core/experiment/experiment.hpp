@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <map>
@@ -122,7 +123,7 @@ struct MarkersDeclaration {
     double max_standoff_m = 1e-3;   // largest distance of a rest position from the surface
     double placement_m = 0.0;       // 1 sigma per coordinate of where a marker sits against what is declared; 0: exact
     Comparison compare = Comparison::position;
-    std::vector<MarkerDeclaration> on_body;  // move with the body; at least one
+    std::vector<MarkerDeclaration> on_body;  // move with the body; at least one where a trial is recorded
     std::vector<MarkerDeclaration> fixed;    // attached to the surroundings, used for registration only
 };
 
@@ -139,8 +140,19 @@ struct LoadDeclaration {
     double until_s = std::numeric_limits<double>::infinity();  // trial time at which a force ends, > from_s
 };
 
-/// A trial is fitted, or held out and predicted.
-enum class TrialRole { fit, validate };
+/// A trial is fitted, or held out and predicted, or only simulated: it then has no recording.
+enum class TrialRole { fit, validate, simulate };
+/// The word of the declaration: "fit", "validate" or "simulate".
+std::string to_string(TrialRole role);
+/// The word for results: "fit", "predicted" or "simulated".
+std::string result_word(TrialRole role);
+
+/// A trial without a recording.
+struct PlannedTrialPolicy {
+    double rate_Hz = 100.0;  // of its output times, that of common camera systems
+};
+inline constexpr PlannedTrialPolicy planned_trial_policy;
+
 /// State at t = 0: the undeformed body at rest, or static equilibrium under the loads of t = 0.
 enum class StartState { straight, equilibrium };
 
@@ -162,7 +174,8 @@ struct ConstantCommand {
 struct TrialDeclaration {
     std::string name;  // unique; results are written to <name>.csv
     TrialRole role = TrialRole::fit;
-    std::filesystem::path trace;                       // marker recording, resolved
+    double duration_s = 0.0;                           // of a trial without a recording; 0 for a hold and for others
+    std::filesystem::path trace;                       // marker recording, resolved; empty: role simulate
     std::string format = "csv";                        // id of a reader, see trace_readers()
     std::optional<measurement::ColumnLayout> columns;  // for format `columns` only
     std::optional<double> metres_per_unit;             // `unit`: for a file that names none or an unknown one
@@ -208,6 +221,12 @@ struct Experiment {
     std::map<std::string, std::string>
         key_locations;  // "trial[2].load[0].box_m" -> "folder/experiment.toml:41", or "--set"
 };
+
+/// True if any trial has a recording.
+inline bool has_recordings(const Experiment& experiment) {
+    return std::any_of(experiment.trials.begin(), experiment.trials.end(),
+                       [](const TrialDeclaration& trial) { return trial.role != TrialRole::simulate; });
+}
 
 /// True if a clamp holds the body; otherwise only obstacles bear it, and the clamp box has its corners exchanged.
 inline bool has_clamp(const Experiment& experiment) {

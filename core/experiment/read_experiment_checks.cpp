@@ -164,21 +164,27 @@ void check_predicted_levels(const Experiment& experiment, const std::string& tri
 
 void check_trials(Experiment& experiment) {
     std::vector<std::string> names, paths;
-    bool any_fit = false, any_free = false;
+    bool any_free = false;
     for (std::size_t i = 0; i < experiment.trials.size(); ++i) {
         TrialDeclaration& trial = experiment.trials[i];
         const std::string path = element("trial", i);
         names.push_back(trial.name);
         paths.push_back(path + ".name");
-        any_fit = any_fit || trial.role == TrialRole::fit;
         if (trial.columns) check_columns(experiment, path, *trial.columns);
         check_actuation(experiment, path, trial);
         check_predicted_levels(experiment, path, trial);
         for (const ActuationStep& step : trial.actuation_steps) any_free = any_free || !step.level;
     }
     check_unique(experiment, names, paths);
-    // Without a fit trial there is nothing to calibrate, and validation trials have no model to test.
-    if (!any_fit) fail(experiment, "trial[0].role", "all trials are \"validate\"; at least one needs role = \"fit\"");
+    // Validation trials test a fit. Trials that are only simulated need none.
+    const auto any_of_role = [&](TrialRole role) {
+        return std::any_of(experiment.trials.begin(), experiment.trials.end(),
+                           [&](const TrialDeclaration& trial) { return trial.role == role; });
+    };
+    if (any_of_role(TrialRole::validate) && !any_of_role(TrialRole::fit))
+        fail(experiment, "trial[0].role", "all recorded trials are \"validate\"; at least one needs role = \"fit\"");
+    if (has_recordings(experiment) && experiment.markers.on_body.empty())
+        fail(experiment, "markers.rest_m", "at least one marker is needed for the recordings");
     if (!any_free && contains(experiment.material.calibrate, "actuation_level"))
         experiment.warnings.push_back(
             "material.calibrate: \"actuation_level\" has no effect, no trial has a level \"free\"");

@@ -1,6 +1,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/text.hpp"
@@ -60,8 +61,23 @@ std::optional<double> read_unit(const toml::TomlReader& table, const std::string
     return table.choice<double>(key, {units.begin(), units.end()});
 }
 
+/// Keys of a recording, which a trial that is only simulated lacks.
+constexpr std::array recording_keys{"trace", "format", "columns", "unit", "time_unit", "axes", "start_s", "end_s"};
+
+/// How long a trial without a recording runs.
+void read_duration(const toml::TomlReader& table, TrialDeclaration& trial) {
+    for (const char* key : recording_keys)
+        table.reject(key, "belongs to a recording, which a trial of role \"simulate\" does not have");
+    if (trial.hold)
+        table.reject("duration_s", "does not belong to a hold, which is one pose");
+    else
+        trial.duration_s = table.number("duration_s", toml::positive());
+}
+
 /// The recording's file and how to read it.
-void read_trace_keys(const toml::TomlReader& table, TrialDeclaration& trial) {
+void read_trace_keys(const toml::TomlReader& table, const std::filesystem::path& folder, TrialDeclaration& trial) {
+    table.reject("duration_s", "belongs to a trial of role \"simulate\"; a recording ends at end_s");
+    trial.trace = table.file("trace", folder);
     trial.format = read_format(table, trial.trace);
     if (trial.format == "columns") {
         trial.columns = read_columns_declaration(table);
@@ -80,10 +96,12 @@ void read_trace_keys(const toml::TomlReader& table, TrialDeclaration& trial) {
 TrialDeclaration read_trial(const toml::TomlReader& table, const std::filesystem::path& folder) {
     TrialDeclaration trial;
     trial.name = read_trial_name(table);
-    trial.role = table.choice<TrialRole>("role", {{"fit", TrialRole::fit}, {"validate", TrialRole::validate}});
-    trial.trace = table.file("trace", folder);
-    read_trace_keys(table, trial);
+    trial.role = table.choice<TrialRole>("role", {{to_string(TrialRole::fit), TrialRole::fit},
+                                                  {to_string(TrialRole::validate), TrialRole::validate},
+                                                  {to_string(TrialRole::simulate), TrialRole::simulate}});
+    if (trial.role != TrialRole::simulate) read_trace_keys(table, folder, trial);
     read_commands(table, folder, trial);
+    if (trial.role == TrialRole::simulate) read_duration(table, trial);
     trial.session_time_s = table.number_or("session_time_s", 0.0);
     trial.start_s = table.optional_number("start_s");
     trial.end_s = table.optional_number("end_s");
@@ -100,6 +118,16 @@ TrialDeclaration read_trial(const toml::TomlReader& table, const std::filesystem
 }
 
 }  // namespace
+
+std::string to_string(TrialRole role) {
+    if (role == TrialRole::simulate) return "simulate";
+    return role == TrialRole::fit ? "fit" : "validate";
+}
+
+std::string result_word(TrialRole role) {
+    if (role == TrialRole::simulate) return "simulated";
+    return role == TrialRole::fit ? "fit" : "predicted";
+}
 
 measurement::ColumnLayout read_columns_declaration(const toml::TomlReader& trial) {
     const toml::TomlReader table = trial.table("columns", {"markers", "unit", "separator", "rate_Hz"});
@@ -125,12 +153,12 @@ measurement::ColumnLayout read_columns_declaration(const toml::TomlReader& trial
 std::vector<TrialDeclaration> read_trials(const toml::TomlReader& document, const std::filesystem::path& folder) {
     std::vector<TrialDeclaration> trials;
     if (!document.has("trial"))
-        document.fail("trial", "required key is missing: at least one [[trial]] with role \"fit\"");
-    std::vector<std::string> keys{"name", "role",           "trace",   "format", "columns",   "unit", "time_unit",
-                                  "axes", "session_time_s", "start_s", "end_s",  "condition", "load"};
+        document.fail("trial", "required key is missing: at least one [[trial]], to fit or to simulate");
+    std::vector<std::string> keys{"name", "role", "duration_s", "session_time_s", "condition", "load"};
+    keys.insert(keys.end(), recording_keys.begin(), recording_keys.end());
     for (const std::string& key : command_keys()) keys.push_back(key);
     for (const toml::TomlReader& table : document.tables("trial", keys)) trials.push_back(read_trial(table, folder));
-    if (trials.empty()) document.fail("trial", "at least one [[trial]] with role \"fit\" is needed");
+    if (trials.empty()) document.fail("trial", "at least one [[trial]] is needed");
     return trials;
 }
 

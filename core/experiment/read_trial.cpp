@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <limits>
 
 #include "base/text.hpp"
 #include "experiment/read_experiment.hpp"
@@ -109,6 +111,19 @@ std::string unturned_axes(const Experiment& experiment, const TrialDeclaration& 
            "[\"x\", \"y\", \"z\"] states that it is right";
 }
 
+/// Output times of a trial without a recording; no marker is seen. A hold is one pose.
+measurement::Recording planned_times(const Experiment& experiment, const TrialDeclaration& trial) {
+    measurement::Recording planned;
+    planned.rate_Hz = planned_trial_policy.rate_Hz;
+    const auto count = static_cast<Eigen::Index>(std::ceil(trial.duration_s * planned.rate_Hz - 1e-9)) + 1;
+    planned.time_s = Eigen::VectorXd::LinSpaced(count, 0.0, static_cast<double>(count - 1) / planned.rate_Hz);
+    for (const MarkerDeclaration& marker : experiment.markers.on_body) {
+        planned.labels.push_back(marker.name);
+        planned.tracks.push_back(Eigen::Matrix3Xd::Constant(3, count, std::numeric_limits<double>::quiet_NaN()));
+    }
+    return planned;
+}
+
 }  // namespace
 
 std::string trial_key(const Experiment& experiment, const TrialDeclaration& trial) {
@@ -118,6 +133,7 @@ std::string trial_key(const Experiment& experiment, const TrialDeclaration& tria
 }
 
 Result<TrialRecording> read_trial(const Experiment& experiment, const TrialDeclaration& trial) {
+    if (trial.role == TrialRole::simulate) return TrialRecording{planned_times(experiment, trial), 0.0, {}};
     const std::string key = trial_key(experiment, trial) + ".trace";
     Result<measurement::Recording> raw = read_trace_of(experiment, trial);
     if (!raw) return raw.error();

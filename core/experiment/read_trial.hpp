@@ -26,6 +26,8 @@ struct TrialRecording {
 /// does a marker occluded in more than half of the samples. Positions are turned by the trial's `axes`. Errors: those
 /// of the readers (place: line of the trace), content of another format than the declared one, a declared marker
 /// missing or ambiguous, an undeclared one, start_s or end_s outside the recording (place: line of the key).
+/// A trial of role simulate has output times from 0 to its duration, at which only the markers on the body are listed
+/// and none is seen.
 Result<TrialRecording> read_trial(const Experiment& experiment, const TrialDeclaration& trial);
 
 /// read_trial() without the warnings. Errors: those of read_trial().

@@ -97,6 +97,7 @@ Result<std::size_t> find_trial(const experiment::Experiment& experiment, const s
         names.push_back(experiment.trials[t].name);
         if (name.empty() ? experiment.trials[t].role == experiment::TrialRole::fit : names.back() == name) return t;
     }
+    if (name.empty()) return std::size_t{0};  // none has a recording to fit
     const std::string near = closest_word(name, names);
     return Error{"no trial '" + name + "'; " +
                      (near.empty() ? "the experiment has " + join(names) : "did you mean '" + near + "'?"),
@@ -105,8 +106,9 @@ Result<std::size_t> find_trial(const experiment::Experiment& experiment, const s
 
 setup::Setup with_one_trial(setup::Setup setup, std::size_t trial) {
     setup.trials = {std::move(setup.trials[trial])};
-    setup.trials.front().role = experiment::TrialRole::fit;
     setup.experiment.trials = {setup.experiment.trials[trial]};
+    if (setup.trials.front().role == experiment::TrialRole::simulate) return setup;
+    setup.trials.front().role = experiment::TrialRole::fit;
     setup.experiment.trials.front().role = experiment::TrialRole::fit;
     return setup;
 }

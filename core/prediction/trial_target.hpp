@@ -30,7 +30,7 @@ TrialPrediction prediction_of(const setup::Setup& setup, std::size_t trial, cons
 /// Declared values with this registration and without levels, for a setup whose signals replace the levels.
 ParameterValues placed_values(const setup::Setup& setup, const inverse::MarkerPlacement& placement);
 
-/// Index of the named trial; of the first fit trial if the name is empty.
+/// Index of the named trial; of the first fit trial if the name is empty, or of the first one where none is.
 ///
 /// Errors: no such trial (place "--trial"); suggests the closest name.
 Result<std::size_t> find_trial(const experiment::Experiment& experiment, const std::string& name);

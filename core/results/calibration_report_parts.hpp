@@ -10,9 +10,6 @@
 
 namespace myo::results {
 
-/// "fit" or "predicted": a validation trial is not part of the fit.
-std::string role_words(experiment::TrialRole role);
-
 /// Fitted values with total standard deviation and its parts by noise, mesh and step.
 report::Table parameter_table(const setup::Setup& setup, const calibration::Calibration& calibration);
 /// Outcome of each start of a multi-start fit.

@@ -36,8 +36,6 @@ double worst_steady_mm(const prediction::TrialScore* score) {
 
 }  // namespace
 
-std::string role_words(experiment::TrialRole role) { return role == experiment::TrialRole::fit ? "fit" : "predicted"; }
-
 report::Table parameter_table(const setup::Setup& setup, const calibration::Calibration& calibration) {
     report::Table table{
         "", {{"Parameter"}, {"Unit"}, {"Fitted"}, {"±"}, {"by noise"}, {"by mesh"}, {"by step"}, {"Start"}}, {}};
@@ -92,7 +90,7 @@ report::Table trial_table(const setup::Setup& setup, const calibration::Calibrat
         const prediction::TrialScore* before = find_score(calibration.before, trial.name);
         const prediction::TrialScore* after = find_score(calibration.after, trial.name);
         table.rows.push_back(
-            {trial.name, role_words(trial.role), rms_mm(before), rms_mm(after), worst_steady_mm(after)});
+            {trial.name, result_word(trial.role), rms_mm(before), rms_mm(after), worst_steady_mm(after)});
     }
     return table;
 }

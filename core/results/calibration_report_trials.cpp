@@ -157,7 +157,7 @@ report::Section trial_section(const setup::Setup& setup, const calibration::Cali
     const setup::PreparedTrial& trial = setup.trials[index];
     const prediction::TrialScore* before = find_score(calibration.before, trial.name);
     const prediction::TrialScore* after = find_score(calibration.after, trial.name);
-    report::Section section{trial.name + " (" + role_words(trial.role) + ")", {}};
+    report::Section section{trial.name + " (" + result_word(trial.role) + ")", {}};
     if (before == nullptr)
         section.blocks.push_back(report::Paragraph{
             "Not run with the declared values: " + calibration.before.predictions[index].message + "."});
@@ -177,7 +177,9 @@ report::Section trial_section(const setup::Setup& setup, const calibration::Cali
     const ShownOrder shown = shown_order(before, *after);
     const std::vector<std::size_t>& order = shown.markers;
     section.blocks.push_back(report::Paragraph{
-        std::string(trial.role == experiment::TrialRole::fit ? "" : "Not used in the fit: a prediction. ") +
+        std::string(trial.role == experiment::TrialRole::validate   ? "Not used in the fit: a prediction. "
+                    : trial.role == experiment::TrialRole::simulate ? "Without a recording: simulated only. "
+                                                                    : "") +
         start_paragraph(setup, calibration, index)});
     section.blocks.push_back(report::Figure{
         chart::svg(figures.chart(order.front())),

@@ -101,7 +101,7 @@ report::Json markers_json(const prediction::TrialScore& score) {
 report::Json trial_facts(const setup::Setup& setup, std::size_t index) {
     const setup::PreparedTrial& trial = setup.trials[index];
     report::Json json{{"name", trial.name},
-                      {"role", trial.role == experiment::TrialRole::fit ? "fit" : "validate"},
+                      {"role", to_string(trial.role)},
                       {"start_s", trial.start_s},
                       {"start_found", trial.start_found}};
     if (trial.registration_rms_m) json["registration_rms_m"] = report::json_number(*trial.registration_rms_m);

@@ -37,9 +37,8 @@ void set_estimated_noise(const std::vector<measurement::Recording>& recordings, 
             sum(m) += *sigma_m * *sigma_m;
             found(m) += 1.0;
         }
-    // Without any estimate, 0.1 mm: typical of mocap cameras.
-    const double typical = found.sum() > 0.0 ? std::sqrt(sum.sum() / found.sum()) : 1e-4;
-    if (found.sum() == 0.0)
+    const double typical = found.sum() > 0.0 ? std::sqrt(sum.sum() / found.sum()) : marker_noise_policy.assumed_m;
+    if (found.sum() == 0.0 && experiment::has_recordings(setup.experiment))
         setup.warnings.push_back(
             "markers.noise_m: not declared and not to be estimated from the traces; 0.1 mm is assumed");
     setup.noise_m.resize(count);

@@ -7,6 +7,11 @@
 
 namespace myo::setup {
 
+struct MarkerNoisePolicy {
+    double assumed_m = 1e-4;  // without any estimate: typical of mocap cameras
+};
+inline constexpr MarkerNoisePolicy marker_noise_policy;
+
 /// Sets the noise of each marker [m]: declared, or estimated per trial and pooled (rms). Markers without an estimate
 /// get the mean of the others; if all trials are holds, all markers do. Never below the deviation that rounding
 /// produces.

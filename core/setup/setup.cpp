@@ -110,6 +110,18 @@ void set_time_integration(const Setup& setup, experiment::StartState start, Prep
     trial.options.end_s = trial.hold ? 0.0 : std::max(times(times.size() - 1), interval) + 3.0 * interval;
 }
 
+/// The recording in mesh frame and trial time, with the warnings of reading it.
+Result<void> place_recorded(const Setup& setup, const experiment::TrialDeclaration& declaration,
+                            const experiment::TrialRecording& read, PreparedTrial& trial,
+                            std::vector<std::string>& warnings) {
+    if (const Result<void> sized = check_recorded_size(setup.experiment, declaration, setup.surface, read.recording);
+        !sized)
+        return sized.error();
+    warnings.insert(warnings.end(), read.warnings.begin(), read.warnings.end());
+    trial.rounding_m = read.rounding_m;
+    return place_recording(setup.experiment, declaration, read.recording, trial);
+}
+
 Result<PreparedTrial> prepare_trial(const Setup& setup, const model::Model& model,
                                     const experiment::TrialDeclaration& declaration,
                                     std::vector<std::string>& warnings) {
@@ -126,13 +138,13 @@ Result<PreparedTrial> prepare_trial(const Setup& setup, const model::Model& mode
     // Model first, then data: a trial with an impossible load is rejected before its trace is read.
     Result<experiment::TrialRecording> recording = experiment::read_trial(experiment, declaration);
     if (!recording) return recording.error();
-    if (const Result<void> sized = check_recorded_size(experiment, declaration, setup.surface, recording->recording);
-        !sized)
-        return sized.error();
-    warnings.insert(warnings.end(), recording->warnings.begin(), recording->warnings.end());
-    trial.rounding_m = recording->rounding_m;
-    if (const Result<void> framed = place_recording(experiment, declaration, recording->recording, trial); !framed)
-        return framed.error();
+    if (declaration.role != experiment::TrialRole::simulate) {
+        if (const Result<void> placed = place_recorded(setup, declaration, *recording, trial, warnings); !placed)
+            return placed.error();
+    } else {
+        trial.occluded_fraction.assign(recording->recording.tracks.size(), 1.0);
+        trial.measured = std::move(recording->recording);
+    }
 
     Result<std::vector<SensorSeries>> sensors = read_sensor_series(experiment, declaration, trial.start_s);
     if (!sensors) return sensors.error();
@@ -144,10 +156,11 @@ Result<PreparedTrial> prepare_trial(const Setup& setup, const model::Model& mode
     return trial;
 }
 
-/// Trials without a visible marker are excluded; at least one fit trial must remain.
+/// Trials without a visible marker are excluded; at least one fit trial must remain, unless none has a recording.
 Result<void> check_seen(Setup& setup) {
-    bool any = false;
+    bool any = !experiment::has_recordings(setup.experiment);
     for (const PreparedTrial& trial : setup.trials) {
+        if (trial.role == experiment::TrialRole::simulate) continue;
         const auto& tracks = trial.measured.tracks;
         const bool seen = std::any_of(tracks.begin(), tracks.end(),
                                       [](const Eigen::Matrix3Xd& track) { return !track.array().isNaN().all(); });
@@ -342,6 +355,7 @@ void set_step(PreparedTrial& trial, double h_s) {
 }
 
 double mean_noise(const Setup& setup) {
+    if (setup.noise_m.size() == 0) return marker_noise_policy.assumed_m;  // no marker: nothing is compared
     return std::sqrt(setup.noise_m.squaredNorm() / static_cast<double>(setup.noise_m.size()));
 }
 

@@ -240,7 +240,7 @@ report::Json diagnosis_json(const setup::Setup& setup, const Diagnosis& d, const
             return report::json_number(score ? score->rms_m : std::nan(""));
         };
         json["trials"].push_back({{"name", trial.name},
-                                  {"role", trial.role == experiment::TrialRole::fit ? "fit" : "validate"},
+                                  {"role", to_string(trial.role)},
                                   {"before_rms_m", rms(before)},
                                   {"after_rms_m", rms(after)}});
         if (before != nullptr && !before->sensors.empty())

@@ -109,7 +109,7 @@ std::vector<std::size_t> by_error(const prediction::TrialScore* score, std::size
 
 std::vector<report::Block> trial_blocks(const setup::Setup& setup, const Diagnosis& d, std::size_t trial) {
     const setup::PreparedTrial& t = setup.trials[trial];
-    const std::string name = t.name + " (" + results::role_words(t.role) + ")";
+    const std::string name = t.name + " (" + result_word(t.role) + ")";
     const TrialMotion motion = motion_of(setup, d, trial);
     if (!motion.before && !motion.after) return {report::Paragraph{name + ": the trial could not be run."}};
     const prediction::TrialScore* score = results::find_score(d.before, t.name);

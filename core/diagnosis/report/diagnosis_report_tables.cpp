@@ -109,10 +109,9 @@ report::Section error_section(const setup::Setup& setup, const Diagnosis& d) {
         const prediction::TrialScore* const after = results::find_score(d.after, trial.name);
         const double b = before != nullptr ? before->rms_m : no_value, a = after != nullptr ? after->rms_m : no_value;
         if (two)
-            table.rows.push_back(
-                {trial.name, results::role_words(trial.role), 1e3 * b, 1e3 * a, b / d.noise_m, a / d.noise_m});
+            table.rows.push_back({trial.name, result_word(trial.role), 1e3 * b, 1e3 * a, b / d.noise_m, a / d.noise_m});
         else
-            table.rows.push_back({trial.name, results::role_words(trial.role), 1e3 * b, b / d.noise_m});
+            table.rows.push_back({trial.name, result_word(trial.role), 1e3 * b, b / d.noise_m});
         report::Table by_marker = marker_table(d, setup, before, after);
         by_marker.caption = trial.name;
         markers.blocks.push_back(std::move(by_marker));
