@@ -10,6 +10,7 @@
 #include "backend/effect_settings.hpp"
 #include "backend/law_settings.hpp"
 #include "backend/mesh_scene.hpp"
+#include "base/files.hpp"
 #include "base/letter_case.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
@@ -92,12 +93,12 @@ void fill_from_setup(const setup::Setup& setup, ui::commands::Scene& scene) {
     for (const experiment::MarkerDeclaration& marker : experiment.markers.on_body)
         scene.markers.push_back({marker.name, marker.rest_m});
     for (const setup::PreparedTrial& trial : setup.trials) {
-        ui::commands::SceneTrial shown{trial.name,
-                                       trial.role == experiment::TrialRole::fit ? "fit" : "validate",
-                                       trial.measured.time_s,
-                                       {},
-                                       {},
-                                       shown_commands(setup, trial)};
+        ui::commands::SceneTrial shown{
+            trial.name, to_string(trial.role), trial.measured.time_s, {}, {}, shown_commands(setup, trial), {}, {}};
+        const experiment::TrialDeclaration& declared = experiment.trials[scene.trials.size()];
+        shown.duration_s = declared.duration_s;
+        for (const experiment::LoadDeclaration& load : declared.loads)
+            shown.loads.push_back({load.kind == experiment::LoadKind::mass, load.box_m, load.mass_kg, load.force_N});
         for (std::size_t m = 0; m < scene.markers.size(); ++m)
             shown.measured.push_back(shown_measurement(setup, trial, m));
         for (std::size_t m = 0; m < experiment.muscles.size(); ++m)
@@ -181,26 +182,63 @@ Result<setup::Setup> scene_setup(const ui::commands::Scene& scene, const ui::com
                                 shown_mesh(body, settings));
 }
 
+namespace {
+
+/// What a scene shows of a prepared experiment.
+void show_setup(const setup::Setup& setup, std::shared_ptr<const setup::BodyMesh> mesh,
+                std::shared_ptr<const std::string> text, ui::commands::Scene& scene) {
+    const experiment::Experiment& experiment = setup.experiment;
+    scene.name = experiment.name;
+    scene.description = experiment.description;
+    scene.surface = setup.surface;
+    scene.clamp_m = experiment.clamp_box_m;
+    scene.gravity_m_s2 = experiment.gravity_m_s2;
+    scene.is_experiment = true;
+    scene.unknowns = experiment.material.calibrate;
+    scene.warnings = setup.warnings;
+    scene.checks = check_rows(check::check_before(setup));
+    scene.markers.clear();
+    scene.trials.clear();
+    scene.calibrated.clear();
+    fill_from_setup(setup, scene);
+    scene.source = std::make_shared<const SceneSource>(
+        SceneSource{experiment, setup.surface, std::move(mesh), std::move(text)});
+}
+
+}  // namespace
+
 Result<ui::commands::Scene> open_experiment(const fs::path& path, const Progress& progress) {
     const Result<experiment::Experiment> experiment = experiment::read_experiment(path);
     if (!experiment) return experiment.error();
+    Result<std::string> text = read_file(fs::is_directory(path) ? path / "experiment.toml" : path);
+    if (!text) return text.error();
     setup::SetupSettings settings;
     settings.threads = hardware_threads();
     const Result<setup::Setup> setup = setup::prepare_setup(*experiment, settings, progress);
     if (!setup) return setup.error();
     ui::commands::Scene scene;
     scene.path = path;
-    scene.name = experiment->name;
-    scene.description = experiment->description;
-    scene.surface = setup->surface;
-    scene.clamp_m = experiment->clamp_box_m;
-    scene.gravity_m_s2 = experiment->gravity_m_s2;
-    scene.warnings = setup->warnings;
-    scene.checks = check_rows(check::check_before(*setup));
-    fill_from_setup(*setup, scene);
-    scene.source = std::make_shared<const SceneSource>(
-        SceneSource{*experiment, setup->surface, std::make_shared<const setup::BodyMesh>(setup->mesh)});
+    show_setup(*setup, std::make_shared<const setup::BodyMesh>(setup->mesh),
+               std::make_shared<const std::string>(std::move(*text)), scene);
     return scene;
+}
+
+Result<ui::commands::Scene> scene_of(const ui::commands::Scene& scene, const experiment::Experiment& experiment,
+                                     const ui::commands::MeshedBody* body) {
+    const SceneSource& source = source_of(scene);
+    const auto* const shown = body ? static_cast<const setup::BodyMesh*>(body->source.get()) : source.mesh.get();
+    setup::SetupSettings settings;
+    settings.threads = hardware_threads();
+    Result<setup::Setup> setup = setup::prepare_setup(experiment, settings, {}, shown);
+    if (!setup && shown) setup = setup::prepare_setup(experiment, settings, {});
+    if (!setup) return setup.error();
+    ui::commands::Scene result = scene;
+    // A mesh follows the box that holds the body, so that of another box is not kept.
+    const Box &held = experiment.clamp_box_m, &held_before = source.experiment.clamp_box_m;
+    const bool same_support = held.lowest == held_before.lowest && held.highest == held_before.highest;
+    show_setup(*setup, same_support ? source.mesh : nullptr, source.text, result);
+    result.settings = scene.settings;
+    return result;
 }
 
 namespace {

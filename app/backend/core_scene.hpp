@@ -19,6 +19,7 @@ struct SceneSource {
     experiment::Experiment experiment;
     mesh::SurfaceMesh surface;
     std::shared_ptr<const setup::BodyMesh> mesh = {};  // mesh at opening; null: none
+    std::shared_ptr<const std::string> text = {};      // of an experiment's declaration at opening
 };
 /// Source of a scene; every scene of this backend has one.
 const SceneSource& source_of(const ui::commands::Scene& scene);
@@ -52,6 +53,10 @@ bool is_volume_file(const std::filesystem::path& path);
 
 /// Opens an experiment as a scene. Errors: those of read_experiment() and prepare_setup().
 Result<ui::commands::Scene> open_experiment(const std::filesystem::path& path, const Progress& progress);
+/// An opened scene with another experiment of the same body; its settings stay. The shown mesh, or that of the scene,
+/// serves if it has nodes at the support, otherwise a new one is made.
+Result<ui::commands::Scene> scene_of(const ui::commands::Scene& scene, const experiment::Experiment& experiment,
+                                     const ui::commands::MeshedBody* body);
 /// Opens a surface or volume mesh as a scene. A volume mesh keeps its elements until the settings request others.
 ///
 /// @param metres_per_unit  unit of the file; meshes do not store it

@@ -281,9 +281,9 @@ ui::commands::Project read_document(const toml::TomlValue& root, const fs::path&
     if (const toml::TomlValue* const named = root.find("schema"); named == nullptr || named->text != schema)
         throw toml::TomlFailure{Error{"schema: this is not a project; this program reads \"" + schema + "\"",
                                       named ? named->where : file.string()}};
-    const toml::TomlReader document(
-        root, "",
-        {"schema", "source", "metres_per_unit", "trial", "mesh", "material", "time", "view", "muscle", "effect"});
+    const toml::TomlReader document(root, "",
+                                    {"schema", "source", "metres_per_unit", "trial", "declaration", "declared_mesh",
+                                     "mesh", "material", "time", "view", "muscle", "effect"});
     ui::commands::Project project;
     std::error_code ignored;
     const fs::path source = document.text("source");
@@ -295,6 +295,9 @@ ui::commands::Project read_document(const toml::TomlValue& root, const fs::path&
     project.metres_per_unit = document.optional_number("metres_per_unit", toml::positive());
     project.trial = document.text_or("trial", "");
     project.settings = read_settings(document, root, file.parent_path(), project.warnings);
+    if (document.has("declaration"))
+        project.settings.declaration = {std::make_shared<const std::string>(document.text("declaration")),
+                                        document.text_or("declared_mesh", "")};
     if (document.has("view")) project.view = read_view(document);
     return project;
 }
@@ -310,6 +313,9 @@ Result<void> write_project_file(const fs::path& file, const ui::commands::Projec
                toml::toml_text(schema) + "\nsource = " + toml::toml_text(seen_from(project.source, folder)) + "\n";
     if (project.metres_per_unit) text += "metres_per_unit = " + toml::toml_number(*project.metres_per_unit) + "\n";
     if (!project.trial.empty()) text += "trial = " + toml::toml_text(project.trial) + "\n";
+    if (const ui::commands::Declaration& d = project.settings.declaration; d.text)
+        text += "declaration = " + toml::toml_text(*d.text) + "\ndeclared_mesh = " + toml::toml_text(d.mesh_words) +
+                "\n";
     text += settings_text(project.settings);
     std::set<std::string> used;
     for (const ui::commands::Muscle& muscle : project.settings.muscles) {

@@ -9,6 +9,7 @@
 #include "backend/check_rows.hpp"
 #include "backend/core_scene.hpp"
 #include "backend/core_search.hpp"
+#include "backend/declaration.hpp"
 #include "backend/diagnosis_view.hpp"
 #include "backend/examples.hpp"
 #include "backend/fields.hpp"
@@ -137,6 +138,25 @@ public:
     Result<ui::commands::Scene> open(const fs::path& path, std::optional<double> metres_per_unit,
                                      const Progress& progress) override {
         return is_experiment(path) ? open_experiment(path, progress) : open_mesh(path, metres_per_unit);
+    }
+
+    Result<ui::commands::Declaration> edited(const ui::commands::Scene& scene,
+                                             const ui::commands::Declaration& declaration,
+                                             const std::vector<ui::commands::DeclarationEdit>& edits) const override {
+        return edited_declaration(scene, declaration, edits);
+    }
+    Result<ui::commands::Scene> redeclared(const ui::commands::Scene& scene,
+                                           const ui::commands::Declaration& declaration,
+                                           const ui::commands::MeshedBody* body) const override {
+        return redeclared_scene(scene, declaration, body);
+    }
+    Result<void> write_declaration(const ui::commands::Scene& scene,
+                                   const ui::commands::Declaration& declaration) const override {
+        return write_scene_declaration(scene, declaration);
+    }
+    Result<void> write_plain_experiment(const fs::path& folder, const ui::commands::Scene& scene,
+                                        const ui::commands::Settings& settings) const override {
+        return write_plain_scene(folder, scene, settings);
     }
 
     ui::commands::MeshPrediction predict(const ui::commands::Scene& scene,

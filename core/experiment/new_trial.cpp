@@ -29,8 +29,7 @@ std::string one_line(std::string text) {
 /// Declaration of the trial as TOML; start_s = 0 because its samples are already in trial time.
 std::string trial_text(const NewTrial& trial) {
     return "\n# " + one_line(trial.origin) + "\n[[trial]]\nname = " + toml::toml_text(trial.name) +
-           "\nrole = " + (trial.role == TrialRole::fit ? "\"fit\"" : "\"validate\"") +
-           "\ntrace = " + toml::toml_text(trial.name + ".csv") +
+           "\nrole = " + toml::toml_text(to_string(trial.role)) + "\ntrace = " + toml::toml_text(trial.name + ".csv") +
            "\nformat = \"csv\"\nstart = " + (trial.start == StartState::straight ? "\"straight\"" : "\"equilibrium\"") +
            "\nstart_s = 0.0\n";
 }
@@ -78,15 +77,20 @@ Result<void> add_trial(const fs::path& folder, const NewTrial& trial) {
     return put(folder, *text + (text->ends_with('\n') ? "" : "\n") + trial_text(trial), trial);
 }
 
-Result<void> write_experiment(const fs::path& folder, const Experiment& declared, const mesh::SurfaceMesh& surface,
-                              const NewTrial& trial) {
-    if (!is_file_name(trial.name))
-        return Error{"names the trial's file, so it must be a file's name without a slash", "\"" + trial.name + "\""};
+namespace {
+
+/// Makes a new folder, or takes an empty one; `made`: it did not exist.
+Result<void> make_folder(const fs::path& folder, bool& made) {
     std::error_code code;
     if (fs::exists(folder, code) && !fs::is_empty(folder, code))
         return Error{"is not empty; choose a new folder", folder.string()};
-    const bool made = fs::create_directories(folder, code);
+    made = fs::create_directories(folder, code);
     if (code) return Error{"cannot be made: " + code.message(), folder.string()};
+    return {};
+}
+
+/// Body, clamp, material and gravity as TOML.
+std::string body_text(const Experiment& declared) {
     const MaterialDeclaration& material = declared.material;
     std::string text = "schema = \"experiment/1\"\nname = " + toml::toml_text(declared.name) +
                        "\n\n[geometry]\nkind = \"stl\"\nfile = \"body.stl\"\nunit = \"m\"\n";
@@ -98,19 +102,46 @@ Result<void> write_experiment(const fs::path& folder, const Experiment& declared
             "\ndensity_kg_m3 = " + toml::toml_number(material.density_kg_m3) + "\n";
     text += law_values_text(*material::find_material(material.model), material.law);
     if (material.damping_s) text += "damping_s = " + toml::toml_number(*material.damping_s) + "\n";
-    text += "\n[environment]\ngravity_m_s2 = " + toml::toml_vector(declared.gravity_m_s2) +
-            "\n\n[markers]\ncompare = \"displacement\"\n[markers.rest_m]\n";
-    // Mocap frames rarely coincide with the mesh frame, so displacements are compared instead of positions.
-    for (const MarkerDeclaration& marker : declared.markers.on_body)
-        text += toml::toml_text(marker.name) + " = " + toml::toml_vector(marker.rest_m) + "\n";
-    text += trial_text(trial);
+    return text + "\n[environment]\ngravity_m_s2 = " + toml::toml_vector(declared.gravity_m_s2) + "\n";
+}
+
+/// Writes body.stl and then what `put_text` writes; takes both back if that fails.
+template <class PutText>
+Result<void> write_folder(const fs::path& folder, const mesh::SurfaceMesh& surface, const PutText& put_text) {
+    bool made = false;
+    if (Result<void> ready = make_folder(folder, made); !ready) return ready;
     Result<void> written = mesh::write_stl(folder / "body.stl", surface, 1.0);
-    if (written) written = put(folder, text, trial);
+    if (written) written = put_text();
     if (written) return {};
+    std::error_code code;
     fs::remove(folder / "body.stl", code);
     // A folder that existed before stays, even if it was empty.
     if (made) fs::remove(folder, code);
     return written.error();
+}
+
+}  // namespace
+
+Result<void> write_experiment(const fs::path& folder, const Experiment& declared, const mesh::SurfaceMesh& surface,
+                              const NewTrial& trial) {
+    if (!is_file_name(trial.name))
+        return Error{"names the trial's file, so it must be a file's name without a slash", "\"" + trial.name + "\""};
+    // Mocap frames rarely coincide with the mesh frame, so displacements are compared instead of positions.
+    std::string text = body_text(declared) + "\n[markers]\ncompare = \"displacement\"\n[markers.rest_m]\n";
+    for (const MarkerDeclaration& marker : declared.markers.on_body)
+        text += toml::toml_text(marker.name) + " = " + toml::toml_vector(marker.rest_m) + "\n";
+    return write_folder(folder, surface, [&] { return put(folder, text + trial_text(trial), trial); });
+}
+
+Result<void> write_planned_experiment(const fs::path& folder, const Experiment& declared,
+                                      const mesh::SurfaceMesh& surface) {
+    return write_folder(folder, surface, [&] {
+        return write_file(folder / declaration_file,
+                          body_text(declared) +
+                              "\n[markers]\ncompare = \"displacement\"\n[markers.rest_m]\n"
+                              "\n[[trial]]\nname = \"release\"\nrole = \"simulate\"\nduration_s = 1.0\n"
+                              "start = \"straight\"\n");
+    });
 }
 
 Result<void> copy_experiment(const fs::path& from, const fs::path& to) {

@@ -38,6 +38,13 @@ Result<void> add_trial(const std::filesystem::path& folder, const NewTrial& tria
 Result<void> write_experiment(const std::filesystem::path& folder, const Experiment& declared,
                               const mesh::SurfaceMesh& surface, const NewTrial& trial);
 
+/// Creates an experiment folder with one trial that is only simulated: "release", one second, from the rest shape.
+/// Body, clamp, material and gravity are taken from `declared`, as in write_experiment().
+///
+/// Errors: the folder is not empty, or cannot be written.
+Result<void> write_planned_experiment(const std::filesystem::path& folder, const Experiment& declared,
+                                      const mesh::SurfaceMesh& surface);
+
 /// Copies an experiment folder with all its files.
 ///
 /// @param to  new or empty directory outside `from`

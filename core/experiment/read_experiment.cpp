@@ -70,6 +70,15 @@ Experiment read_document(const toml::TomlValue& root, const fs::path& folder) {
     return experiment;
 }
 
+/// The table readers throw on the first error; it becomes a value here, at the boundary of this module.
+Result<Experiment> read_or_error(const toml::TomlValue& document, const fs::path& folder) {
+    try {
+        return read_document(document, folder);
+    } catch (const toml::TomlFailure& failure) {
+        return failure.error;
+    }
+}
+
 }  // namespace
 
 Result<Experiment> read_experiment(const fs::path& folder,
@@ -83,12 +92,13 @@ Result<Experiment> read_experiment(const fs::path& folder,
     if (!document) return document.error();
     for (const auto& [key, value] : overrides)
         if (Result<void> set = toml::override_toml(*document, key, value); !set) return set.error();
-    // The table readers throw on the first error; it becomes a value here, at the boundary of this module.
-    try {
-        return read_document(*document, file.parent_path());
-    } catch (const toml::TomlFailure& failure) {
-        return failure.error;
-    }
+    return read_or_error(*document, file.parent_path());
+}
+
+Result<Experiment> read_experiment_text(const std::string& text, const fs::path& file) {
+    const Result<toml::TomlValue> document = toml::parse_toml(text, file.string());
+    if (!document) return document.error();
+    return read_or_error(*document, file.parent_path());
 }
 
 std::string location_of(const Experiment& experiment, const std::string& key) {

@@ -21,6 +21,12 @@ namespace myo::experiment {
 Result<Experiment> read_experiment(const std::filesystem::path& folder,
                                    const std::vector<std::pair<std::string, std::string>>& overrides = {});
 
+/// Reads and checks the text of an experiment.toml that need not be the one on disk, such as one with edits.
+///
+/// @param file  path of the text for messages; files that it names are resolved against its folder
+/// Errors: those of read_experiment().
+Result<Experiment> read_experiment_text(const std::string& text, const std::filesystem::path& file);
+
 /// Source location of a key, for checks after reading: "folder/experiment.toml:41", or "--set".
 ///
 /// @return   location of the key; if it is absent, of the nearest enclosing table, finally of the file

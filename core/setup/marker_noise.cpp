@@ -74,4 +74,9 @@ void set_noise(const std::vector<measurement::Recording>& recordings, Setup& set
     set_estimated_noise(recordings, rounded_m, setup);
 }
 
+double mean_noise(const Setup& setup) {
+    if (setup.noise_m.size() == 0) return marker_noise_policy.assumed_m;  // no marker: nothing is compared
+    return std::sqrt(setup.noise_m.squaredNorm() / static_cast<double>(setup.noise_m.size()));
+}
+
 }  // namespace myo::setup

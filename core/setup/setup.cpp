@@ -1,7 +1,6 @@
 #include "setup/setup.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/text.hpp"
 #include "effect/catalogue.hpp"
@@ -352,11 +351,6 @@ void set_step(PreparedTrial& trial, double h_s) {
         model::ForceElementPointer& element = trial.model.force_elements[e];
         element = element->with_command(fibre::with_switches_as_jumps(trial.recorded_commands[e], h_s));
     }
-}
-
-double mean_noise(const Setup& setup) {
-    if (setup.noise_m.size() == 0) return marker_noise_policy.assumed_m;  // no marker: nothing is compared
-    return std::sqrt(setup.noise_m.squaredNorm() / static_cast<double>(setup.noise_m.size()));
 }
 
 void check_integration(Setup& setup) {

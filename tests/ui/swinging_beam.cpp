@@ -143,6 +143,24 @@ Result<void> SwingingBeam::write_signal(const std::filesystem::path& path, const
     return {};
 }
 
+Result<ui::commands::Declaration> SwingingBeam::edited(const ui::commands::Scene&,
+                                                       const ui::commands::Declaration& declaration,
+                                                       const std::vector<ui::commands::DeclarationEdit>& edits) const {
+    ui::commands::Declaration result = declaration;
+    for (const ui::commands::DeclarationEdit& edit : edits)
+        if (const auto* set = std::get_if<ui::commands::SetDeclared>(&edit))
+            result.text = std::make_shared<const std::string>(set->value);
+    return result;
+}
+
+Result<ui::commands::Scene> SwingingBeam::redeclared(const ui::commands::Scene& scene,
+                                                     const ui::commands::Declaration& declaration,
+                                                     const ui::commands::MeshedBody*) const {
+    ui::commands::Scene result = scene;
+    if (declaration.text) result.description = *declaration.text;
+    return result;
+}
+
 Result<ui::commands::Scene> SwingingBeam::open(const std::filesystem::path& path, std::optional<double> metres_per_unit,
                                                const Progress&) {
     ui::commands::Scene scene;

@@ -31,6 +31,20 @@ public:
                               const fibre::Signal& signal) const override;
     Result<ui::commands::Scene> open(const std::filesystem::path& path, std::optional<double> metres_per_unit,
                                      const Progress& progress) override;
+    /// The beam has no file: its declaration is the text of its gravity, "9.81", which edits replace.
+    Result<ui::commands::Declaration> edited(const ui::commands::Scene& scene,
+                                             const ui::commands::Declaration& declaration,
+                                             const std::vector<ui::commands::DeclarationEdit>& edits) const override;
+    Result<ui::commands::Scene> redeclared(const ui::commands::Scene& scene,
+                                           const ui::commands::Declaration& declaration,
+                                           const ui::commands::MeshedBody* body) const override;
+    Result<void> write_declaration(const ui::commands::Scene&, const ui::commands::Declaration&) const override {
+        return {};
+    }
+    Result<void> write_plain_experiment(const std::filesystem::path& folder, const ui::commands::Scene&,
+                                        const ui::commands::Settings&) const override {
+        return Error{"not part of this test", folder.string()};
+    }
     ui::commands::MeshPrediction predict(const ui::commands::Scene& scene,
                                          const ui::commands::Settings& settings) const override;
     Result<ui::commands::MeshedBody> mesh(const ui::commands::Scene& scene, const ui::commands::Settings& settings,

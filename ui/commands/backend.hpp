@@ -85,6 +85,14 @@ struct ShownCommand {
     double per_unit = 1.0;  // SI per shown unit
 };
 
+/// Load of a trial, as declared.
+struct SceneLoad {
+    bool is_mass = false;                               // otherwise a force
+    Box box_m;                                          // part of the surface that carries it
+    double mass_kg = 0.0;                               // of a mass
+    Eigen::Vector3d force_N = Eigen::Vector3d::Zero();  // of a force
+};
+
 /// One trial of an experiment: measured markers in the mesh frame over time. t = 0 is the release.
 struct SceneTrial {
     std::string name;
@@ -93,6 +101,8 @@ struct SceneTrial {
     std::vector<Eigen::Matrix3Xd> measured;                // per marker of the scene, 3 x T [m]; NaN = occluded
     std::map<std::string, fibre::Signal> activation = {};  // declared signals a(t) by muscle name
     std::map<std::string, ShownCommand> commands = {};     // of chambers and tendons, by name
+    std::vector<SceneLoad> loads = {};                     // in the order of declaration
+    double duration_s = 0.0;                               // of a trial without a recording, else 0
 };
 
 /// Mean interval between the samples of a trial [s]. Returns 0 if there are fewer than two.
@@ -119,6 +129,8 @@ struct Scene {
     double damping_ratio = std::numeric_limits<double>::quiet_NaN();
     // labels of the parameters that calibration changes; empty: nothing to calibrate
     std::vector<std::string> calibrated;
+    bool is_experiment = false;          // with a declaration that can be edited; otherwise a plain mesh
+    std::vector<std::string> unknowns;   // material.calibrate: "youngs_modulus", "damping", ...
     std::vector<std::string> warnings;   // from reading the files
     CheckRows checks;                    // of the experiment as declared; empty for a plain mesh
     std::shared_ptr<const void> source;  // owned by the backend, opaque to the workbench
@@ -211,6 +223,22 @@ public:
     /// @param metres_per_unit  length unit of a mesh file without unit; ignored otherwise
     virtual Result<Scene> open(const std::filesystem::path& path, std::optional<double> metres_per_unit,
                                const Progress& progress) = 0;
+
+    /// Applies edits to the declaration of an experiment and checks the result without its recordings. Takes some
+    /// milliseconds; called on the UI thread.
+    virtual Result<Declaration> edited(const Scene& scene, const Declaration& declaration,
+                                       const std::vector<DeclarationEdit>& edits) const = 0;
+    /// The scene with another declaration; its settings stay. Reads the recordings of the trials. Called on the UI
+    /// thread: a mesh is made only if neither the shown one nor that of the scene serves.
+    ///
+    /// @param body  shown body, null: none
+    virtual Result<Scene> redeclared(const Scene& scene, const Declaration& declaration,
+                                     const MeshedBody* body) const = 0;
+    /// Writes an edited declaration to the experiment's file.
+    virtual Result<void> write_declaration(const Scene& scene, const Declaration& declaration) const = 0;
+    /// Writes a plain mesh with the settings as an experiment with one trial that is simulated.
+    virtual Result<void> write_plain_experiment(const std::filesystem::path& folder, const Scene& scene,
+                                                const Settings& settings) const = 0;
 
     /// Estimates the size of the mesh that these settings would give. Quick.
     virtual MeshPrediction predict(const Scene& scene, const Settings& settings) const = 0;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "commands/workbench_state.hpp"
 
@@ -32,6 +33,19 @@ struct ChangeSettings {
     Settings settings;
     std::string what;  // name of the edit, for merging in undo
     bool goes_on = false;
+};
+/// Edits the experiment's declaration: all edits together, or none if the result is no experiment. Ignored for a plain
+/// mesh.
+struct EditDeclaration {
+    std::vector<DeclarationEdit> edits;
+    std::string what;  // name of the edit, for merging in undo
+    bool goes_on = false;
+};
+/// Writes the edited declaration to the experiment's file.
+struct SaveDeclaration {};
+/// Makes an experiment of a plain mesh, in a new folder, and opens it.
+struct MakeExperiment {
+    std::filesystem::path folder;
 };
 /// Restores the settings before the last edit.
 struct Undo {};
@@ -227,11 +241,12 @@ struct WriteReport {
 
 /// All commands.
 using Command = std::variant<
-    Open, Drop, AnswerUnit, ChangeSettings, Undo, Redo, BuildMesh, Run, ChangePreview, Calibrate, ChangeOptimize,
-    Optimize, Diagnose, ChooseCandidate, AddEffect, ChooseMuscle, Paint, ImportSignal, ExportSignal, ChangeBrush,
-    Cancel, Pause, Unqueue, RestoreRecord, CompareRecord, ForgetRecord, Save, SaveAs, AskWhereToSave, AnswerUnsaved,
-    OfferRecovery, Recover, DiscardRecovery, Quit, AnswerStop, ChooseTrial, ChooseMarker, SetTime, Play, SetSpeed,
-    ChangeView, SetDampingFrequency, SetTheme, SetLayout, Bookmark, UsePreferences, ClearLog, LogMessage, WriteReport,
-    ReadRecording, ChangeImport, ChooseLabel, ProposeMarkers, AlignImport, AddRecording, CancelImport>;
+    Open, Drop, AnswerUnit, ChangeSettings, EditDeclaration, SaveDeclaration, MakeExperiment, Undo, Redo, BuildMesh,
+    Run, ChangePreview, Calibrate, ChangeOptimize, Optimize, Diagnose, ChooseCandidate, AddEffect, ChooseMuscle, Paint,
+    ImportSignal, ExportSignal, ChangeBrush, Cancel, Pause, Unqueue, RestoreRecord, CompareRecord, ForgetRecord, Save,
+    SaveAs, AskWhereToSave, AnswerUnsaved, OfferRecovery, Recover, DiscardRecovery, Quit, AnswerStop, ChooseTrial,
+    ChooseMarker, SetTime, Play, SetSpeed, ChangeView, SetDampingFrequency, SetTheme, SetLayout, Bookmark,
+    UsePreferences, ClearLog, LogMessage, WriteReport, ReadRecording, ChangeImport, ChooseLabel, ProposeMarkers,
+    AlignImport, AddRecording, CancelImport>;
 
 }  // namespace myo::ui::commands

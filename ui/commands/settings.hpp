@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "commands/declaration.hpp"
 #include "commands/muscle.hpp"
 #include "effect/effect_declaration.hpp"
 #include "mesh/volume_mesh.hpp"
@@ -36,13 +37,15 @@ struct Settings {
     double velocity_force_1_s = 0.0;   // Lambda of f = Lambda M v
     std::vector<AddedEffect> effects;  // in addition to those that the experiment declares
     std::vector<Muscle> muscles;       // with unique names
+    Declaration declaration = {};      // of an experiment: support, gravity, loads, trials, unknown values
 
     bool operator==(const Settings&) const = default;
 };
 
 /// Whether two settings lead to the same mesh.
 inline bool same_mesh(const Settings& a, const Settings& b) {
-    return a.element == b.element && a.resolution_m == b.resolution_m;
+    return a.element == b.element && a.resolution_m == b.resolution_m &&
+           a.declaration.mesh_words == b.declaration.mesh_words;
 }
 
 /// Ranges that the workbench allows for the settings, SI units. The backend may still reject a value.

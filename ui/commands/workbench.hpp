@@ -113,6 +113,10 @@ private:
     void on(const CancelImport&);
     // workbench_settings.cpp
     void on(const ChangeSettings& command);
+    // workbench_declaration.cpp
+    void on(const EditDeclaration& command);
+    void on(const SaveDeclaration&);
+    void on(const MakeExperiment& command);
     void on(const Undo&);
     void on(const Redo&);
     void on(const SetDampingFrequency& command);
@@ -243,6 +247,8 @@ private:
     void change_settings(const ChangeSettings& change);
     /// Sets the settings and everything that depends on them, without an undo entry.
     void set_settings(const Settings& settings);
+    /// Shows the scene with another declaration. Returns false, with a message, if that is not possible.
+    bool redeclare(const Declaration& declaration);  // workbench_declaration.cpp
     /// Computes the critical velocity force for the present settings.
     void check_stability();
     void choose_trial(int trial);  // workbench_view.cpp

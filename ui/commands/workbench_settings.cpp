@@ -34,6 +34,7 @@ void Workbench::change_settings(const ChangeSettings& change) {
 
 void Workbench::set_settings(const Settings& settings) {
     // All changes of the settings pass here: commands, undo, restored jobs and results of searches.
+    if (!(settings.declaration == state_.settings.declaration) && !redeclare(settings.declaration)) return;
     state_.settings = settings;
     state_.muscle = std::clamp(state_.muscle, 0, std::max(0, static_cast<int>(settings.muscles.size()) - 1));
     place_muscles();

@@ -91,6 +91,7 @@ struct WorkbenchState {
 
     std::vector<LogLine> log;                            // newest last; at most max_log_lines
     std::size_t logged = 0;                              // number of messages since the start
+    std::string refused;                                 // why the last edit of the declaration was refused
     std::optional<JobView> job;                          // the running job; empty: none
     std::vector<QueuedJob> queue;                        // waiting jobs in order
     std::vector<JobRecord> history;                      // ended jobs, newest last

@@ -17,7 +17,10 @@
 #include "panels/search_panel.hpp"
 #include "panels/signal_panel.hpp"
 #include "panels/summary_panel.hpp"
+#include "panels/support_panel.hpp"
 #include "panels/time_panel.hpp"
+#include "panels/trial_panel.hpp"
+#include "panels/unknown_panel.hpp"
 #include "panels/verdict_panel.hpp"
 
 namespace myo::ui::panels {
@@ -28,13 +31,16 @@ std::vector<std::unique_ptr<Panel>> all_panels() {
     const auto add = [&panels]<class T>(std::type_identity<T>) { panels.push_back(std::make_unique<T>()); };
     // Panels at the side, in the order of the tasks.
     add(std::type_identity<BodyPanel>());
+    add(std::type_identity<SupportPanel>());
     add(std::type_identity<MeshPanel>());
     add(std::type_identity<MaterialPanel>());
     add(std::type_identity<FibrePanel>());
+    add(std::type_identity<TrialPanel>());
     add(std::type_identity<TimePanel>());
     add(std::type_identity<RunPanel>());
     add(std::type_identity<MeasurePanel>());
     add(std::type_identity<ImportPanel>());
+    add(std::type_identity<UnknownPanel>());
     add(std::type_identity<FitPanel>());
     add(std::type_identity<VerdictPanel>());
     add(std::type_identity<ReportPanel>());

@@ -19,6 +19,18 @@ FileDialog open_dialog(const std::filesystem::path& start) {
     return dialog;
 }
 
+FileDialog experiment_dialog(const std::filesystem::path& mesh) {
+    FileDialog dialog;
+    dialog.title = "Make an experiment of this body, in a new folder";
+    dialog.button = "Make";
+    dialog.start = mesh;
+    dialog.new_name = mesh.stem().string() + "_experiment";
+    dialog.chosen = [](PanelContext& context, const std::filesystem::path& path) {
+        context.emit(commands::MakeExperiment{path});
+    };
+    return dialog;
+}
+
 FileDialog recording_dialog(const std::filesystem::path& start) {
     FileDialog dialog;
     dialog.title = "Import a recording of motion capture";

@@ -6,6 +6,8 @@ namespace myo::ui::panels {
 
 /// Dialog that opens an experiment, a mesh or a project. `start`: a folder, or a file in it.
 FileDialog open_dialog(const std::filesystem::path& start);
+/// Dialog that makes an experiment of the open mesh, in a new folder.
+FileDialog experiment_dialog(const std::filesystem::path& mesh);
 /// Dialog that chooses a motion capture file to import.
 FileDialog recording_dialog(const std::filesystem::path& start);
 /// Dialog that saves the project under a new name. Requires an open scene.

@@ -44,15 +44,8 @@ const std::vector<SettingField>& material_fields() {
     return fields;
 }
 
-/// A point in millimetres.
-std::string place_label(const Eigen::Vector3d& p) {
-    return plot::plain_label(1e3 * p.x(), 4) + ", " + plot::plain_label(1e3 * p.y(), 4) + ", " +
-           plot::plain_label(1e3 * p.z(), 4);
-}
-
 }  // namespace
 
-/// Material law and parameters can be edited; support and gravity are shown as the experiment declares them.
 void MaterialPanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     setting_choice(context, "Material", "model/material",
@@ -61,24 +54,6 @@ void MaterialPanel::draw(PanelContext& context) {
     draw_law_numbers(context);
     setting_rows(context, material_fields(), edit_);
     draw_preview_rows(context, preview_edit_);
-    if (!state.scene) return;
-    heading(context.theme, "Support");
-    if (state.scene->clamp_m) {
-        text_row(
-            context.theme, "Held inside",
-            place_label(state.scene->clamp_m->lowest) + "\nto " + place_label(state.scene->clamp_m->highest) + " mm");
-        tooltip(context.theme, "Material inside this box does not move. It is drawn in the view.");
-    } else {
-        muted_text(context.theme, "The body has no support.");
-    }
-    // Shown as a vector, as it need not act along an axis.
-    const double g = state.scene->gravity_m_s2.norm();
-    text_row(context.theme, "Gravity",
-             g > 0.0 ? plot::plain_label(state.scene->gravity_m_s2.x(), 3) + ", " +
-                           plot::plain_label(state.scene->gravity_m_s2.y(), 3) + ", " +
-                           plot::plain_label(state.scene->gravity_m_s2.z(), 3) + " m/s\xc2\xb2"
-                     : std::string("none"));
-    tooltip(context.theme, "Acceleration g [m/s²] of the trial's weight, f = M g, as the experiment declares it.");
     draw_effects(context);
 }
 

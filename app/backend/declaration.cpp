@@ -1,0 +1,110 @@
+#include "backend/declaration.hpp"
+
+#include <system_error>
+
+#include "backend/core_scene.hpp"
+#include "base/files.hpp"
+#include "experiment/check_body.hpp"
+#include "experiment/new_trial.hpp"
+#include "experiment/read_experiment.hpp"
+#include "toml/toml_edit.hpp"
+#include "toml/toml_text.hpp"
+
+namespace myo::backend {
+namespace {
+
+namespace fs = std::filesystem;
+using ui::commands::Declaration;
+
+fs::path declaration_file(const ui::commands::Scene& scene) {
+    std::error_code code;
+    return fs::is_directory(scene.path, code) ? scene.path / "experiment.toml" : scene.path;
+}
+
+/// The text with the edits, or as it was when the scene was opened.
+const std::string& text_of(const ui::commands::Scene& scene, const Declaration& declaration) {
+    return declaration.text ? *declaration.text : *source_of(scene).text;
+}
+
+/// A value and all that it holds, for comparison.
+std::string words(const toml::TomlValue& value) {
+    switch (value.kind) {
+        case toml::TomlValue::Kind::number: return toml::toml_number(value.number);
+        case toml::TomlValue::Kind::boolean: return value.truth ? "true" : "false";
+        case toml::TomlValue::Kind::array: return toml::toml_list(value.items, words);
+        case toml::TomlValue::Kind::table: {
+            std::string text = "{";
+            for (std::size_t i = 0; i < value.items.size(); ++i)
+                text += value.keys[i] + "=" + words(value.items[i]) + ",";
+            return text + "}";
+        }
+        default: return toml::toml_text(value.text);
+    }
+}
+
+/// What of a declaration changes the mesh.
+std::string mesh_words(const std::string& text) {
+    const Result<toml::TomlValue> document = toml::parse_toml(text, "");
+    std::string result;
+    if (!document) return result;
+    for (const char* key : {"geometry", "clamp", "part"})
+        if (const toml::TomlValue* value = document->find(key)) result += words(*value);
+    return result;
+}
+
+Result<std::string> with_edit(const std::string& text, const ui::commands::DeclarationEdit& edit) {
+    if (const auto* set = std::get_if<ui::commands::SetDeclared>(&edit))
+        return toml::with_value(text, set->path, set->value);
+    if (const auto* removed = std::get_if<ui::commands::RemoveDeclared>(&edit))
+        return toml::without(text, removed->path);
+    if (const auto* added = std::get_if<ui::commands::AppendDeclared>(&edit))
+        return toml::with_appended_table(text, added->array, added->body);
+    const auto& copied = std::get<ui::commands::DuplicateDeclared>(edit);
+    const Result<std::string> twice = toml::with_duplicated_table(text, copied.element);
+    if (!twice) return twice;
+    toml::TomlPath name = copied.element;
+    name.back() = std::get<std::size_t>(name.back()) + 1;
+    name.emplace_back("name");
+    return toml::with_value(*twice, name, toml::toml_text(copied.name));
+}
+
+}  // namespace
+
+Result<Declaration> edited_declaration(const ui::commands::Scene& scene, const Declaration& declaration,
+                                       const std::vector<ui::commands::DeclarationEdit>& edits) {
+    Result<std::string> text = text_of(scene, declaration);
+    for (const ui::commands::DeclarationEdit& edit : edits) {
+        text = with_edit(*text, edit);
+        if (!text) return text.error();
+    }
+    const fs::path file = declaration_file(scene);
+    const Result<experiment::Experiment> read = experiment::read_experiment_text(*text, file);
+    if (!read) return Error{read.error().what, ""};  // lines of a text that no file holds
+    if (const Result<void> fits = experiment::check_on_body(*read, source_of(scene).surface); !fits)
+        return Error{fits.error().what, ""};
+    Declaration result;
+    std::string edited_words = mesh_words(*text);
+    if (mesh_words(*source_of(scene).text) != edited_words) result.mesh_words = std::move(edited_words);
+    result.text = std::make_shared<const std::string>(std::move(*text));
+    return result;
+}
+
+Result<ui::commands::Scene> redeclared_scene(const ui::commands::Scene& scene, const Declaration& declaration,
+                                             const ui::commands::MeshedBody* body) {
+    const Result<experiment::Experiment> experiment = experiment::read_experiment_text(text_of(scene, declaration),
+                                                                                       declaration_file(scene));
+    if (!experiment) return experiment.error();
+    return scene_of(scene, *experiment, body);
+}
+
+Result<void> write_scene_declaration(const ui::commands::Scene& scene, const Declaration& declaration) {
+    return write_file(declaration_file(scene), text_of(scene, declaration));
+}
+
+Result<void> write_plain_scene(const fs::path& folder, const ui::commands::Scene& scene,
+                               const ui::commands::Settings& settings) {
+    return experiment::write_planned_experiment(folder, with_settings(source_of(scene).experiment, settings),
+                                                source_of(scene).surface);
+}
+
+}  // namespace myo::backend

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "toml/toml_path.hpp"
+
+namespace myo::ui::commands {
+
+/// Text of experiment.toml with the edits of the window. Compared by content.
+struct Declaration {
+    std::shared_ptr<const std::string> text;  // null: as it was opened
+    std::string mesh_words;                   // body, support and parts where they differ from those opened; else empty
+
+    bool operator==(const Declaration& other) const {
+        const bool same_text = text == other.text || (text && other.text && *text == *other.text);
+        return same_text && mesh_words == other.mesh_words;
+    }
+};
+
+/// Sets a value of the declaration, in TOML syntax.
+struct SetDeclared {
+    toml::TomlPath path;
+    std::string value;
+};
+/// Removes a key, a table or an element.
+struct RemoveDeclared {
+    toml::TomlPath path;
+};
+/// Appends an element to an array of tables.
+struct AppendDeclared {
+    toml::TomlPath array;
+    std::string body;  // lines "key = value"
+};
+/// Copies an element of an array of tables behind itself, under another name.
+struct DuplicateDeclared {
+    toml::TomlPath element;
+    std::string name;
+};
+/// One edit of a declaration.
+using DeclarationEdit = std::variant<SetDeclared, RemoveDeclared, AppendDeclared, DuplicateDeclared>;
+
+}  // namespace myo::ui::commands

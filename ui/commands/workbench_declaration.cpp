@@ -1,0 +1,84 @@
+#include <algorithm>
+#include <utility>
+
+#include "commands/workbench.hpp"
+
+// Edits of the experiment's declaration: support, gravity, loads, trials, unknown values.
+
+namespace myo::ui::commands {
+namespace {
+
+/// Whether results of one scene can be shown in the other: the same markers and trials, in the same order.
+bool same_shape(const Scene& a, const Scene& b) {
+    const auto same_name = [](const auto& x, const auto& y) { return x.name == y.name; };
+    return std::equal(a.markers.begin(), a.markers.end(), b.markers.begin(), b.markers.end(), same_name) &&
+           std::equal(a.trials.begin(), a.trials.end(), b.trials.begin(), b.trials.end(),
+                      [](const SceneTrial& x, const SceneTrial& y) {
+                          return x.name == y.name && x.time_s.size() == y.time_s.size();
+                      });
+}
+
+}  // namespace
+
+void Workbench::on(const EditDeclaration& c) {
+    if (!state_.scene || !state_.scene->is_experiment) return;
+    Result<Declaration> edited = backend_->edited(*state_.scene, state_.settings.declaration, c.edits);
+    state_.refused = edited ? "" : edited.error().text();
+    if (!edited) {
+        if (!c.goes_on) log_failure(edited.error(), "Not changed");
+        return;
+    }
+    Settings settings = state_.settings;
+    settings.declaration = std::move(*edited);
+    change_settings({std::move(settings), c.what, c.goes_on});
+}
+
+bool Workbench::redeclare(const Declaration& declaration) {
+    if (!state_.scene) return true;
+    Result<Scene> scene = backend_->redeclared(*state_.scene, declaration, state_.body.get());
+    if (!scene) {
+        state_.refused = scene.error().text();
+        log_failure(scene.error(), "Not changed");
+        return false;
+    }
+    if (!same_shape(*scene, *state_.scene)) {
+        if (request_) {
+            log(LogLevel::warning,
+                "\"" + request_->name + "\" is still running. Cancel it before trials or markers are changed.");
+            return false;
+        }
+        stop_preview();
+        state_.run.reset();
+        state_.found.reset();
+        state_.search.reset();
+        state_.diagnosis.reset();
+        state_.history.clear();
+    }
+    state_.scene = std::make_shared<const Scene>(std::move(*scene));
+    state_.marker = std::clamp(state_.marker, 0, std::max(0, static_cast<int>(state_.scene->markers.size()) - 1));
+    choose_trial(state_.trial);
+    return true;
+}
+
+void Workbench::on(const SaveDeclaration&) {
+    if (!state_.scene || !state_.scene->is_experiment) return;
+    const Result<void> written = backend_->write_declaration(*state_.scene, state_.settings.declaration);
+    if (written)
+        log(LogLevel::done, "Saved the experiment " + state_.scene->name + ".");
+    else
+        log_failure(written.error(), "Cannot save the experiment");
+}
+
+void Workbench::on(const MakeExperiment& c) {
+    if (!state_.scene || state_.scene->is_experiment) return;
+    const Result<void> written = backend_->write_plain_experiment(c.folder, *state_.scene, state_.settings);
+    if (!written) {
+        log_failure(written.error(), "Cannot make an experiment");
+        return;
+    }
+    // What was set on the mesh is in the experiment now.
+    state_.saved_settings = state_.settings;
+    open(c.folder, std::nullopt);
+}
+
+}  // namespace myo::ui::commands

@@ -1,0 +1,67 @@
+#include "panels/declared_rows.hpp"
+
+#include <utility>
+
+#include "toml/toml_text.hpp"
+
+namespace myo::ui::panels {
+namespace {
+
+struct EndBoxPolicy {
+    double depth = 0.01;   // of an end, over the length of the body: the layer of cells that a support holds
+    double margin = 0.01;  // around the body, over its length, so that rounding leaves nothing outside
+};
+constexpr EndBoxPolicy end_box_policy;
+
+void emit_value(PanelContext& context, const DeclaredPlace& place, const std::string& item, std::string text,
+                bool goes_on) {
+    context.emit(commands::EditDeclaration{{commands::SetDeclared{place.path, std::move(text)}}, item, goes_on});
+}
+
+}  // namespace
+
+void vector_rows(PanelContext& context, const DeclaredPlace& place, const std::string& label, const NumberField& field,
+                 NumberEdits& edits, const Eigen::Vector3d& value) {
+    for (Eigen::Index k = 0; k < 3; ++k) {
+        NumberField row = field;
+        const std::string axis = axis_names[static_cast<std::size_t>(k)];
+        row.label = label + " " + axis;
+        row.name = place.name + "/" + axis;
+        Eigen::Vector3d changed = value;
+        bool goes_on = false;
+        if (number_row(context, row, edits, changed(k), goes_on))
+            emit_value(context, place, row.name, toml::toml_vector(changed), goes_on);
+    }
+}
+
+void box_rows(PanelContext& context, const DeclaredPlace& place, NumberEdits& edits, const Box& value) {
+    for (Eigen::Index k = 0; k < 3; ++k)
+        for (const bool upper : {false, true}) {
+            const std::string axis = axis_names[static_cast<std::size_t>(k)];
+            const NumberField row{axis + (upper ? " to" : " from"),
+                                  place.name + "/" + axis + (upper ? "_to" : "_from"),
+                                  commands::Dimension::length,
+                                  "mm",
+                                  "Side of the box in the frame of the mesh [m].",
+                                  {-10.0, 10.0},
+                                  0.05};
+            Box changed = value;
+            bool goes_on = false;
+            if (number_row(context, row, edits, (upper ? changed.highest : changed.lowest)(k), goes_on))
+                emit_value(context, place, row.name, box_text(changed), goes_on);
+        }
+}
+
+std::string box_text(const Box& box) {
+    return "[" + toml::toml_vector(box.lowest) + ", " + toml::toml_vector(box.highest) + "]";
+}
+
+Box end_box(const Box& body, int axis, bool upper) {
+    const double length = body.size()(axis), margin = end_box_policy.margin * body.size().maxCoeff();
+    Box box{body.lowest.array() - margin, body.highest.array() + margin};
+    (upper ? box.lowest : box.highest)(axis) = upper ? body.highest(axis) - end_box_policy.depth * length
+                                                     : body.lowest(axis) + end_box_policy.depth * length;
+    return box;
+}
+
+}  // namespace myo::ui::panels

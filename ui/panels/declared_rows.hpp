@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <string>
+
+#include "base/box.hpp"
+#include "panels/number_field.hpp"
+
+// Rows that edit the experiment's declaration. An edit is emitted as EditDeclaration; the row's name is that of the
+// edit, for undo.
+
+namespace myo::ui::panels {
+
+/// A place where a number or vector of the declaration stands.
+struct DeclaredPlace {
+    toml::TomlPath path;
+    std::string name;  // item name for tests, without the coordinate
+};
+
+/// Three rows for a vector. `label`: "Force"; `field`: unit and limits of a component, its label and name are ignored.
+void vector_rows(PanelContext& context, const DeclaredPlace& place, const std::string& label, const NumberField& field,
+                 NumberEdits& edits, const Eigen::Vector3d& value);
+
+/// Six rows for the corners of a box [m], in mm.
+void box_rows(PanelContext& context, const DeclaredPlace& place, NumberEdits& edits, const Box& value);
+
+/// TOML text of a box.
+std::string box_text(const Box& box);
+
+/// Thin box at the end of the body along an axis, for a support or a load.
+///
+/// @param axis   0 to 2
+/// @param upper  the end with the larger coordinate
+Box end_box(const Box& body, int axis, bool upper);
+
+}  // namespace myo::ui::panels

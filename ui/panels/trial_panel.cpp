@@ -1,0 +1,189 @@
+#include "panels/trial_panel.hpp"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "mesh/surface_mesh.hpp"
+#include "panels/declared_rows.hpp"
+#include "platform/fonts.hpp"
+#include "toml/toml_text.hpp"
+
+namespace myo::ui::panels {
+namespace {
+
+/// Values of what is added, for the user to change: small enough for soft bodies of centimetres.
+struct NewTrialPolicy {
+    double duration_s = 1.0;
+    double force_N = 0.1;
+    double mass_kg = 0.01;
+};
+constexpr NewTrialPolicy new_trial_policy;
+
+std::size_t index_of(const commands::WorkbenchState& state) { return static_cast<std::size_t>(state.trial); }
+
+/// A name that no trial has.
+std::string free_name(const commands::Scene& scene, const std::string& wanted) {
+    const auto taken = [&](const std::string& name) {
+        return std::any_of(scene.trials.begin(), scene.trials.end(),
+                           [&](const commands::SceneTrial& trial) { return trial.name == name; });
+    };
+    std::string name = wanted;
+    for (int k = 2; taken(name); ++k) name = wanted + "_" + std::to_string(k);
+    return name;
+}
+
+/// The end of the body that is farther from its support, where loads usually act.
+Box far_end(const commands::Scene& scene) {
+    const Box body = mesh::bounding_box(scene.surface.vertices);
+    int axis = 0;
+    body.size().maxCoeff(&axis);
+    bool upper = true;
+    if (scene.clamp_m) {
+        const Eigen::Vector3d middle = 0.5 * (body.lowest + body.highest);
+        const Eigen::Vector3d held = 0.5 * (scene.clamp_m->lowest + scene.clamp_m->highest) - middle;
+        held.cwiseAbs().maxCoeff(&axis);
+        upper = held(axis) < 0.0;
+    }
+    return end_box(body, axis, upper);
+}
+
+}  // namespace
+
+void TrialPanel::draw(PanelContext& context) {
+    draw_list(context);
+    draw_trial(context);
+    draw_loads(context);
+    if (!context.state.refused.empty()) notice(context.theme, commands::LogLevel::warning, context.state.refused);
+}
+
+void TrialPanel::draw_list(PanelContext& context) {
+    const commands::Scene& scene = *context.state.scene;
+    std::vector<commands::Choice> choices;
+    for (const commands::SceneTrial& trial : scene.trials)
+        choices.push_back({trial.name, trial.name + " (" + trial.role + ")", ""});
+    std::string chosen = scene.trials[index_of(context.state)].name;
+    if (choice_row(context, "Trial", "trial/shown", "The trial that is shown, and edited below.", choices, chosen))
+        for (std::size_t t = 0; t < scene.trials.size(); ++t)
+            if (scene.trials[t].name == chosen) context.emit(commands::ChooseTrial{static_cast<int>(t)});
+    const float third = (ImGui::GetContentRegionAvail().x - 2.0f * ImGui::GetStyle().ItemSpacing.x) / 3.0f;
+    if (ImGui::Button("Add", {third, 0.0f})) {
+        context.emit(commands::EditDeclaration{
+            {commands::AppendDeclared{{"trial"},
+                                      "name = " + toml::toml_text(free_name(scene, "planned")) +
+                                          "\nrole = \"simulate\"\nduration_s = " +
+                                          toml::toml_number(new_trial_policy.duration_s) + "\nstart = \"straight\"\n"}},
+            "trial/add"});
+        context.emit(commands::ChooseTrial{static_cast<int>(scene.trials.size())});
+    }
+    context.items.mark("trial/add");
+    tooltip(context.theme, "Adds a trial without a recording, which is only simulated.");
+    ImGui::SameLine();
+    if (ImGui::Button("Duplicate", {third, 0.0f}))
+        context.emit(commands::EditDeclaration{
+            {commands::DuplicateDeclared{{"trial", index_of(context.state)}, free_name(scene, chosen)}},
+            "trial/duplicate"});
+    context.items.mark("trial/duplicate");
+    ImGui::SameLine();
+    ImGui::BeginDisabled(scene.trials.size() < 2);
+    if (ImGui::Button("Remove", {third, 0.0f}))
+        context.emit(
+            commands::EditDeclaration{{commands::RemoveDeclared{{"trial", index_of(context.state)}}}, "trial/remove"});
+    ImGui::EndDisabled();
+    context.items.mark("trial/remove");
+    tooltip(context.theme, "Removes the shown trial from the experiment. Its recording stays on the disk.");
+}
+
+void TrialPanel::draw_trial(PanelContext& context) {
+    const commands::SceneTrial& trial = context.state.scene->trials[index_of(context.state)];
+    const toml::TomlPath path{"trial", index_of(context.state)};
+    const auto inside = [&](const char* key) {
+        toml::TomlPath place = path;
+        place.emplace_back(key);
+        return place;
+    };
+    row_label(context.theme, "Name", "Names the trial's results.");
+    const bool mine = named_trial_ == context.state.trial;
+    std::string name = mine ? typed_name_ : trial.name;
+    if (ImGui::InputText("##trial_name", &name)) typed_name_ = name, named_trial_ = context.state.trial;
+    context.items.mark("trial/name");
+    if (ImGui::IsItemDeactivatedAfterEdit() && name != trial.name)
+        context.emit(
+            commands::EditDeclaration{{commands::SetDeclared{inside("name"), toml::toml_text(name)}}, "trial/name"});
+    if (!ImGui::IsItemActive()) named_trial_ = -1;
+    if (!(trial.duration_s > 0.0)) return;
+    double duration_s = trial.duration_s;
+    bool goes_on = false;
+    const NumberField field{"Duration",
+                            "trial/duration",
+                            commands::Dimension::time,
+                            "s",
+                            "Simulated time of a trial without a recording [s].",
+                            {0.01, 3600.0},
+                            0.01};
+    if (number_row(context, field, edits_, duration_s, goes_on))
+        context.emit(commands::EditDeclaration{
+            {commands::SetDeclared{inside("duration_s"), toml::toml_number(duration_s)}}, field.name, goes_on});
+}
+
+void TrialPanel::draw_loads(PanelContext& context) {
+    const commands::Scene& scene = *context.state.scene;
+    const commands::SceneTrial& trial = scene.trials[index_of(context.state)];
+    heading(context.theme, "Loads");
+    if (trial.loads.empty()) muted_text(context.theme, "The weight of the body alone acts in this trial.");
+    for (std::size_t l = 0; l < trial.loads.size(); ++l) {
+        const commands::SceneLoad& load = trial.loads[l];
+        const std::string item = "trial/load/" + std::to_string(l);
+        const toml::TomlPath path{"trial", index_of(context.state), "load", l};
+        const auto inside = [&](const char* key) {
+            toml::TomlPath place = path;
+            place.emplace_back(key);
+            return place;
+        };
+        ImGui::PushID(static_cast<int>(l));
+        const float button = ImGui::GetFrameHeight();
+        row_label(context.theme, load.is_mass ? "Mass" : "Force",
+                  load.is_mass ? "A mass glued to the surface: weight and inertia." : "A force of fixed direction.");
+        ImGui::TextUnformatted(("load " + std::to_string(l + 1)).c_str());
+        ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - button);
+        if (ImGui::Button(platform::icon::remove, {button, 0.0f}))
+            context.emit(commands::EditDeclaration{{commands::RemoveDeclared{path}}, item + "/remove"});
+        context.items.mark(item + "/remove");
+        tooltip(context.theme, "Remove the load");
+        if (load.is_mass) {
+            double mass_kg = load.mass_kg;
+            bool goes_on = false;
+            const NumberField field{
+                "Amount", item + "/mass", commands::Dimension::mass, "g", "Mass [kg].", {0.0, 100.0}, 0.1};
+            if (number_row(context, field, edits_, mass_kg, goes_on))
+                context.emit(commands::EditDeclaration{
+                    {commands::SetDeclared{inside("mass_kg"), toml::toml_number(mass_kg)}}, field.name, goes_on});
+        } else {
+            const NumberField field{"",          "",   commands::Dimension::force, "N", "Component of the force [N].",
+                                    {-1e4, 1e4}, 0.005};
+            vector_rows(context, {inside("force_N"), item + "/force"}, "F", field, edits_, load.force_N);
+        }
+        box_rows(context, {inside("box_m"), item + "/box"}, edits_, load.box_m);
+        ImGui::PopID();
+    }
+    const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2.0f;
+    const toml::TomlPath array{"trial", index_of(context.state), "load"};
+    const std::string box = "box_m = " + box_text(far_end(scene)) + "\n";
+    if (ImGui::Button("Add a force", {half, 0.0f}))
+        context.emit(commands::EditDeclaration{
+            {commands::AppendDeclared{array, "kind = \"force\"\n" + box + "force_N = " +
+                                                 toml::toml_vector({0.0, 0.0, -new_trial_policy.force_N}) + "\n"}},
+            "trial/add_force"});
+    context.items.mark("trial/add_force");
+    tooltip(context.theme, "Spread by area over the surface in a box, at first the free end of the body.");
+    ImGui::SameLine();
+    if (ImGui::Button("Add a mass", {half, 0.0f}))
+        context.emit(commands::EditDeclaration{
+            {commands::AppendDeclared{
+                array, "kind = \"mass\"\n" + box + "mass_kg = " + toml::toml_number(new_trial_policy.mass_kg) + "\n"}},
+            "trial/add_mass"});
+    context.items.mark("trial/add_mass");
+}
+
+}  // namespace myo::ui::panels

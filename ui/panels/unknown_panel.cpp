@@ -1,0 +1,51 @@
+#include "panels/unknown_panel.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "toml/toml_text.hpp"
+
+namespace myo::ui::panels {
+namespace {
+
+struct Unknown {
+    const char* id;  // in material.calibrate
+    const char* label;
+    const char* tip;
+};
+constexpr std::array<Unknown, 3> unknowns{
+    {{"youngs_modulus", "Young's modulus E", "Found within the tolerance that the experiment declares."},
+     {"damping", "Damping \xcf\x84", "Kelvin\xe2\x80\x93Voigt time of the material."},
+     {"actuation_level", "Levels of the actuation", "Levels that trials declare as \"free\"."}}};
+
+}  // namespace
+
+void UnknownPanel::draw(PanelContext& context) {
+    const std::vector<std::string>& declared = context.state.scene->unknowns;
+    for (const Unknown& unknown : unknowns) {
+        const auto found = std::find(declared.begin(), declared.end(), unknown.id);
+        bool sought = found != declared.end();
+        if (ImGui::Checkbox(unknown.label, &sought)) {
+            std::vector<std::string> wanted = declared;
+            if (sought)
+                wanted.emplace_back(unknown.id);
+            else
+                wanted.erase(wanted.begin() + (found - declared.begin()));
+            std::vector<commands::DeclarationEdit> edits{
+                commands::SetDeclared{{"material", "calibrate"}, toml::toml_list(wanted, toml::toml_text)}};
+            // A damping that is not sought is known: the one that the window shows.
+            if (!sought && unknown.id == std::string("damping"))
+                edits.push_back(commands::SetDeclared{{"material", "damping_s"},
+                                                      toml::toml_number(context.state.settings.damping_s)});
+            context.emit(commands::EditDeclaration{std::move(edits), std::string("unknown/") + unknown.id});
+        }
+        context.items.mark(std::string("unknown/") + unknown.id);
+        tooltip(context.theme, unknown.tip);
+    }
+    if (!context.state.refused.empty()) notice(context.theme, commands::LogLevel::warning, context.state.refused);
+}
+
+}  // namespace myo::ui::panels
