@@ -59,8 +59,8 @@ Experiment read_document(const toml::TomlValue& root, const fs::path& folder) {
     experiment.sensors = read_sensors(document);
     experiment.limits = read_limits(document);
     experiment.registration = read_registration(document, experiment.warnings);
-    experiment.markers = read_markers(document);
     experiment.trials = read_trials(document, folder);
+    experiment.markers = read_markers(document, has_recordings(experiment));
     experiment.effects = read_effects(document);
     check_declarations(experiment);
     // A box is complete without further files; an STL is checked when its triangles are read.

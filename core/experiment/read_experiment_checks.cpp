@@ -183,8 +183,6 @@ void check_trials(Experiment& experiment) {
     };
     if (any_of_role(TrialRole::validate) && !any_of_role(TrialRole::fit))
         fail(experiment, "trial[0].role", "all recorded trials are \"validate\"; at least one needs role = \"fit\"");
-    if (has_recordings(experiment) && experiment.markers.on_body.empty())
-        fail(experiment, "markers.rest_m", "at least one marker is needed for the recordings");
     if (!any_free && contains(experiment.material.calibrate, "actuation_level"))
         experiment.warnings.push_back(
             "material.calibrate: \"actuation_level\" has no effect, no trial has a level \"free\"");

@@ -34,8 +34,8 @@ void read_labels(const toml::TomlReader& markers, MarkersDeclaration& declared) 
 
 }  // namespace
 
-MarkersDeclaration read_markers(const toml::TomlReader& document) {
-    if (!document.has("markers")) return {};
+MarkersDeclaration read_markers(const toml::TomlReader& document, bool recorded) {
+    if (!recorded && !document.has("markers")) return {};
     const toml::TomlReader markers = document.table(
         "markers", {"noise_m", "max_standoff_m", "placement_m", "compare", "rest_m", "fixed_m", "labels"});
     MarkersDeclaration declared;
@@ -45,7 +45,8 @@ MarkersDeclaration read_markers(const toml::TomlReader& document) {
     if (markers.has("compare"))
         declared.compare = markers.choice<Comparison>(
             "compare", {{"position", Comparison::position}, {"displacement", Comparison::displacement}});
-    if (markers.has("rest_m")) declared.on_body = read_positions(markers, "rest_m");
+    if (recorded || markers.has("rest_m")) declared.on_body = read_positions(markers, "rest_m");
+    if (recorded && declared.on_body.empty()) markers.fail("rest_m", "at least one marker is needed");
     if (markers.has("fixed_m")) declared.fixed = read_positions(markers, "fixed_m");
     if (markers.has("labels")) read_labels(markers, declared);
     return declared;

@@ -44,7 +44,9 @@ LimitsDeclaration read_limits(const toml::TomlReader& document);
 /// @param warnings  receives a sentence for each limit that is ignored
 RegistrationDeclaration read_registration(const toml::TomlReader& document, std::vector<std::string>& warnings);
 /// [markers]: rest positions on the body, fixed markers and recorded labels.
-MarkersDeclaration read_markers(const toml::TomlReader& document);
+///
+/// @param recorded  a trial has a recording, so that at least one marker is needed
+MarkersDeclaration read_markers(const toml::TomlReader& document, bool recorded);
 /// [[trial]]: at least one; a trace is opened only if its format is not declared.
 std::vector<TrialDeclaration> read_trials(const toml::TomlReader& document, const std::filesystem::path& folder);
 /// Start and commands of a trial: hold, start, actuation, actuation_step, constants per actuator, sensors.
