@@ -327,6 +327,7 @@ Result<ui::commands::SearchResult> calibrate_scene(const ui::commands::Scene& sc
                                                    const ui::commands::Backend::LiveSearch& live) {
     Result<setup::Setup> setup = setup_to_fit(scene, body, settings, progress);
     if (!setup) return setup.error();
+    if (const Result<void> fit = prediction::require_fit_trial(*setup); !fit) return fit.error();
     const std::vector<prediction::ModelParameter> parameters = prediction::free_parameters(*setup);
     const prediction::ParameterValues declared = prediction::declared_values(*setup);
     ui::commands::SearchView view;

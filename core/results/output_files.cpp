@@ -146,7 +146,7 @@ std::vector<fs::path> files_read(const fs::path& declared, const experiment::Exp
     for (const experiment::PartDeclaration& part : experiment.parts)
         if (const auto* file = std::get_if<fs::path>(&part.place)) files.push_back(*file);
     for (const experiment::TrialDeclaration& trial : experiment.trials) {
-        files.push_back(trial.trace);
+        if (!trial.trace.empty()) files.push_back(trial.trace);
         if (trial.actuation) files.push_back(*trial.actuation);
         if (trial.sensors) files.push_back(*trial.sensors);
     }

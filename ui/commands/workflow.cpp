@@ -12,7 +12,7 @@ namespace {
 /// Whether any trial has measured markers.
 bool is_measured(const Scene& scene) {
     for (const SceneTrial& trial : scene.trials)
-        if (!trial.measured.empty()) return true;
+        if (trial.role != "simulate" && !trial.measured.empty()) return true;
     return false;
 }
 
