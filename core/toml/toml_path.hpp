@@ -27,7 +27,7 @@ TomlPath first_steps(const TomlPath& path, std::size_t count);
 
 /// Value at a path; null if absent.
 TomlValue* find_at(TomlValue& document, const TomlPath& path);
-/// The same for a constant document.
+/// find_at() in a constant document.
 const TomlValue* find_at(const TomlValue& document, const TomlPath& path);
 
 /// Sets a value. Missing tables and arrays are created; an index one past the end appends an element.

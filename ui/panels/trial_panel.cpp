@@ -23,6 +23,11 @@ constexpr NewTrialPolicy new_trial_policy;
 
 std::size_t index_of(const commands::WorkbenchState& state) { return static_cast<std::size_t>(state.trial); }
 
+toml::TomlPath inside(toml::TomlPath table, const char* key) {
+    table.emplace_back(key);
+    return table;
+}
+
 /// A name that no trial has.
 std::string free_name(const commands::Scene& scene, const std::string& wanted) {
     const auto taken = [&](const std::string& name) {
@@ -98,19 +103,14 @@ void TrialPanel::draw_list(PanelContext& context) {
 void TrialPanel::draw_trial(PanelContext& context) {
     const commands::SceneTrial& trial = context.state.scene->trials[index_of(context.state)];
     const toml::TomlPath path{"trial", index_of(context.state)};
-    const auto inside = [&](const char* key) {
-        toml::TomlPath place = path;
-        place.emplace_back(key);
-        return place;
-    };
     row_label(context.theme, "Name", "Names the trial's results.");
     const bool mine = named_trial_ == context.state.trial;
     std::string name = mine ? typed_name_ : trial.name;
     if (ImGui::InputText("##trial_name", &name)) typed_name_ = name, named_trial_ = context.state.trial;
     context.items.mark("trial/name");
     if (ImGui::IsItemDeactivatedAfterEdit() && name != trial.name)
-        context.emit(
-            commands::EditDeclaration{{commands::SetDeclared{inside("name"), toml::toml_text(name)}}, "trial/name"});
+        context.emit(commands::EditDeclaration{{commands::SetDeclared{inside(path, "name"), toml::toml_text(name)}},
+                                               "trial/name"});
     if (!ImGui::IsItemActive()) named_trial_ = -1;
     if (!(trial.duration_s > 0.0)) return;
     double duration_s = trial.duration_s;
@@ -124,7 +124,7 @@ void TrialPanel::draw_trial(PanelContext& context) {
                             0.01};
     if (number_row(context, field, edits_, duration_s, goes_on))
         context.emit(commands::EditDeclaration{
-            {commands::SetDeclared{inside("duration_s"), toml::toml_number(duration_s)}}, field.name, goes_on});
+            {commands::SetDeclared{inside(path, "duration_s"), toml::toml_number(duration_s)}}, field.name, goes_on});
 }
 
 void TrialPanel::draw_loads(PanelContext& context) {
@@ -136,11 +136,6 @@ void TrialPanel::draw_loads(PanelContext& context) {
         const commands::SceneLoad& load = trial.loads[l];
         const std::string item = "trial/load/" + std::to_string(l);
         const toml::TomlPath path{"trial", index_of(context.state), "load", l};
-        const auto inside = [&](const char* key) {
-            toml::TomlPath place = path;
-            place.emplace_back(key);
-            return place;
-        };
         ImGui::PushID(static_cast<int>(l));
         const float button = ImGui::GetFrameHeight();
         row_label(context.theme, load.is_mass ? "Mass" : "Force",
@@ -158,13 +153,13 @@ void TrialPanel::draw_loads(PanelContext& context) {
                 "Amount", item + "/mass", commands::Dimension::mass, "g", "Mass [kg].", {0.0, 100.0}, 0.1};
             if (number_row(context, field, edits_, mass_kg, goes_on))
                 context.emit(commands::EditDeclaration{
-                    {commands::SetDeclared{inside("mass_kg"), toml::toml_number(mass_kg)}}, field.name, goes_on});
+                    {commands::SetDeclared{inside(path, "mass_kg"), toml::toml_number(mass_kg)}}, field.name, goes_on});
         } else {
             const NumberField field{"",          "",   commands::Dimension::force, "N", "Component of the force [N].",
                                     {-1e4, 1e4}, 0.005};
-            vector_rows(context, {inside("force_N"), item + "/force"}, "F", field, edits_, load.force_N);
+            vector_rows(context, {inside(path, "force_N"), item + "/force"}, "F", field, edits_, load.force_N);
         }
-        box_rows(context, {inside("box_m"), item + "/box"}, edits_, load.box_m);
+        box_rows(context, {inside(path, "box_m"), item + "/box"}, edits_, load.box_m);
         ImGui::PopID();
     }
     const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2.0f;
