@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <system_error>
 
 #include "backend/body_actuators.hpp"
 #include "backend/check_rows.hpp"
@@ -93,8 +94,8 @@ void fill_from_setup(const setup::Setup& setup, ui::commands::Scene& scene) {
     for (const experiment::MarkerDeclaration& marker : experiment.markers.on_body)
         scene.markers.push_back({marker.name, marker.rest_m});
     for (const setup::PreparedTrial& trial : setup.trials) {
-        ui::commands::SceneTrial shown{
-            trial.name, to_string(trial.role), trial.measured.time_s, {}, {}, shown_commands(setup, trial), {}, {}};
+        ui::commands::SceneTrial shown{trial.name, to_string(trial.role),       trial.measured.time_s, {},
+                                       {},         shown_commands(setup, trial)};
         const experiment::TrialDeclaration& declared = experiment.trials[scene.trials.size()];
         shown.duration_s = declared.duration_s;
         for (const experiment::LoadDeclaration& load : declared.loads)
@@ -132,6 +133,11 @@ bool is_mesh_file(const fs::path& path) { return has_ending(path, surface_ending
 bool is_experiment(const fs::path& path) {
     std::error_code code;
     return fs::is_directory(path, code) || path.extension() == ".toml";
+}
+
+fs::path declaration_file(const fs::path& path) {
+    std::error_code code;
+    return fs::is_directory(path, code) ? path / "experiment.toml" : path;
 }
 
 const SceneSource& source_of(const ui::commands::Scene& scene) {
@@ -210,7 +216,7 @@ void show_setup(const setup::Setup& setup, std::shared_ptr<const setup::BodyMesh
 Result<ui::commands::Scene> open_experiment(const fs::path& path, const Progress& progress) {
     const Result<experiment::Experiment> experiment = experiment::read_experiment(path);
     if (!experiment) return experiment.error();
-    Result<std::string> text = read_file(fs::is_directory(path) ? path / "experiment.toml" : path);
+    Result<std::string> text = read_file(declaration_file(path));
     if (!text) return text.error();
     setup::SetupSettings settings;
     settings.threads = hardware_threads();

@@ -51,6 +51,8 @@ bool is_experiment(const std::filesystem::path& path);
 bool is_mesh_file(const std::filesystem::path& path);
 bool is_volume_file(const std::filesystem::path& path);
 
+/// File of an experiment that is opened by its folder or by the file itself.
+std::filesystem::path declaration_file(const std::filesystem::path& path);
 /// Opens an experiment as a scene. Errors: those of read_experiment() and prepare_setup().
 Result<ui::commands::Scene> open_experiment(const std::filesystem::path& path, const Progress& progress);
 /// An opened scene with another experiment of the same body; its settings stay. The shown mesh, or that of the scene,

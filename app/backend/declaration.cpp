@@ -1,10 +1,7 @@
 #include "backend/declaration.hpp"
 
-#include <system_error>
-
 #include "backend/core_scene.hpp"
 #include "base/files.hpp"
-#include "experiment/check_body.hpp"
 #include "experiment/new_trial.hpp"
 #include "experiment/read_experiment.hpp"
 #include "toml/toml_edit.hpp"
@@ -15,11 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using ui::commands::Declaration;
-
-fs::path declaration_file(const ui::commands::Scene& scene) {
-    std::error_code code;
-    return fs::is_directory(scene.path, code) ? scene.path / "experiment.toml" : scene.path;
-}
 
 /// The text with the edits, or as it was when the scene was opened.
 const std::string& text_of(const ui::commands::Scene& scene, const Declaration& declaration) {
@@ -77,11 +69,6 @@ Result<Declaration> edited_declaration(const ui::commands::Scene& scene, const D
         text = with_edit(*text, edit);
         if (!text) return text.error();
     }
-    const fs::path file = declaration_file(scene);
-    const Result<experiment::Experiment> read = experiment::read_experiment_text(*text, file);
-    if (!read) return Error{read.error().what, ""};  // lines of a text that no file holds
-    if (const Result<void> fits = experiment::check_on_body(*read, source_of(scene).surface); !fits)
-        return Error{fits.error().what, ""};
     Declaration result;
     std::string edited_words = mesh_words(*text);
     if (mesh_words(*source_of(scene).text) != edited_words) result.mesh_words = std::move(edited_words);
@@ -92,13 +79,15 @@ Result<Declaration> edited_declaration(const ui::commands::Scene& scene, const D
 Result<ui::commands::Scene> redeclared_scene(const ui::commands::Scene& scene, const Declaration& declaration,
                                              const ui::commands::MeshedBody* body) {
     const Result<experiment::Experiment> experiment = experiment::read_experiment_text(text_of(scene, declaration),
-                                                                                       declaration_file(scene));
-    if (!experiment) return experiment.error();
-    return scene_of(scene, *experiment, body);
+                                                                                       declaration_file(scene.path));
+    if (!experiment) return Error{experiment.error().what, ""};  // the line is one of a text that no file holds
+    Result<ui::commands::Scene> result = scene_of(scene, *experiment, body);
+    if (!result) return Error{result.error().what, ""};
+    return result;
 }
 
 Result<void> write_scene_declaration(const ui::commands::Scene& scene, const Declaration& declaration) {
-    return write_file(declaration_file(scene), text_of(scene, declaration));
+    return write_file(declaration_file(scene.path), text_of(scene, declaration));
 }
 
 Result<void> write_plain_scene(const fs::path& folder, const ui::commands::Scene& scene,

@@ -224,8 +224,8 @@ public:
     virtual Result<Scene> open(const std::filesystem::path& path, std::optional<double> metres_per_unit,
                                const Progress& progress) = 0;
 
-    /// Applies edits to the declaration of an experiment and checks the result without its recordings. Takes some
-    /// milliseconds; called on the UI thread.
+    /// Applies edits to the declaration of an experiment. Whether the result is an experiment, redeclared() says.
+    /// Quick.
     virtual Result<Declaration> edited(const Scene& scene, const Declaration& declaration,
                                        const std::vector<DeclarationEdit>& edits) const = 0;
     /// The scene with another declaration; its settings stay. Reads the recordings of the trials. Called on the UI

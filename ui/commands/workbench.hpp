@@ -245,8 +245,11 @@ private:
     // Settings: workbench_settings.cpp.
     /// Applies an edit of the user, with an undo entry.
     void change_settings(const ChangeSettings& change);
-    /// Sets the settings and everything that depends on them, without an undo entry.
-    void set_settings(const Settings& settings);
+    /// Sets the settings and everything that depends on them, without an undo entry. Returns false, with a message, and
+    /// changes nothing if their declaration cannot be shown.
+    bool set_settings(const Settings& settings);
+    /// Says why an edit of the declaration was refused.
+    void refuse(const Error& error);  // workbench_declaration.cpp
     /// Shows the scene with another declaration. Returns false, with a message, if that is not possible.
     bool redeclare(const Declaration& declaration);  // workbench_declaration.cpp
     /// Computes the critical velocity force for the present settings.

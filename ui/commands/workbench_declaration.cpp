@@ -23,9 +23,8 @@ bool same_shape(const Scene& a, const Scene& b) {
 void Workbench::on(const EditDeclaration& c) {
     if (!state_.scene || !state_.scene->is_experiment) return;
     Result<Declaration> edited = backend_->edited(*state_.scene, state_.settings.declaration, c.edits);
-    state_.refused = edited ? "" : edited.error().text();
     if (!edited) {
-        if (!c.goes_on) log_failure(edited.error(), "Not changed");
+        refuse(edited.error());
         return;
     }
     Settings settings = state_.settings;
@@ -33,12 +32,16 @@ void Workbench::on(const EditDeclaration& c) {
     change_settings({std::move(settings), c.what, c.goes_on});
 }
 
+void Workbench::refuse(const Error& error) {
+    state_.refused = error.text();
+    log_failure(error, "Not changed");
+}
+
 bool Workbench::redeclare(const Declaration& declaration) {
     if (!state_.scene) return true;
     Result<Scene> scene = backend_->redeclared(*state_.scene, declaration, state_.body.get());
     if (!scene) {
-        state_.refused = scene.error().text();
-        log_failure(scene.error(), "Not changed");
+        refuse(scene.error());
         return false;
     }
     if (!same_shape(*scene, *state_.scene)) {
@@ -54,6 +57,7 @@ bool Workbench::redeclare(const Declaration& declaration) {
         state_.diagnosis.reset();
         state_.history.clear();
     }
+    state_.refused.clear();
     state_.scene = std::make_shared<const Scene>(std::move(*scene));
     state_.marker = std::clamp(state_.marker, 0, std::max(0, static_cast<int>(state_.scene->markers.size()) - 1));
     choose_trial(state_.trial);

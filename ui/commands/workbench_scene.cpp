@@ -80,6 +80,7 @@ void Workbench::forget_scene() {
     state_.view.clip = {};
     state_.history.clear();
     state_.candidate.clear();
+    state_.refused.clear();
     state_.muscle = 0;
 }
 

@@ -28,13 +28,13 @@ void Workbench::change_settings(const ChangeSettings& change) {
     const bool given_back = settings.own_step != state_.settings.own_step;
     if (settings.time_step_s != state_.settings.time_step_s && !given_back) settings.own_step = true;
     if (settings == state_.settings) return;
-    undo_.record(state_.settings, change.what, change.goes_on);
-    set_settings(settings);
+    const Settings before = state_.settings;
+    if (set_settings(settings)) undo_.record(before, change.what, change.goes_on);
 }
 
-void Workbench::set_settings(const Settings& settings) {
+bool Workbench::set_settings(const Settings& settings) {
     // All changes of the settings pass here: commands, undo, restored jobs and results of searches.
-    if (!(settings.declaration == state_.settings.declaration) && !redeclare(settings.declaration)) return;
+    if (!(settings.declaration == state_.settings.declaration) && !redeclare(settings.declaration)) return false;
     state_.settings = settings;
     state_.muscle = std::clamp(state_.muscle, 0, std::max(0, static_cast<int>(settings.muscles.size()) - 1));
     place_muscles();
@@ -42,6 +42,7 @@ void Workbench::set_settings(const Settings& settings) {
     if (state_.scene)
         state_.prediction = no_smaller_than_coarser(backend_->predict(*state_.scene, settings), state_, settings);
     want_preview();
+    return true;
 }
 
 void Workbench::check_stability() {
