@@ -9,7 +9,6 @@
 namespace myo::toml {
 namespace {
 
-using testing::HasSubstr;
 using testing::StartsWith;
 
 /// The edited text, or the error's text.
