@@ -36,6 +36,8 @@ BenchCase bench_locking();
 BenchCase bench_converged();
 /// Calibration of many static poses.
 BenchCase bench_holds();
+/// Playing live while a hand pulls.
+BenchCase bench_live();
 /// A slender bar against beam theory.
 BenchCase bench_accuracy();
 /// Default meshes against an independent program.

@@ -5,14 +5,12 @@
 #include <optional>
 #include <utility>
 
-#include "dynamics/creep.hpp"
-#include "dynamics/energy.hpp"
-#include "dynamics/extrapolation.hpp"
+#include "dynamics/energy_gain.hpp"
 #include "dynamics/run_advice.hpp"
 #include "dynamics/softening.hpp"
 #include "dynamics/start_state.hpp"
 #include "dynamics/step_grid.hpp"
-#include "dynamics/undeformed.hpp"
+#include "dynamics/stepper.hpp"
 
 namespace myo::dynamics {
 namespace {
@@ -31,28 +29,6 @@ struct SimulatePolicy {
 };
 constexpr SimulatePolicy simulate_policy;
 
-/// Whether the energy gained in a step exceeds what loads, muscles and velocity force supply by more than 2 % of the
-/// energy that is in motion. Only checked if these are constant over the step. Softening dissipates between steps;
-/// therefore the stiffness of this step is used at both ends.
-bool gains_energy(const StageSolver& solver, const Kinematics& from, const Kinematics& to, double from_s, double to_s) {
-    const model::Model& model = solver.model();
-    if (model.velocity_force_1_s > 0.0 ||
-        model::activations(model, 0.5 * (from_s + to_s)) != model::activations(model, to_s, true))
-        return false;
-    for (const model::ForceElementPointer& element : model.force_elements)
-        if (!element->steady(from_s, to_s)) return false;
-    const auto energy_at = [&](const Kinematics& s) {
-        Energy result = energy(model, solver.stiffness(), solver.mass(0.5 * (from_s + to_s)), s.x, s.v, to_s, true);
-        if (model.creep) result.internal_J += branch_energy(model, s.x, s.strain);
-        return result;
-    };
-    const Energy before = energy_at(from), after = energy_at(to);
-    const double moved = before.kinetic_J + after.kinetic_J + std::abs(after.internal_J - before.internal_J);
-    // A body at rest moves within the solver tolerance, which is no gain of energy.
-    const double noise = 1e-9 * (std::abs(before.internal_J) + std::abs(before.work_J));
-    return after.total_J() - before.total_J() > 0.02 * moved + noise;  // false if an energy is NaN
-}
-
 /// State of a run in progress.
 class Run {
 public:
@@ -61,6 +37,7 @@ public:
           options_(options),
           part_(part),
           observer_(observer),
+          stepper_(solver, options.warm_start, options.h_s, static_cast<bool>(observer.stepped)),
           jumps_(model::jump_times(solver.model())) {
         if (options.keep_path) trace_.path = std::make_shared<StagePath>();
     }
@@ -80,7 +57,7 @@ public:
                     return ended(RunStatus::failed, "at t = " + std::to_string(point_.time_s) +
                                                         " s the run has taken more than " +
                                                         std::to_string(options_.max_iterations) + " iterations");
-                Step step = take_step_to(goals.back(), goals.back() == end && is_jump(jumps_, end, options_.h_s));
+                SolvedStep step = take_step_to(goals.back(), goals.back() == end && is_jump(jumps_, end, options_.h_s));
                 const double h = goals.back() - point_.time_s;
                 if (h > 1.5 * least && (!step.taken || (!step.resolved && gains_energy(solver_, point_.state, step.next,
                                                                                        point_.time_s, goals.back())))) {
@@ -103,18 +80,6 @@ public:
     }
 
 private:
-    /// A step as it was solved.
-    struct Step {
-        TimeScheme scheme;
-        double end_s = 0.0;
-        bool jump_at_end = false;
-        std::vector<SolvedStage> solved;
-        StageReport last;
-        bool resolved = true;  // all stage solutions were close to the extrapolated motion
-        bool taken = false;
-        Kinematics next;
-    };
-
     const model::Model& model() const { return solver_.model(); }
 
     Trace ended(RunStatus status, const std::string& message) {
@@ -136,18 +101,7 @@ private:
         trace_.path->positions.push_back(x);
     }
 
-    /// Discards the prediction history: the past motion does not continue smoothly.
-    void restart_prediction() {
-        past_.restart(point_.time_s, point_.state.x);
-        difference_.clear();
-        if (const Matrix3Xd* similar = similar_at(point_.time_s))
-            difference_.add(point_.time_s, point_.state.x - *similar);
-    }
-
-    /// Stage solution of the similar run at this time; null if there is none.
-    const Matrix3Xd* similar_at(double time_s) const {
-        return options_.warm_start ? options_.warm_start->at(time_s, options_.h_s) : nullptr;
-    }
+    void restart_prediction() { stepper_.restart(point_.time_s, point_.state.x); }
 
     /// Recomputes the force at a jump and informs the observer.
     void set_force(double time_s) {
@@ -182,77 +136,13 @@ private:
         return true;
     }
 
-    /// Solves a step without changing the run's state, so that it can be rejected.
-    Step take_step_to(double end_s, bool jump_at_end) {
-        Step step;
-        step.scheme = euler_first_ ? TimeScheme(Integrator::implicit_euler) : options_.integrator;
-        step.end_s = end_s;
-        step.jump_at_end = jump_at_end;
-        const double h = end_s - point_.time_s;
-        const auto solve = [&](Stage& stage, StageSolution& solution) {
-            // Exact comparison with the end is needed below; stage times carry rounding.
-            if (std::abs(stage.time_s - end_s) < 1e-9 * h) stage.time_s = end_s;
-            stage.before_jump = jump_at_end && stage.time_s == end_s;
-            return solve_stage(stage, step, solution);
-        };
-        const StepProblem<decltype(solve)> problem{solver_.mass(point_.time_s + 0.5 * h), point_.time_s, h,
-                                                   model().velocity_force_1_s, solve};
-        step.taken = take_step(step.scheme, problem, point_.state, step.next) && step.next.v.allFinite();
-        return step;
-    }
-
-    /// Solves one stage, with up to three initial guesses, and stores the solution in `step`.
-    bool solve_stage(const Stage& stage, Step& step, StageSolution& solution) {
-        const model::Body& body = *model().body;
-        const std::optional<Matrix3Xd> continued = past_.at(stage.time_s);
-        const Matrix3Xd* similar = similar_at(stage.time_s);
-        // Initial guess by attempt: 0 prediction (similar run, extrapolation, or constant velocity), 1 last position,
-        // 2 undeformed body.
-        const auto guess = [&](int attempt) -> Matrix3Xd {
-            if (attempt == 1) return point_.state.x;
-            if (attempt == 2) return undeformed_near(body, point_.state.x);
-            if (similar && difference_.known()) return *similar + difference_.parabola_at(stage.time_s);
-            if (continued) return *continued;
-            return step.solved.empty() ? Matrix3Xd(point_.state.x + (stage.time_s - point_.time_s) * point_.state.v)
-                                       : step.solved.back().solution.x;
-        };
-        const auto solve = [&]() {
-            step.last = solver_.solve(stage, solution.x);
-            count(step.last, trace_);
-            return step.last.ok();
-        };
-        // A poor prediction may contain inverted cells; the fallbacks are the last position and the undeformed body.
-        // The force scale is taken at the guess: for a distant guess it is large and the relative residual is lenient,
-        // so the last attempt is solved twice.
-        bool found = false;
-        for (int attempt = 0; attempt < 3 && !found; ++attempt) {
-            solution.x = held_by(body, guess(attempt));
-            found = solve() && (attempt < 2 || solve());
-        }
-        if (!found) return false;
-        // Resolved: the prediction error is less than 10 % of the displacement since the start of the step.
-        step.resolved = step.resolved && continued &&
-                        (solution.x - *continued).norm() < 0.1 * (solution.x - point_.state.x).norm();
-        solution.strain = model::strains(model(), solution.x);
-        if (model().creep)
-            solution.strain = with_dashpots(*model().creep, stage.rate_factor_1_s, solution.strain, stage.rate_history);
-        past_.add(stage.time_s, solution.x);
-        if (similar)
-            difference_.add(stage.time_s, solution.x - *similar);
-        else
-            difference_.clear();
-        SolvedStage& solved = step.solved.emplace_back();
-        if (observer_.stepped) {
-            solved = {stage, solution};
-        } else {  // the run needs only time and position; strains and histories of all points are large
-            solved.stage.time_s = stage.time_s;
-            solved.solution.x = solution.x;
-        }
-        return true;
+    SolvedStep take_step_to(double end_s, bool jump_at_end) {
+        const TimeScheme scheme = euler_first_ ? TimeScheme(Integrator::implicit_euler) : options_.integrator;
+        return stepper_.solve(scheme, point_.time_s, point_.state, end_s, jump_at_end, trace_);
     }
 
     /// Makes the end of a step the current state. `grid`: the end is one of step_ends().
-    void advance_to(Step& step, bool grid) {
+    void advance_to(SolvedStep& step, bool grid) {
         if (observer_.stepped)
             observer_.stepped(solver_, step.scheme, point_.time_s, step.end_s - point_.time_s, step.solved);
         for (const SolvedStage& solved : step.solved) keep_path(solved.stage.time_s, solved.solution.x);
@@ -275,11 +165,10 @@ private:
     const SimulationOptions& options_;
     const RunPart& part_;
     const RunObserver& observer_;
+    Stepper stepper_;
     std::vector<double> jumps_;
     Trace trace_;
     RunPoint point_;
-    Extrapolation past_;
-    Extrapolation difference_;  // history of the difference to the similar run `warm_start`
     bool euler_first_ = false;
 };
 

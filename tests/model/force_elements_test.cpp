@@ -10,6 +10,7 @@
 #include "model/loaded_face.hpp"
 #include "model/mount_forces.hpp"
 #include "model/point_friction.hpp"
+#include "model/point_pull.hpp"
 #include "model/point_stop.hpp"
 #include "model/surface_drag.hpp"
 #include "support/hollow.hpp"
@@ -55,6 +56,12 @@ Model model_with(const ForceCase& c) {
                                                    1.0 / static_cast<double>(nodes.size()));
         model.force_elements = {
             point_friction(body, tip_cell(body), nodes, shares, Vector3d(1.0, 2.0, -0.5), 0.3, 0.05)};
+    }
+    if (element == "pull") {
+        const std::vector<int> nodes = nodes_of_tip(body);
+        const VectorXd shares = VectorXd::Constant(static_cast<Eigen::Index>(nodes.size()),
+                                                   1.0 / static_cast<double>(nodes.size()));
+        model.force_elements = {point_pull(body, tip_cell(body), nodes, shares, Vector3d(0.1, 0.05, -0.02), 30.0)};
     }
     if (element == "stop") {
         const std::vector<int> nodes = nodes_of_tip(body);
@@ -190,6 +197,7 @@ INSTANTIATE_TEST_SUITE_P(
                     ForceCase{"tension", fem::ElementKind::tet10}, ForceCase{"shortening", fem::ElementKind::hex8},
                     ForceCase{"shortening", fem::ElementKind::tet10}, ForceCase{"capstan", fem::ElementKind::hex8},
                     ForceCase{"capstan_shortening", fem::ElementKind::tet10}, ForceCase{"stop", fem::ElementKind::hex8},
+                    ForceCase{"pull", fem::ElementKind::hex8}, ForceCase{"pull", fem::ElementKind::tet10},
                     ForceCase{"stop", fem::ElementKind::tet10}, ForceCase{"smooth_sphere", fem::ElementKind::hex8},
                     ForceCase{"smooth_sphere", fem::ElementKind::tet10},
                     ForceCase{"rough_plane", fem::ElementKind::tet10},
