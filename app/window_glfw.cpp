@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "backend/user_files.hpp"
+#include "commands/window_title.hpp"
 #include "panels/workbench_window.hpp"
 #include "platform/gl.hpp"
 
@@ -278,6 +279,7 @@ bool wait_for_frame(ui::panels::WorkbenchWindow& view, bool works) {
 Result<void> draw_frames(GLFWwindow* window, ui::commands::Workbench& workbench, ui::panels::WorkbenchWindow& view,
                          Keeper& keeper) {
     Pointers pointers;
+    std::string title;
     auto last = Clock::now();
     while (!workbench.state().quit) {
         keeper.tick(Clock::now());
@@ -299,6 +301,10 @@ Result<void> draw_frames(GLFWwindow* window, ui::commands::Workbench& workbench,
             !drawn)
             return drawn;
         last = now;
+        if (std::string wanted = ui::commands::window_title(workbench.state()); wanted != title) {
+            title = std::move(wanted);
+            glfwSetWindowTitle(window, title.c_str());
+        }
         if (works && !workbench.state().works()) view.wake();  // the result of a job needs several frames to settle
         pointers.apply(window);
         glfwSwapBuffers(window);

@@ -72,6 +72,20 @@ TEST(FileBrowser, TheNameCanBeTypedAtOnce) {
     EXPECT_EQ(driver.state().project, "/nowhere/typed.myoloop");
 }
 
+TEST(FileBrowser, ATypedExperimentIsOpenedAndAMissingPathIsSaid) {
+    const Folder folder("typed_experiment");
+    folder.write("arm/experiment.toml", "");
+    Driver driver;
+    driver.open_beam();
+    driver.key(ui::platform::key_o, {.ctrl = true});
+    go_to(driver, folder.path() / "leg");
+    EXPECT_TRUE(driver.has("browser/missing"));
+    go_to(driver, folder.path() / "arm");
+    EXPECT_FALSE(driver.has("browser/path")) << "the dialog is closed";
+    ASSERT_TRUE(driver.wait_for_job());
+    EXPECT_EQ(driver.state().scene->path, folder.path() / "arm");
+}
+
 TEST(FileBrowser, MakesANewFolderToSaveIn) {
     const Folder folder("new_folder");
     folder.write("taken", "a file");

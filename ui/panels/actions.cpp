@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 
 #include "commands/field_store.hpp"
 #include "panels/file_dialogs.hpp"
@@ -29,12 +30,19 @@ std::function<void(PanelContext&, viewport::ViewportState&)> emits(Asked asked) 
     return [asked](PanelContext& context, viewport::ViewportState&) { context.emit(asked); };
 }
 
-/// Multiplies the scale of text and controls, within the limits of the preferences.
-void rescale(PanelContext& context, float factor) {
-    context.emit(
-        commands::SetTheme{context.state.preferences.theme,
-                           // The factors 1.25 and 0.8 are inverse, so that larger and smaller cancel.
-                           std::clamp(context.state.scale() * factor, commands::min_scale, commands::greatest_scale)});
+/// Sets the scale of text and controls to the next larger or smaller of round ones.
+void rescale(PanelContext& context, bool larger) {
+    static constexpr std::array<float, 9> scales{commands::min_scale,     0.9f, 1.0f, 1.1f, 1.25f, 1.5f, 1.75f, 2.0f,
+                                                 commands::greatest_scale};
+    // A scale between two of them, as the screen suggests, goes to its neighbours.
+    constexpr float near = 0.01f;
+    const float now = context.state.scale();
+    float next = larger ? scales.back() : scales.front();
+    for (const float scale : scales) {
+        if (larger && scale > now + near) next = std::min(next, scale);
+        if (!larger && scale < now - near) next = std::max(next, scale);
+    }
+    context.emit(commands::SetTheme{context.state.preferences.theme, next});
 }
 
 /// Opening and saving of the project.
@@ -223,12 +231,12 @@ void add_appearance_actions(std::vector<Action>& all) {
                    "View",
                    "Larger text",
                    {platform::key_plus, true, false, "Ctrl++"},
-                   [](PanelContext& context, viewport::ViewportState&) { rescale(context, 1.25f); }});
+                   [](PanelContext& context, viewport::ViewportState&) { rescale(context, true); }});
     all.push_back({"view.smaller",
                    "View",
                    "Smaller text",
                    {platform::key_minus, true, false, "Ctrl+\xe2\x88\x92"},
-                   [](PanelContext& context, viewport::ViewportState&) { rescale(context, 0.8f); }});
+                   [](PanelContext& context, viewport::ViewportState&) { rescale(context, false); }});
     all.push_back({"view.reset_layout", "View", "Reset the layout", {}, emits(commands::SetLayout{})});
 }
 

@@ -253,15 +253,20 @@ void FileBrowser::draw_toolbar(PanelContext& context) {
 
 std::optional<fs::path> FileBrowser::draw_path() {
     ImGui::SetNextItemWidth(-1.0f);
-    std::optional<fs::path> typed_file;
+    std::optional<fs::path> chosen;
     if (ImGui::InputText("##path", &typed_, ImGuiInputTextFlags_EnterReturnsTrue)) {
         std::error_code ignored;
-        if (fs::is_directory(typed_, ignored))
-            go_to(typed_);
-        else if (fs::is_regular_file(typed_, ignored) && !writes())
-            typed_file = typed_;
+        const fs::path typed = typed_;
+        const bool experiment = dialog_->experiments && fs::exists(typed / "experiment.toml", ignored);
+        missing_.clear();
+        if (experiment || (fs::is_regular_file(typed, ignored) && !writes()))
+            chosen = typed;
+        else if (fs::is_directory(typed, ignored))
+            go_to(typed);
+        else
+            missing_ = typed_;
     }
-    return typed_file;
+    return chosen;
 }
 
 void FileBrowser::draw_columns(PanelContext& context) {
@@ -293,6 +298,10 @@ void FileBrowser::draw(PanelContext& context) {
     draw_toolbar(context);
     const std::optional<fs::path> typed_file = draw_path();
     context.items.mark("browser/path");
+    if (!missing_.empty() && missing_ == typed_) {
+        ImGui::TextColored(context.theme.failure, "There is no file or folder %s.", missing_.c_str());
+        context.items.mark("browser/missing");
+    }
     draw_columns(context);
     // Chosen at the end, as choosing closes the dialog while its parts are still being drawn.
     if (dialog_ && typed_file) choose(context, *typed_file);

@@ -80,6 +80,7 @@ private:
     bool just_opened_ = false;                   // the popup has to be opened in the next draw()
     std::filesystem::path folder_;               // shown folder
     std::string typed_;                          // text in the path field
+    std::string missing_;                        // typed path that does not exist; empty: none
     std::string name_;                           // of the file to be written; the extension may be missing
     bool typing_name_ = false;                   // the name field gets the keyboard focus in the next frame
     std::filesystem::path replaced_;             // existing file for which Enter was pressed once
