@@ -36,6 +36,10 @@ report::Json frames_json(const FrameBench& bench) {
             {"height", 900},
             {"triangles", bench.triangles},
             {"painted_cells", bench.painted_cells},
+            {"live",
+             {{"dofs", bench.live_dofs},
+              {"step_s", bench.live_step_s},
+              {"simulated_over_real_time", report::json_number(bench.live_rate)}}},
             {"situations", rows}};
 }
 
@@ -55,6 +59,8 @@ int frames_command(const fs::path& json) {
         return status_failed;
     }
     print_format("A body of %d triangles; painted: one of %d elements.\n", bench->triangles, bench->painted_cells);
+    print_format("Playing live: %d degrees of freedom, steps of %.3g ms, %.2f of real time.\n", bench->live_dofs,
+                 1e3 * bench->live_step_s, bench->live_rate);
     if (json.empty()) return status_done;
     if (const auto written = write_file(json, frames_json(*bench).dump(2) + "\n"); !written)
         return console.fail(written.error());

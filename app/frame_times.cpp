@@ -23,6 +23,9 @@ constexpr double goal_ms = 50.0, busy_goal_ms = 100.0, stroke_goal_ms = 100.0;
 constexpr double plate_m = 0.142, layer_m = 0.002;
 // Bar of 68,208 cells for painting.
 constexpr double bar_m = 0.182, bar_side_m = 0.0594, bar_cell_m = 0.0021;
+// Beam of 4,608 degrees of freedom for playing live.
+constexpr double beam_m = 0.1, beam_side_m = 0.03, beam_cell_m = beam_m / 23.0;
+constexpr int live_frames = 150;
 
 /// Declaration of a box; `rest` holds markers, muscles and trials.
 std::string experiment(const std::string& name, const Eigen::Vector3d& size, const std::string& rest) {
@@ -75,6 +78,14 @@ Result<void> write_bar(const std::filesystem::path& folder) {
                                  "\"csv\"\nstart = \"straight\"\n"));
 }
 
+/// Beam for playing live.
+Result<void> write_beam(const std::filesystem::path& folder) {
+    return write_file(folder / "experiment.toml",
+                      experiment("Beam", {beam_m, beam_side_m, beam_side_m},
+                                 "[[trial]]\nname = \"free\"\nrole = \"simulate\"\nduration_s = 1\nstart = "
+                                 "\"straight\"\n"));
+}
+
 /// Drives the workbench off screen and measures its frames.
 class Bench {
 public:
@@ -87,7 +98,7 @@ public:
         auto window = ui::panels::WorkbenchWindow::make(workbench_);
         if (!window) return window.error();
         window_ = &*window;
-        for (const auto& part : {&Bench::draw_plate, &Bench::paint_bar})
+        for (const auto& part : {&Bench::draw_plate, &Bench::pull_beam, &Bench::paint_bar})
             if (const auto drawn = (this->*part)(folder); !drawn) return drawn.error();
         return std::move(result_);
     }
@@ -204,6 +215,40 @@ private:
         (void)wait();  // a search stopped before its first evaluation reports a failure, which is irrelevant here
         finish(std::move(*searching));
         return {};
+    }
+
+    /// The beam plays live while the mouse pulls its free end up and down.
+    Result<void> pull_beam(const std::filesystem::path& folder) {
+        if (const auto written = write_beam(folder / "beam"); !written) return written;
+        workbench_.execute(ui::commands::ChangeSettings{state().saved_settings, "as opened"});
+        if (const auto opened = open(folder / "beam", beam_cell_m); !opened) return opened;
+        window_->show_panel("live");
+        if (const auto settled = settle(); !settled) return settled;
+        workbench_.execute(ui::commands::PlayLive{});
+        for (const Stopwatch watch; !(state().live && state().live->ready) && watch.seconds() < 20.0;)
+            if (const auto ms = frame_ms(); !ms) return ms.error();
+        const auto view = window_->items().find("view");
+        if (!state().live || !state().live->ready || !view) return Error{"the model does not play", "beam"};
+        const ImVec2 middle = view->center();
+        window_->input().push(ui::platform::MouseMoved{middle.x, middle.y});
+        window_->input().push(ui::platform::MouseButton{0, true, {}});
+        if (const auto settled = settle(); !settled) return settled;
+        if (!state().live->controls.grip) return Error{"the mouse does not hold the body", "beam"};
+        FrameTimes pulling{"the model plays live while the mouse pulls it", goal_ms, {}};
+        for (int k = 0; k < live_frames; ++k) {
+            window_->input().push(
+                ui::platform::MouseMoved{middle.x, middle.y + 60.0f * std::sin(0.1f * static_cast<float>(k))});
+            const auto ms = frame_ms();
+            if (!ms) return ms.error();
+            pulling.ms.push_back(*ms);
+        }
+        result_.live_rate = state().live->rate;
+        result_.live_step_s = state().live->frame->step_s;
+        result_.live_dofs = static_cast<int>(state().body->dofs);
+        window_->input().push(ui::platform::MouseButton{0, false, {}});
+        workbench_.execute(ui::commands::PlayLive{false});
+        finish(std::move(pulling));
+        return settle();
     }
 
     /// Time from pressing the brush until the changed colours are drawn.

@@ -26,11 +26,15 @@ struct FrameTimes {
 struct FrameBench {
     int triangles = 0;      // surface triangles of the body that is rotated and simulated
     int painted_cells = 0;  // cells of the body that is painted
+    // Of the model that plays live while it is pulled and drawn, at the end.
+    double live_rate = 0.0;    // simulated time over real time
+    double live_step_s = 0.0;  // length of its steps
+    int live_dofs = 0;
     std::vector<FrameTimes> situations;
 };
 
 /// Draws the workbench off screen at 1600 x 900 with bodies of its own: every panel, rotation, playback, rotation
-/// during a search in the background, and first pixels of brush strokes.
+/// during a search in the background, playing live, and first pixels of brush strokes.
 ///
 /// @param folder  temporary, writable
 /// @param done    called with each situation when it is measured; may be empty

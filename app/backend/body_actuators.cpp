@@ -38,13 +38,16 @@ std::map<std::string, ui::commands::ShownCommand> shown_commands(const setup::Se
     std::size_t next = 0;
     for (const experiment::Actuator& actuator : experiment::actuators(setup.experiment)) {
         if (actuator.kind == experiment::ActuatorKind::muscle || next >= trial.recorded_commands.size()) continue;
-        ui::commands::ShownCommand& command = commands[actuator.name];
+        ui::commands::ShownCommand& command = commands[actuator.name] = shown_unit(actuator);
         command.signal = trial.recorded_commands[next++];
-        if (actuator.unit == "Pa") command.unit = "kPa", command.per_unit = 1e3;
-        if (actuator.unit == "m") command.unit = "mm", command.per_unit = 1e-3;
-        if (actuator.unit == "N") command.unit = "N";
     }
     return commands;
+}
+
+ui::commands::ShownCommand shown_unit(const experiment::Actuator& actuator) {
+    if (actuator.unit == "Pa") return {{}, "kPa", 1e3};
+    if (actuator.unit == "m") return {{}, "mm", 1e-3};
+    return {{}, actuator.unit, 1.0};
 }
 
 }  // namespace myo::backend

@@ -5,6 +5,7 @@
 
 #include "commands/backend.hpp"
 #include "commands/body_actuators.hpp"
+#include "experiment/actuators.hpp"
 #include "setup/setup.hpp"
 
 namespace myo::backend {
@@ -19,5 +20,8 @@ Result<ui::commands::BodyActuators> body_actuators(const experiment::Experiment&
 /// Pressures, tensions and shortenings of a trial by the actuators' names; unknown levels are zero.
 std::map<std::string, ui::commands::ShownCommand> shown_commands(const setup::Setup& setup,
                                                                  const setup::PreparedTrial& trial);
+
+/// Unit in which the command of an actuator is shown; without a signal.
+ui::commands::ShownCommand shown_unit(const experiment::Actuator& actuator);
 
 }  // namespace myo::backend

@@ -116,10 +116,8 @@ ui::commands::RunResult shown_release(const dynamics::Trace& trace, model::Model
 
 }  // namespace
 
-Result<ui::commands::RunResult> run_mesh_scene(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,
-                                               const ui::commands::Settings& settings,
-                                               const std::optional<ui::commands::RunExtent>& only,
-                                               const Progress& progress) {
+Result<effect::Affected> mesh_scene_release(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,
+                                            const ui::commands::Settings& settings) {
     const experiment::Experiment experiment = with_settings(source_of(scene).experiment, settings);
     const setup::SetupSettings setup = setup_settings(settings);
     const setup::BodyMesh* const mesh = shown_mesh(body, settings);
@@ -134,6 +132,16 @@ Result<ui::commands::RunResult> run_mesh_scene(const ui::commands::Scene& scene,
     affected.options.h_s = settings.time_step_s;
     affected.options.end_s = release_s;
     effect::apply_effects(site_of(experiment, affected.model.body), experiment.effects, affected);
+    return affected;
+}
+
+Result<ui::commands::RunResult> run_mesh_scene(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,
+                                               const ui::commands::Settings& settings,
+                                               const std::optional<ui::commands::RunExtent>& only,
+                                               const Progress& progress) {
+    Result<effect::Affected> release = mesh_scene_release(scene, body, settings);
+    if (!release) return release.error();
+    effect::Affected& affected = *release;
     if (only) affected.options.end_s = std::min(only->end_s, release_s);
     const Stopwatch watch;
     const dynamics::Trace trace = dynamics::simulate(affected.model, affected.options, progress);

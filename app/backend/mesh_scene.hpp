@@ -3,6 +3,7 @@
 #include <string>
 
 #include "commands/backend.hpp"
+#include "effect/effect.hpp"
 #include "experiment/experiment.hpp"
 #include "setup/setup.hpp"
 
@@ -16,10 +17,16 @@ ui::commands::SceneTrial mesh_scene_trial();
 /// Initial settings of the window for this set-up, with the default mesh of the surface.
 ui::commands::Settings mesh_scene_settings(const experiment::Experiment& experiment, const mesh::SurfaceMesh& surface);
 
-/// Simulates this set-up with the settings, on the displayed mesh.
+/// This set-up with the settings, on the displayed mesh: model and options of its run.
+///
+/// Errors: the mesh belongs to other settings; no node at the clamped end; an unknown material law.
+Result<effect::Affected> mesh_scene_release(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,
+                                            const ui::commands::Settings& settings);
+
+/// Simulates it.
 ///
 /// @param only  limits the simulated time; empty: all
-/// Errors: the mesh belongs to other settings; no node at the clamped end; an unknown material law.
+/// Errors: those of mesh_scene_release().
 Result<ui::commands::RunResult> run_mesh_scene(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,
                                                const ui::commands::Settings& settings,
                                                const std::optional<ui::commands::RunExtent>& only,

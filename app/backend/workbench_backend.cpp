@@ -16,6 +16,7 @@
 #include "backend/file_preview.hpp"
 #include "backend/law_settings.hpp"
 #include "backend/library_versions.hpp"
+#include "backend/live_model.hpp"
 #include "backend/mesh_scene.hpp"
 #include "backend/project_file.hpp"
 #include "backend/recording_import.hpp"
@@ -253,6 +254,14 @@ public:
         shown.checks = check_rows(
             check::check_after({.setup = *setup, .run = &run, .as_declared = as_declared, .seen = &seen}), as_declared);
         return shown;
+    }
+
+    Result<std::unique_ptr<ui::commands::LiveModel>> live(const ui::commands::Scene& scene,
+                                                          const ui::commands::MeshedBody& body,
+                                                          const ui::commands::Settings& settings, std::size_t trial,
+                                                          const ui::commands::LiveModel* before,
+                                                          const Progress& progress) override {
+        return make_live_model(scene, body, settings, trial, before, progress);
     }
 
     Result<ui::commands::SearchResult> calibrate(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,

@@ -53,6 +53,15 @@ public:
                                              const ui::commands::Settings& settings,
                                              const std::optional<ui::commands::RunExtent>& only,
                                              const Progress& progress) override;
+    /// A beam that swings by the same closed form; its one actuator, "lift", raises it by its level in m. A pull moves
+    /// the held point towards the mouse at once.
+    Result<std::unique_ptr<ui::commands::LiveModel>> live(const ui::commands::Scene& scene,
+                                                          const ui::commands::MeshedBody& body,
+                                                          const ui::commands::Settings& settings, std::size_t trial,
+                                                          const ui::commands::LiveModel* before,
+                                                          const Progress& progress) override;
+    std::atomic<int> live_models = 0;               // made so far
+    std::atomic<double> live_velocity_force = 0.0;  // that the last step was told
     Result<ui::commands::SearchResult> calibrate(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,
                                                  const ui::commands::Settings& settings, const Progress& progress,
                                                  const LiveSearch& live) override;

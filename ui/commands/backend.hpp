@@ -16,6 +16,7 @@
 #include "commands/body_actuators.hpp"
 #include "commands/check_view.hpp"
 #include "commands/diagnosis_view.hpp"
+#include "commands/live_model.hpp"
 #include "commands/project.hpp"
 #include "commands/recording_import.hpp"
 #include "commands/run_result.hpp"
@@ -253,6 +254,15 @@ public:
     ///              have no frames and no markers, and markers after the end of the part are NaN.
     virtual Result<RunResult> simulate(const Scene& scene, const MeshedBody& body, const Settings& settings,
                                        const std::optional<RunExtent>& only, const Progress& progress) = 0;
+
+    /// Makes a model that plays live, from the start of a trial or, if `before` is a model of the same mesh, from where
+    /// that one is. Called on the thread that will move it.
+    ///
+    /// @param trial  index in Scene::trials
+    /// @param before  null: none
+    virtual Result<std::unique_ptr<LiveModel>> live(const Scene& scene, const MeshedBody& body,
+                                                    const Settings& settings, std::size_t trial,
+                                                    const LiveModel* before, const Progress& progress) = 0;
 
     /// Receives intermediate results of a search after its evaluations, on the search's thread. May be empty.
     using LiveSearch = std::function<void(std::shared_ptr<const SearchView>)>;

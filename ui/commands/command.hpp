@@ -60,6 +60,17 @@ struct ChangePreview {
     bool on = false;
     std::optional<double> length_s;  // of the trial [s]; empty: chosen by the program
 };
+/// Starts or stops playing live: the shown model moves in real time under the mouse.
+struct PlayLive {
+    bool on = true;
+};
+/// Replaces what the model that plays live is told: levels of actuators, pull of the mouse. Step, damping and velocity
+/// force follow the settings.
+struct SteerLive {
+    LiveControls controls;
+};
+/// Puts the model that plays live back to the start of its trial.
+struct RestartLive {};
 /// Fits the unknown parameters to the measured trials. Like all jobs it starts at once, or waits in the queue while
 /// another one runs.
 struct Calibrate {};
@@ -247,6 +258,6 @@ using Command = std::variant<
     SaveAs, AskWhereToSave, AnswerUnsaved, OfferRecovery, Recover, DiscardRecovery, Quit, AnswerStop, ChooseTrial,
     ChooseMarker, SetTime, Play, SetSpeed, ChangeView, SetDampingFrequency, SetTheme, SetLayout, Bookmark,
     UsePreferences, ClearLog, LogMessage, WriteReport, ReadRecording, ChangeImport, ChooseLabel, ProposeMarkers,
-    AlignImport, AddRecording, CancelImport>;
+    AlignImport, AddRecording, CancelImport, PlayLive, SteerLive, RestartLive>;
 
 }  // namespace myo::ui::commands

@@ -70,7 +70,7 @@ std::optional<FieldKind> shown_field(const WorkbenchState& state, const Backend&
 bool of_diagnosis(const FieldKind& kind) { return kind.id == force_field; }
 
 std::string needed_for(const FieldKind& kind, const WorkbenchState& state) {
-    if (!of_diagnosis(kind)) return state.simulated_trial() ? "" : "Needs a run.";
+    if (!of_diagnosis(kind)) return state.drawn_trial() ? "" : "Needs a run.";
     if (!state.diagnosis || !state.diagnosis->complete) return "Available after Diagnose.";
     return shown_forces(state) ? "" : "The selected row of the diagnosis has no forces on this body in this trial.";
 }
@@ -125,10 +125,10 @@ void FieldStore::request_range(const Source& wanted, std::size_t count, const Ba
 std::shared_ptr<const FieldFrame> FieldStore::update(const WorkbenchState& state, const Backend& backend) {
     // Never wait for the background thread here: the UI must not stall.
     if (job_.valid() && job_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) take(job_.get());
-    const SimulatedTrial* const trial = state.simulated_trial();
+    const SimulatedTrial* const trial = state.drawn_trial();
     if (state.view.field == force_field) return update_force(state);
     force_key_.reset();
-    Source wanted{state.shown_run(), state.body, state.view.field, static_cast<std::size_t>(state.trial)};
+    Source wanted{state.drawn_run(), state.body, state.view.field, static_cast<std::size_t>(state.trial)};
     if (wanted.field.empty() || !trial || trial->frames.empty() || !state.body) {
         source_ = {};
         shown_.reset();

@@ -106,6 +106,14 @@ void add_markers(viewport::DrawnScene& drawn, const WorkbenchState& state, const
     }
 }
 
+/// Adds the markers where they are on the model that plays live. Nothing was measured then.
+void add_live_markers(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme) {
+    const std::vector<Eigen::Vector3d>& places = state.live->frame->markers_m;
+    for (std::size_t m = 0; m < std::min(places.size(), state.scene->markers.size()); ++m)
+        drawn.markers.push_back({places[m], viewport::color_of(theme.simulated), true, state.scene->markers[m].name,
+                                 static_cast<int>(m)});
+}
+
 /// Adds the markers of compared runs at the shown time as rings. They cannot be picked (number -1).
 void add_compared(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme) {
     const SceneTrial* trial = state.scene_trial();
@@ -187,7 +195,7 @@ Eigen::Vector3d at_time(const Eigen::Matrix3Xd& track, const TimePlace& place) {
 
 Eigen::Matrix3Xd positions_at_time(const WorkbenchState& state) {
     if (!state.body) return state.scene ? state.scene->surface.vertices : Eigen::Matrix3Xd(3, 0);
-    const SimulatedTrial* trial = state.simulated_trial();
+    const SimulatedTrial* trial = state.drawn_trial();
     if (!trial || trial->frames.empty()) return state.body->mesh.nodes;
     const TimePlace place = place_in_time(trial->frame_time_s, state.time_s);
     const Eigen::Matrix3Xd& a = trial->frames[static_cast<std::size_t>(place.index)];
@@ -239,6 +247,8 @@ viewport::DrawnScene scene_at_time(const WorkbenchState& state, const platform::
     add_force_arrows(drawn, state, theme);
     if (state.import)
         add_import(drawn, state, theme);
+    else if (state.live && state.live->frame)
+        add_live_markers(drawn, state, theme);
     else
         add_markers(drawn, state, theme), add_compared(drawn, state, theme);
     return drawn;

@@ -80,6 +80,7 @@ void Workbench::advance(double seconds) {
         if (job_) state_.job = job_->view();
     }
     advance_preview();
+    take_live_frame();
     if (state_.playing) {
         const auto span = time_span(state_);
         state_.time_s += seconds * state_.speed;

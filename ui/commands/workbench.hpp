@@ -37,7 +37,7 @@ public:
     void advance(double seconds);
 
     /// Something changes without input, so the next frame has to be drawn.
-    bool animating() const { return state_.playing; }
+    bool animating() const { return state_.playing || state_.live; }
 
     /// Saves unsaved work to a recovery file if it has changed since the last call; removes the file if everything is
     /// saved. Writes on a background thread, as painted bodies are large. A failure is logged once.
@@ -66,6 +66,10 @@ private:
     void on(const Drop& command);
     // workbench_preview.cpp
     void on(const ChangePreview& asked);
+    // workbench_live.cpp
+    void on(const PlayLive& command);
+    void on(const SteerLive& command);
+    void on(const RestartLive&);
     // workbench_search.cpp
     void on(const Run&);
     void on(const Calibrate&);
@@ -225,6 +229,15 @@ private:
     /// Takes the result of a preview and starts the next one. Called once per frame.
     void advance_preview();
 
+    // Playing live: workbench_live.cpp.
+    /// Makes the model of the present settings.
+    LivePlay::Make live_model() const;
+    void stop_live();
+    /// Passes changed settings to the model that plays live.
+    void follow_settings_live();
+    /// Takes what it shows now. Called once per frame.
+    void take_live_frame();
+
     // Diagnosis: workbench_diagnosis.cpp.
     /// Shows the result of a diagnosis and ends its request.
     void show_diagnosis(DiagnosisView diagnosis);
@@ -286,8 +299,10 @@ private:
     // Recovery file of the shown project; removed after it is saved.
     std::filesystem::path recovered_;
     bool preview_given_up_ = false;  // the result of the running preview is not wanted
+    Settings live_settings_;         // of the model that plays live
     // Last members: their destructors wait for threads that use the members above.
     std::future<Result<void>> autosave_job_;
+    std::unique_ptr<LivePlay> live_;  // null: nothing plays live
     std::unique_ptr<Job> preview_job_;
     std::unique_ptr<Job> job_;
 };

@@ -69,6 +69,7 @@ void Workbench::open(const std::filesystem::path& given, std::optional<double> m
 }
 
 void Workbench::forget_scene() {
+    stop_live();
     state_.body.reset();
     state_.ground.reset();
     state_.run.reset();
@@ -186,6 +187,7 @@ void Workbench::build_mesh(std::function<void()> then) {
 
 void Workbench::show_body(const PlacedBody& on) {
     if (on.body == state_.body) return;
+    stop_live();
     state_.body = on.body;
     state_.ground = on.ground;
     state_.body_settings = on.settings;

@@ -38,6 +38,7 @@ bool Workbench::set_settings(const Settings& settings) {
     state_.settings = settings;
     state_.muscle = std::clamp(state_.muscle, 0, std::max(0, static_cast<int>(settings.muscles.size()) - 1));
     place_muscles();
+    follow_settings_live();
     check_stability();
     if (state_.scene)
         state_.prediction = no_smaller_than_coarser(backend_->predict(*state_.scene, settings), state_, settings);

@@ -12,6 +12,7 @@
 #include "commands/brush_settings.hpp"
 #include "commands/job.hpp"
 #include "commands/job_record.hpp"
+#include "commands/live_play.hpp"
 #include "commands/live_preview.hpp"
 #include "commands/preferences.hpp"
 #include "commands/settings.hpp"
@@ -86,6 +87,7 @@ struct WorkbenchState {
     std::optional<double> critical_velocity_force_1_s;  // at that frequency [1/s]; empty: the scheme has none
 
     LivePreview preview;
+    std::optional<LiveView> live;  // the model that plays live; empty: none
     ViewOptions view;
     Preferences preferences;
 
@@ -159,6 +161,12 @@ struct WorkbenchState {
                : preview.run                                                ? preview.run
                                                                             : run;
     }
+    /// Run that the view draws: the model that plays live, otherwise the shown run. Null if there is none.
+    std::shared_ptr<const RunResult> drawn_run() const {
+        return live && live->frame ? live->frame->run : shown_run();
+    }
+    /// The shown trial in the drawn run; null if it has none.
+    const SimulatedTrial* drawn_trial() const { return trial_of(drawn_run().get()); }
     /// The shown run is a preview.
     bool previewing() const { return preview.run && shown_run() == preview.run; }
     /// A search is running.

@@ -8,6 +8,7 @@
 namespace myo::ui::commands {
 
 void Workbench::choose_trial(int trial) {
+    if (trial != state_.trial) stop_live();
     const int count = state_.scene ? static_cast<int>(state_.scene->trials.size()) : 0;
     state_.trial = std::clamp(trial, 0, std::max(0, count - 1));
     // Each trial starts at t = 0, if it contains it.
@@ -31,6 +32,7 @@ void Workbench::on(const SetTime& c) {
 }
 
 void Workbench::on(const Play& c) {
+    if (c.playing) stop_live();
     const auto span = time_span(state_);
     state_.playing = c.playing && span[1] > span[0];
     // Playing at the end starts again from the beginning.

@@ -5,6 +5,7 @@
 #include "panels/fit_panel.hpp"
 #include "panels/import_panel.hpp"
 #include "panels/jobs_panel.hpp"
+#include "panels/live_panel.hpp"
 #include "panels/log_panel.hpp"
 #include "panels/marker_panel.hpp"
 #include "panels/material_panel.hpp"
@@ -37,6 +38,7 @@ std::vector<std::unique_ptr<Panel>> all_panels() {
     add(std::type_identity<FibrePanel>());
     add(std::type_identity<TrialPanel>());
     add(std::type_identity<TimePanel>());
+    add(std::type_identity<LivePanel>());
     add(std::type_identity<RunPanel>());
     add(std::type_identity<MeasurePanel>());
     add(std::type_identity<ImportPanel>());

@@ -16,7 +16,7 @@ constexpr double closest_points = 0.08;
 
 /// The tool needs a mesh prepared for painting and a selected muscle.
 bool can_paint(const commands::WorkbenchState& state) {
-    return state.brush.tool != commands::BrushTool::none && state.ground && state.chosen_paint();
+    return !state.live && state.brush.tool != commands::BrushTool::none && state.ground && state.chosen_paint();
 }
 
 /// Ctrl swaps painting and erasing.

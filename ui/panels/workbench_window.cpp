@@ -190,10 +190,12 @@ void WorkbenchWindow::draw_view(PanelContext& context) {
     }
     // Order matters: the view receives the mouse first, then the tools, and the card of a picked place last.
     const viewport::ToolTakes takes = [&](const Eigen::Vector2d& pixel) {
-        return paint_.takes(context.state, scene_, viewport_, pixel);
+        return live_.takes(context.state, scene_, viewport_, pixel) ||
+               paint_.takes(context.state, scene_, viewport_, pixel);
     };
     viewport::draw_viewport(scene_, context.theme, context.items, viewport_, context.state.view.labels, takes);
     paint_.update(context, scene_, viewport_);
+    live_.update(context, scene_, viewport_);
     context.live_paint = paint_.live();
     distances_.update(context, scene_, viewport_);
     if (!update_placing(context, scene_, viewport_)) inspect_.update(context, scene_, viewport_);

@@ -13,6 +13,7 @@
 #include "panels/film_job.hpp"
 #include "panels/inspect_tool.hpp"
 #include "panels/layout.hpp"
+#include "panels/live_tool.hpp"
 #include "panels/paint_tool.hpp"
 #include "panels/palette.hpp"
 #include "panels/panel.hpp"
@@ -121,6 +122,7 @@ private:
         std::shared_ptr<const commands::Scene> scene;
         std::shared_ptr<const commands::MeshedBody> body;
         std::shared_ptr<const commands::RunResult> run;
+        std::shared_ptr<const commands::RunResult> drawn;  // that run, or a frame of the model that plays live
         std::shared_ptr<const commands::DiagnosisView> diagnosis;
         std::shared_ptr<const commands::RecordingImport> import;
         std::string candidate;
@@ -156,6 +158,7 @@ private:
     Layout layout_;                     // of this frame
     viewport::ViewportState viewport_;  // camera and mouse of the 3D view
     PaintTool paint_;
+    LiveTool live_;
     NumberEdits view_edits_;  // edits in progress in the options of the view
     InspectTool inspect_;
     DistanceTool distances_;          // also drawn into images of the view

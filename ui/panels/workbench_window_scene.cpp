@@ -31,6 +31,7 @@ WorkbenchWindow::SceneKey WorkbenchWindow::scene_key() {
     return {state.scene,
             state.body,
             state.shown_run(),
+            state.drawn_run(),
             state.diagnosis,
             state.import,
             state.candidate,
@@ -48,11 +49,14 @@ WorkbenchWindow::SceneKey WorkbenchWindow::scene_key() {
 
 void WorkbenchWindow::follow_scene(const SceneKey& key) {
     const commands::WorkbenchState& state = workbench_->state();
+    // Another body begins with its first task; the same one, read again, keeps the task.
+    if (key.scene && scene_key_.scene && key.scene->path != scene_key_.scene->path) show_task(commands::Task::body);
     // A new scene starts with the standard direction of view.
     if (key.scene != scene_key_.scene) {
         viewport_.camera = viewport::turn_to(viewport_.camera, viewport::StandardView::oblique);
         viewport_.untouched = true;
     }
+    // A model that plays live has a frame of its own every time; camera and surface stay.
     if (key.scene != scene_key_.scene || key.body != scene_key_.body || key.run != scene_key_.run ||
         key.trial != scene_key_.trial) {
         motion_ = commands::summarize_motion(state);
@@ -123,7 +127,7 @@ Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) 
     interface_.end_frame();
     clear_window(interface_.theme().background);
     // Without multisampling while something moves: at rest the next frame is rendered again with it.
-    const bool moving = viewport_.moving || viewport_.tool_held || state.playing;
+    const bool moving = viewport_.moving || viewport_.tool_held || workbench_->animating();
     if (state.scene && viewport_.size().width > 1 && viewport_.size().height > 1)
         if (const auto rendered = render_view(height, moving); !rendered) return rendered;
     interface_.draw();

@@ -1,0 +1,181 @@
+#include "commands/live_play.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <deque>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+namespace myo::ui::commands {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_between(Clock::time_point from, Clock::time_point to) {
+    return std::chrono::duration<double>(to - from).count();
+}
+
+/// Simulated time over real time, of the last steps.
+class Rate {
+public:
+    double after(double simulated_s) {
+        const Clock::time_point now = Clock::now();
+        steps_.push_back({now, simulated_s});
+        while (steps_.size() > 2 && seconds_between(steps_.front().at, now) > live_play_policy.rate_over_s)
+            steps_.pop_front();
+        const double passed = seconds_between(steps_.front().at, now);
+        return passed > 0.0 ? (simulated_s - steps_.front().simulated_s) / passed : 0.0;
+    }
+
+private:
+    struct Step {
+        Clock::time_point at;
+        double simulated_s;
+    };
+    std::deque<Step> steps_;
+};
+
+/// Length of the steps: as set, or longer where a step takes longer than the time it covers.
+class StepLength {
+public:
+    double next(const LiveControls& controls) {
+        if (controls.own_step || controls.time_step_s != set_s_) {
+            set_s_ = length_s_ = controls.time_step_s;
+            steps_ = 0, cost_s_ = 0.0;
+        }
+        return length_s_;
+    }
+    void took(double seconds) {
+        cost_s_ += seconds;
+        if (++steps_ < live_play_policy.steps_before) return;
+        const double mean_s = cost_s_ / steps_;
+        steps_ = 0, cost_s_ = 0.0;
+        if (mean_s > live_play_policy.lengthen_at * length_s_ && length_s_ < live_play_policy.longest_step_s)
+            length_s_ = std::min(2.0 * length_s_, live_play_policy.longest_step_s);
+    }
+
+private:
+    double set_s_ = 0.0, length_s_ = 0.0, cost_s_ = 0.0;
+    int steps_ = 0;
+};
+
+}  // namespace
+
+struct LivePlay::Content {
+    mutable std::mutex mutex;  // guards the following
+    LiveControls controls;
+    Make make;  // of a model that has to be made; empty: none
+    LiveView shown;
+
+    std::atomic<bool> stop = false;
+    std::thread thread;
+
+    /// Makes the model that was asked for, if any. Returns false if there is none.
+    bool make_asked(std::unique_ptr<LiveModel>& model, const Progress& progress) {
+        Make asked;
+        {
+            const std::lock_guard lock(mutex);
+            asked = std::exchange(make, {});
+        }
+        if (!asked) return model != nullptr;
+        Result<std::unique_ptr<LiveModel>> made = asked(model.get(), progress);
+        const std::lock_guard lock(mutex);
+        shown.problem = made ? "" : made.error().text();
+        if (!made) return false;
+        model = std::move(*made);
+        shown.actuators = model->actuators();
+        if (controls.levels.size() != shown.actuators.size()) {
+            controls.levels.clear();
+            for (const LiveActuator& actuator : shown.actuators) controls.levels.push_back(actuator.level);
+        }
+        if (!(controls.spring_N_m > 0.0)) controls.spring_N_m = model->spring_N_m();
+        return true;
+    }
+
+    void show(const Result<LiveFrame>& frame, double rate) {
+        const std::lock_guard lock(mutex);
+        if (!frame) {
+            shown.problem = frame.error().text();
+            return;
+        }
+        shown.problem.clear();
+        shown.frame = std::make_shared<const LiveFrame>(*frame);
+        shown.ready = true;
+        shown.rate = rate;
+    }
+
+    void wait_until(Clock::time_point due) const {
+        const auto pause = std::chrono::duration_cast<Clock::duration>(
+            std::chrono::duration<double>(live_play_policy.longest_pause_s));
+        while (!stop && Clock::now() < due) std::this_thread::sleep_until(std::min(due, Clock::now() + pause));
+    }
+
+    void play() {
+        const Progress progress({}, &stop);
+        std::unique_ptr<LiveModel> model;
+        Rate rate;
+        StepLength length;
+        Clock::time_point due = Clock::now();
+        while (!stop) {
+            if (!make_asked(model, progress)) {
+                wait_until(Clock::now() + std::chrono::milliseconds(5));
+                continue;
+            }
+            LiveControls now;
+            {
+                const std::lock_guard lock(mutex);
+                now = controls;
+            }
+            now.time_step_s = length.next(now);
+            const Clock::time_point before = Clock::now();
+            const Result<LiveFrame> frame = model->step(now, progress);
+            if (stop) return;
+            length.took(seconds_between(before, Clock::now()));
+            show(frame, frame ? rate.after(frame->time_s) : 0.0);
+            due += std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(now.time_step_s));
+            // What is lost cannot be made up for: the model goes on from now.
+            if (Clock::now() > due) due = Clock::now();
+            wait_until(due);
+        }
+    }
+};
+
+LivePlay::LivePlay(Make make, const LiveControls& controls) : content_(std::make_unique<Content>()) {
+    content_->controls = controls;
+    content_->make = std::move(make);
+    content_->thread = std::thread([content = content_.get()] {
+        try {
+            content->play();
+        } catch (const std::exception& e) {
+            const std::lock_guard lock(content->mutex);
+            content->shown.problem = e.what();
+        }
+    });
+}
+
+LivePlay::~LivePlay() {
+    content_->stop = true;
+    content_->thread.join();
+}
+
+void LivePlay::steer(const LiveControls& controls) {
+    const std::lock_guard lock(content_->mutex);
+    content_->controls = controls;
+}
+
+void LivePlay::replace(Make make) {
+    const std::lock_guard lock(content_->mutex);
+    content_->make = std::move(make);
+}
+
+LiveView LivePlay::view() const {
+    const std::lock_guard lock(content_->mutex);
+    LiveView view = content_->shown;
+    view.controls = content_->controls;
+    return view;
+}
+
+}  // namespace myo::ui::commands

@@ -1,0 +1,115 @@
+#include "panels/live_tool.hpp"
+
+#include <imgui.h>
+
+#include <array>
+#include <cmath>
+
+#include "base/markup.hpp"
+#include "panels/view_points.hpp"
+#include "plot/number_text.hpp"
+
+namespace myo::ui::panels {
+namespace {
+
+std::optional<viewport::SurfaceHit> body_hit(const commands::WorkbenchState& state, const viewport::DrawnScene& scene,
+                                             const viewport::ViewportState& view, const Eigen::Vector2d& pixel) {
+    // While a new mesh replaces the old one, the drawn body is still the old one for a frame.
+    if (!state.body || !scene.body || !scene.surface || scene.positions.cols() != state.body->mesh.node_count())
+        return std::nullopt;
+    return viewport::pick_surface(*scene.surface, scene.positions,
+                                  viewport::ray_through(view.camera, view.size(), pixel));
+}
+
+/// The point under the mouse in the plane through a point that faces the camera.
+Eigen::Vector3d mouse_in_plane(const viewport::ViewportState& view, const Eigen::Vector3d& point_m) {
+    const viewport::Ray ray = viewport::ray_through(view.camera, view.size(), view.mouse);
+    const Eigen::Vector3d normal = viewport::camera_axes(view.camera).back;
+    return ray.origin_m + (point_m - ray.origin_m).dot(normal) / ray.direction.dot(normal) * ray.direction;
+}
+
+/// The material point that was hit.
+commands::LiveGrip grip_at(const viewport::DrawnScene& scene, const viewport::SurfaceHit& hit) {
+    commands::LiveGrip grip;
+    grip.cell = scene.body->faces.cell(hit.triangle / scene.surface->triangles_per_face());
+    grip.shares = hit.weights;
+    for (int k = 0; k < 3; ++k)
+        grip.nodes.push_back(scene.surface->corners[static_cast<std::size_t>(3 * hit.triangle + k)]);
+    return grip;
+}
+
+std::string rate_text(const commands::LiveView& live) {
+    if (!live.problem.empty()) return "Live playing stands still: " + live.problem;
+    if (!live.ready) return "Preparing the model\xe2\x80\xa6";
+    std::string text = "Live  " + fixed_decimals(live.frame->time_s, 1) +
+                       " s  \xc2\xb7  h = " + plot::value_label(1e3 * live.frame->step_s, 3) + " ms";
+    if (live.rate > 0.0 && live.rate < commands::live_play_policy.behind_below)
+        text += "  \xc2\xb7  behind: " + plot::value_label(live.rate, 2) + "\xc3\x97 real time";
+    else
+        text += "  \xc2\xb7  real time";
+    return text;
+}
+
+/// The spring from the body to the mouse, with its force.
+void draw_spring(PanelContext& context, const viewport::ViewportState& view, const commands::LiveFrame& frame,
+                 const Eigen::Vector3d& hand_m) {
+    const auto from = window_pixel(view, frame.pulled_m), to = window_pixel(view, hand_m);
+    if (!from || !to) return;
+    const float s = context.theme.scale;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImU32 accent = platform::packed(context.theme.accent), dark = IM_COL32(0, 0, 0, 160);
+    list.AddLine(*from, *to, dark, 4.0f * s);
+    list.AddLine(*from, *to, accent, 2.0f * s);
+    for (const ImVec2& end : {*from, *to}) {
+        list.AddCircleFilled(end, 5.5f * s, dark);
+        list.AddCircleFilled(end, 4.0f * s, accent);
+    }
+    draw_note(list, context.theme, {to->x + 12.0f * s, to->y + 8.0f * s}, plot::value_label(frame.force_N, 2) + " N");
+    context.items.add("view/live_force", {{to->x - 4.0f * s, to->y - 4.0f * s}, {to->x + 4.0f * s, to->y + 4.0f * s}});
+}
+
+}  // namespace
+
+bool LiveTool::takes(const commands::WorkbenchState& state, const viewport::DrawnScene& scene,
+                     const viewport::ViewportState& view, const Eigen::Vector2d& pixel) const {
+    return state.live && state.live->ready && !ImGui::GetIO().KeyShift && body_hit(state, scene, view, pixel);
+}
+
+void LiveTool::pull(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view) {
+    if (!grip_) {
+        const auto hit = body_hit(context.state, scene, view, view.mouse);
+        if (!hit) return;
+        grip_ = grip_at(scene, *hit);
+        plane_point_m_ = hit->place(*scene.surface, scene.positions);
+    }
+    grip_->place_m = mouse_in_plane(view, plane_point_m_);
+    commands::LiveControls controls = context.state.live->controls;
+    controls.grip = grip_;
+    context.emit(commands::SteerLive{controls});
+}
+
+void LiveTool::release(PanelContext& context) {
+    grip_.reset();
+    if (!context.state.live || !context.state.live->controls.grip) return;
+    commands::LiveControls controls = context.state.live->controls;
+    controls.grip.reset();
+    context.emit(commands::SteerLive{controls});
+}
+
+void LiveTool::update(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view) {
+    const commands::WorkbenchState& state = context.state;
+    const bool held = view.tool_held && state.live && state.live->ready;
+    if (held && (grip_ || !was_held_))
+        pull(context, scene, view);
+    else if (!held && grip_)
+        release(context);
+    was_held_ = held;
+    if (!state.live) return;
+    draw_hint(context, view,
+              rate_text(*state.live) + (state.live->ready && !grip_ ? "  \xc2\xb7  drag the body to pull it" : ""),
+              "view/live");
+    if (state.live->frame && grip_ && state.live->controls.grip)
+        draw_spring(context, view, *state.live->frame, grip_->place_m);
+}
+
+}  // namespace myo::ui::panels

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+
+#include "panels/panel.hpp"
+#include "viewport/picking.hpp"
+#include "viewport/viewport.hpp"
+
+namespace myo::ui::panels {
+
+/// The hand in the 3D view while a model plays live: a drag that begins on the body pulls the point under the mouse by
+/// a spring, within the plane through it that faces the camera. Shift leaves the drag to the camera. Also says in the
+/// view how fast the model plays and with which force it is pulled.
+class LiveTool {
+public:
+    /// Whether a press at this pixel of the view (from its upper left corner) belongs to the hand.
+    bool takes(const commands::WorkbenchState& state, const viewport::DrawnScene& scene,
+               const viewport::ViewportState& view, const Eigen::Vector2d& pixel) const;
+
+    /// Begins, continues and ends the pull; draws spring, force and rate. Call it after draw_viewport(), within the
+    /// view's window.
+    void update(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view);
+
+private:
+    void pull(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view);
+    void release(PanelContext& context);
+
+    bool was_held_ = false;                         // the button was held in the last frame
+    std::optional<commands::LiveGrip> grip_;        // empty: nothing is pulled
+    Eigen::Vector3d plane_point_m_{0.0, 0.0, 0.0};  // of the plane in which the mouse moves
+};
+
+}  // namespace myo::ui::panels
