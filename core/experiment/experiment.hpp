@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "effect/effect.hpp"
+#include "experiment/goal.hpp"
 #include "experiment/robot_parts.hpp"
 #include "fibre/painted_mask.hpp"
 #include "fibre/polyline.hpp"
@@ -194,6 +195,7 @@ struct TrialDeclaration {
     std::optional<double> end_s;                   // file time of the last compared sample
     std::map<std::string, double> condition;       // test conditions by name; free levels are interpolated over them
     std::vector<LoadDeclaration> loads;
+    std::vector<GoalDeclaration> goals;  // that `optimize` follows instead of the recording; times within the trial
 };
 
 /// A complete experiment folder after reading and checking. Names are unique and references between tables resolve.

@@ -132,6 +132,17 @@ void check_actuation(const Experiment& experiment, const std::string& trial_path
     }
 }
 
+// Only markers on the body can be moved to a goal.
+void check_goals(const Experiment& experiment, const std::string& trial_path, const TrialDeclaration& trial) {
+    std::vector<std::string> names;
+    for (const MarkerDeclaration& marker : experiment.markers.on_body) names.push_back(marker.name);
+    for (std::size_t g = 0; g < trial.goals.size(); ++g)
+        if (!contains(names, trial.goals[g].marker))
+            fail(experiment, trial_path + "." + element("goal", g) + ".marker",
+                 "\"" + trial.goals[g].marker + "\" is no marker on the body; " +
+                     toml::suggest(trial.goals[g].marker, names));
+}
+
 // A free level has neither a number nor a recording.
 bool has_free_level(const TrialDeclaration& trial, const std::string& muscle) {
     return std::any_of(trial.actuation_steps.begin(), trial.actuation_steps.end(),
@@ -172,6 +183,7 @@ void check_trials(Experiment& experiment) {
         paths.push_back(path + ".name");
         if (trial.columns) check_columns(experiment, path, *trial.columns);
         check_actuation(experiment, path, trial);
+        check_goals(experiment, path, trial);
         check_predicted_levels(experiment, path, trial);
         for (const ActuationStep& step : trial.actuation_steps) any_free = any_free || !step.level;
     }

@@ -57,6 +57,11 @@ std::vector<std::string> command_keys();
 measurement::ColumnLayout read_columns_declaration(const toml::TomlReader& trial);
 /// [[trial.load]]: masses and forces of one trial.
 std::vector<LoadDeclaration> read_loads(const toml::TomlReader& trial);
+/// [[trial.goal]]: places of markers at times. Files of paths are read here.
+///
+/// @param declared  role, hold and duration of the trial
+std::vector<GoalDeclaration> read_goals(const toml::TomlReader& trial, const std::filesystem::path& folder,
+                                        const TrialDeclaration& declared);
 /// [[effect]]: parameters as the effect catalogue declares them.
 std::vector<effect::EffectDeclaration> read_effects(const toml::TomlReader& document);
 

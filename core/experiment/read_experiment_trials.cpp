@@ -114,6 +114,7 @@ TrialDeclaration read_trial(const toml::TomlReader& table, const std::filesystem
         for (const std::string& key : condition.keys()) trial.condition[key] = condition.number(key);
     }
     trial.loads = read_loads(table);
+    trial.goals = read_goals(table, folder, trial);
     return trial;
 }
 
@@ -154,7 +155,7 @@ std::vector<TrialDeclaration> read_trials(const toml::TomlReader& document, cons
     std::vector<TrialDeclaration> trials;
     if (!document.has("trial"))
         document.fail("trial", "required key is missing: at least one [[trial]], to fit or to simulate");
-    std::vector<std::string> keys{"name", "role", "duration_s", "session_time_s", "condition", "load"};
+    std::vector<std::string> keys{"name", "role", "duration_s", "session_time_s", "condition", "load", "goal"};
     keys.insert(keys.end(), recording_keys.begin(), recording_keys.end());
     for (const std::string& key : command_keys()) keys.push_back(key);
     for (const toml::TomlReader& table : document.tables("trial", keys)) trials.push_back(read_trial(table, folder));

@@ -149,6 +149,8 @@ std::vector<fs::path> files_read(const fs::path& declared, const experiment::Exp
         if (!trial.trace.empty()) files.push_back(trial.trace);
         if (trial.actuation) files.push_back(*trial.actuation);
         if (trial.sensors) files.push_back(*trial.sensors);
+        for (const experiment::GoalDeclaration& goal : trial.goals)
+            if (goal.file) files.push_back(*goal.file);
     }
     for (const experiment::MuscleDeclaration& muscle : experiment.muscles) {
         if (muscle.signal_file) files.push_back(*muscle.signal_file);

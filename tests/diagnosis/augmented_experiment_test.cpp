@@ -18,7 +18,8 @@ TEST(AugmentedExperiment, NamesTheSameFilesFromWhereItLies) {
     folder.write("home/experiment.toml",
                  "file = \"body.stl\"\ntrace = 'take 1.csv'\nsignal = "
                  "\"beat.csv\"\nmask=\"/elsewhere/mask.csv\"\nprofile = \"name.csv\"\n"
-                 "[[effect]]\nid = \"actuation_lag\"\nsignal = \"upper\"\n[[muscle]]\nsignal = \"late.csv\"\n");
+                 "[[effect]]\nid = \"actuation_lag\"\nsignal = \"upper\"\n[[muscle]]\nsignal = \"late.csv\"\n"
+                 "[[trial.goal]]\npath = \"goal.csv\"\n");
     const Result<std::string> text = augmented_experiment(folder.path() / "home/experiment.toml",
                                                           {{"quadratic_drag", {{"coefficient_kg_m3", 900.0}}, false}},
                                                           folder.path() / "out");
@@ -30,6 +31,7 @@ TEST(AugmentedExperiment, NamesTheSameFilesFromWhereItLies) {
     EXPECT_THAT(*text, HasSubstr("profile = \"name.csv\""));
     EXPECT_THAT(*text, HasSubstr("signal = \"upper\"")) << "an actuator, not a file";
     EXPECT_THAT(*text, HasSubstr("signal = \"../home/late.csv\""));
+    EXPECT_THAT(*text, HasSubstr("path = \"../home/goal.csv\""));
     EXPECT_THAT(*text, HasSubstr("# Found by `myoloop diagnose`. Modulus and damping stay as declared"));
     EXPECT_THAT(*text, HasSubstr("[[effect]]\nid = \"quadratic_drag\"\ncoefficient_kg_m3 = 900.0\ncalibrate = true\n"));
     const Result<std::string> same = augmented_experiment(folder.path() / "home/experiment.toml", {},

@@ -99,7 +99,8 @@ TEST(NewTrial, CopiesAnExperimentOutsideOfItself) {
 /// A robot with every table, copied and with one more trial.
 TEST(NewTrial, LeavesEveryTableOfARobot) {
     Folder folder("new_trial_robot");
-    test::write_robot(folder, test::robot_toml);
+    test::write_robot(folder, test::robot_toml + std::string("[[trial.goal]]\nmarker = \"tip\"\nplace_m = [0.1, 0, "
+                                                             "0]\ntime_s = 0.2\n"));
     const auto copy = folder.path().parent_path() / (folder.path().filename().string() + "_copy");
     ASSERT_TRUE(copy_experiment(folder.path(), copy));
     NewTrial trial = released("one more");
@@ -119,6 +120,7 @@ TEST(NewTrial, LeavesEveryTableOfARobot) {
     EXPECT_EQ(after->mount, MountMotion::markers);
     EXPECT_EQ(after->limits.pressure_Pa, 3e4);
     EXPECT_EQ(after->trials[0].constant_commands.size(), 4u);
+    EXPECT_EQ(after->trials[2].goals.size(), 1u);
     EXPECT_EQ(after->trials[1].sensors, copy / "driven_sensors.csv");
     std::filesystem::remove_all(copy);
 }

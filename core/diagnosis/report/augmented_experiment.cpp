@@ -54,7 +54,8 @@ Result<std::string> augmented_experiment(const std::filesystem::path& written,
                                          const std::filesystem::path& folder) {
     const Result<std::string> text = read_file(written);
     if (!text) return text.error();
-    static const std::regex named(R"(\b(file|trace|actuation|mask|signal|sensors)(\s*=\s*)(\"[^\"\n]*\"|'[^'\n]*'))");
+    static const std::regex named(
+        R"(\b(file|trace|actuation|mask|signal|sensors|path)(\s*=\s*)(\"[^\"\n]*\"|'[^'\n]*'))");
     std::string result;
     auto from = text->cbegin();
     for (std::sregex_iterator match(text->begin(), text->end(), named), end; match != end; ++match) {
