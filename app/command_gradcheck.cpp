@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "exit_status.hpp"
 #include "experiment_command.hpp"
+#include "prediction/trial_goals.hpp"
 #include "report/json.hpp"
 
 namespace myo::app {
@@ -84,7 +85,9 @@ int gradcheck_command(const GradcheckCall& call) {
     const Progress progress = console.progress();
     const OpenedExperiment opening = open_command(call, TrialChoice::one, complete_check, console, progress);
     if (!opening.setup) return opening.status;
-    const setup::Setup& setup = *opening.setup;
+    const Result<setup::Setup> target = prediction::with_goals(*opening.setup);
+    if (!target) return console.refuse(target.error());
+    const setup::Setup& setup = *target;
     for (const std::string& warning : setup.warnings) console.warn(warning);
     const setup::PreparedTrial& checked = setup.trials.front();
     console.print(setup.experiment.name + ", trial " + checked.name + ": " + std::to_string(call.steps) + " steps of " +
@@ -99,8 +102,10 @@ int gradcheck_command(const GradcheckCall& call) {
         return status_failed;
     }
     console.print(std::string("loss: mean square distance of the markers to ") +
-                  (run.against_trace ? "the measured trace" : "their rest positions") + ", " +
-                  format_number(1e6 * run.loss_m2, 4) + " mm2\n\n" + table_of(run.check) + ", " +
+                  (!run.against_trace                 ? "their rest positions"
+                   : prediction::follows_goals(setup) ? "the goals"
+                                                      : "the measured trace") +
+                  ", " + format_number(1e6 * run.loss_m2, 4) + " mm2\n\n" + table_of(run.check) + ", " +
                   format_number(run.seconds, 3) + " s" +
                   (run.left_out.empty() ? "" : "\nnot checked: " + join(run.left_out)));
     if (!call.json.empty())

@@ -12,6 +12,7 @@
 #include "exit_status.hpp"
 #include "experiment/actuators.hpp"
 #include "experiment_command.hpp"
+#include "prediction/trial_goals.hpp"
 #include "results/optimize_output.hpp"
 
 namespace myo::app {
@@ -107,7 +108,9 @@ std::string result_lines(const setup::Setup& setup, const calibration::Optimizat
     if (result.problem.placement_bounds) text += placement_line(result);
     if (!result.deviations.found) text += "\nstandard deviations: " + result.deviations.reason;
     if (!result.miss.reached)
-        text += "\ntarget not reached: " + format_number(result.miss.noise_levels, 3) + " times the noise is left";
+        text += result.miss.goals ? "\ngoals not reached"
+                                  : "\ntarget not reached: " + format_number(result.miss.noise_levels, 3) +
+                                        " times the noise is left";
     if (result.fit.converged() && !result.fit.message.empty()) text += "\n" + result.fit.message;
     return text + "\n\n" + std::to_string(result.fit.log.size()) + " evaluations of the best start, " +
            format_number(result.seconds, 3) + " s, " + std::to_string(setup.body->dofs()) + " DOF, steps of " +
@@ -149,7 +152,10 @@ std::string search_lines(const setup::Setup& setup, const inverse::ActuationProb
                          double frequency_Hz) {
     std::vector<std::string> names;
     for (const inverse::SoughtSignal& signal : problem.sought.signals) names.push_back(signal.name);
-    return setup.experiment.name + ", trial " + setup.trials.front().name + ": " + std::to_string(values) +
+    const std::size_t goals = setup.experiment.trials.front().goals.size();
+    const std::string towards = goals == 0 ? ""
+                                           : ", towards " + std::to_string(goals) + (goals == 1 ? " goal" : " goals");
+    return setup.experiment.name + ", trial " + setup.trials.front().name + towards + ": " + std::to_string(values) +
            " values of " + join(names) +
            (problem.sought.constant ? ", held at rest" : " at " + format_number(frequency_Hz) + " Hz") + "\n" +
            size_line(setup);
@@ -168,8 +174,10 @@ std::vector<check::Finding> checks_of_signals(const setup::Setup& setup, const c
                                               const std::vector<check::Finding>& before, Console& console,
                                               const Progress& progress) {
     if (result.stopped) return before;
-    const prediction::SetupRun run = calibration::run_with_found_signals(setup, result, progress);
-    std::vector<check::Finding> findings = check::check_after({setup, &run}, before);
+    // Checks of recordings have nothing to say about goals.
+    const setup::Setup checked = prediction::without_goals(setup);
+    const prediction::SetupRun run = calibration::run_with_found_signals(checked, result, progress);
+    std::vector<check::Finding> findings = check::check_after({checked, &run}, before);
     tell_findings(findings, before, console);
     return findings;
 }
@@ -180,7 +188,10 @@ int optimize_command(const OptimizeCall& call) {
     const Progress progress = console.progress();
     OpenedExperiment opening = open_command(call, TrialChoice::one, first_evaluation, console, progress);
     if (!opening.setup) return opening.status;
-    setup::Setup& setup = *opening.setup;
+    const std::vector<check::Finding> before = check::check_before(*opening.setup);
+    Result<setup::Setup> target = prediction::with_goals(*std::move(opening.setup));
+    if (!target) return console.refuse(target.error());
+    setup::Setup& setup = *target;
     const calibration::OptimizeSettings settings = settings_of(call);
     const Result<inverse::ActuationProblem> problem = calibration::actuation_problem(setup, settings);
     if (!problem) return console.refuse(problem.error());
@@ -190,7 +201,6 @@ int optimize_command(const OptimizeCall& call) {
     for (const std::string& warning : setup.warnings) console.warn(warning);
     if (!setup.experiment.sensors.empty())
         console.warn("the readings of sensors take no part in the search for signals; calibrate fits them");
-    const std::vector<check::Finding> before = check::check_before(setup);
     tell_findings(before, opening.told, console);
     console.print(search_lines(setup, *problem, from->values.size(), settings.frequency_Hz));
     const double setup_s = opening.stopwatch.seconds();
@@ -233,7 +243,8 @@ std::function<int()> declare_optimize(CLI::App& app) {
     call->outputs = [own = call.get()](const experiment::Experiment& experiment) {
         return optimize_files(*own, experiment);
     };
-    app.add_option("--trial", call->trial, "trial whose trace is the target (default: the first with role fit)")
+    app.add_option("--trial", call->trial,
+                   "trial whose goals, or else trace, are the target (default: the first with role fit)")
         ->type_name("NAME");
     add_positive_number(app, "--frequency", call->frequency_Hz, "values of each signal per second (default: 20)")
         ->type_name("HZ");

@@ -49,12 +49,13 @@ sensitivity::SensitiveTrace simulate(const CheckedRun& run, const prediction::Pa
                                                progress.with_sink({}));
 }
 
-/// Sum of the products of finite entries.
-double product(const std::vector<Eigen::Matrix3Xd>& a, const std::vector<Eigen::Matrix3Xd>& b) {
+/// Sum of the products of finite entries with their shares.
+double product(const std::vector<Eigen::Matrix3Xd>& shares, const std::vector<Eigen::Matrix3Xd>& a,
+               const std::vector<Eigen::Matrix3Xd>& b) {
     double sum = 0.0;
     for (std::size_t m = 0; m < a.size(); ++m)
         for (Eigen::Index k = 0; k < a[m].size(); ++k)
-            if (std::isfinite(a[m](k))) sum += a[m](k) * b[m](k);
+            if (std::isfinite(a[m](k))) sum += shares[m](k) * a[m](k) * b[m](k);
     return sum;
 }
 
@@ -100,7 +101,7 @@ DeclaredGradients declared_gradients(const CheckedRun& run, int threads, const P
     DeclaredGradients result;
     const Checked checked = numbers_with_tangents(run, result.left_out);
     if (checked.numbers.empty()) return result;
-    const double count = static_cast<double>(run.target.coordinates());
+    const std::vector<Eigen::Matrix3Xd> shares = inverse::shares_of_coordinates(run.target);
     const sensitivity::SensitiveTrace exact = simulate(run, run.values, checked.tangents, progress);
     result.status = exact.trace.status;
     result.message = exact.trace.message;
@@ -122,11 +123,11 @@ DeclaredGradients declared_gradients(const CheckedRun& run, int threads, const P
         losses[i] = std::numeric_limits<double>::quiet_NaN();
         if (!there.trace.complete()) return;
         const std::vector<Eigen::Matrix3Xd> residuals = inverse::target_residuals(run.target, there).residuals_m;
-        losses[i] = product(residuals, residuals) / count;
+        losses[i] = product(shares, residuals, residuals);
     });
     for (std::size_t p = 0; p < checked.numbers.size(); ++p) {
         const std::string& name = checked.numbers[p].parameter.name;
-        sensitivity::GradientCheckRow row{name, 2.0 * product(seen.residuals_m, seen.tangents[p]) / count};
+        sensitivity::GradientCheckRow row{name, 2.0 * product(shares, seen.residuals_m, seen.tangents[p])};
         for (std::size_t k = 0; k < 4; ++k) {
             row.difference += weights[k] * losses[4 * p + k] / checked.steps[p];
             if (std::isfinite(losses[4 * p + k])) continue;

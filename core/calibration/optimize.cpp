@@ -14,6 +14,7 @@
 #include "calibration/sought_signals.hpp"
 #include "effect/catalogue.hpp"
 #include "experiment/read_experiment.hpp"
+#include "prediction/trial_goals.hpp"
 #include "prediction/trial_target.hpp"
 #include "setup/actuator_signals.hpp"
 #include "setup/trial_effects.hpp"
@@ -45,7 +46,7 @@ inverse::ActingSignals acting_signals(const setup::Setup& setup) {
 double last_seen(const inverse::MarkerTarget& target) {
     for (Index t = target.times_s.size() - 1; t >= 0; --t)
         for (const Eigen::Matrix3Xd& track : target.positions_m)
-            if (track.col(t).allFinite()) return std::max(0.0, target.times_s(t));
+            if (track.col(t).array().isFinite().any()) return std::max(0.0, target.times_s(t));
     return 0.0;
 }
 
@@ -77,9 +78,13 @@ std::vector<std::string> bound_warnings(const inverse::SoughtSignals& sought, co
     return warnings;
 }
 
+/// The run of an evaluation. The error of goals is weighted as in the loss.
 prediction::SetupRun run_of(const setup::Setup& setup, const inverse::ActuationEvaluation& evaluation) {
-    return prediction::scored_run(setup, prediction::placed_values(setup, evaluation.placement),
-                                  {prediction::prediction_of(setup, 0, evaluation.motion, evaluation.placement)}, {0});
+    prediction::SetupRun run = prediction::scored_run(
+        setup, prediction::placed_values(setup, evaluation.placement),
+        {prediction::prediction_of(setup, 0, evaluation.motion, evaluation.placement)}, {0});
+    if (prediction::follows_goals(setup)) run.fit_rms_m = evaluation.rms_m;
+    return run;
 }
 
 /// Warnings about the result, most serious first.
@@ -126,7 +131,9 @@ Result<inverse::ActuationProblem> actuation_problem(const setup::Setup& setup, c
             "no muscle, chamber or tendon is declared, so there is no actuation to be found");
     if (trial.role == experiment::TrialRole::simulate)
         return experiment::declaration_error(setup.experiment, "trial[0].role",
-                                             "trial " + trial.name + " has no recording that signals could follow");
+                                             "trial " + trial.name +
+                                                 " has neither a recording nor a [[trial.goal]] that signals could "
+                                                 "follow");
     const double lowest = lowest_activation(setup.experiment, settings);
     if (!(lowest < settings.highest)) return Error{"is not below --highest", "--lowest"};
     if (!(lowest > 0.0) && !setup.settings.as_published)
@@ -147,6 +154,10 @@ Result<inverse::ActuationProblem> actuation_problem(const setup::Setup& setup, c
     problem.target = prediction::trial_target(setup, 0, std::numeric_limits<double>::infinity());
     // Signals after the last visible sample are not determined.
     problem.options.end_s = last_seen(problem.target);
+    const bool goals = prediction::follows_goals(setup);
+    if (!(problem.options.end_s > 0.0) && !trial.hold && goals)
+        return experiment::declaration_error(setup.experiment, "trial[0].goal",
+                                             "no goal of trial " + trial.name + " lies after its start");
     if (!(problem.options.end_s > 0.0) && !trial.hold)
         return Error{"trial " + trial.name + ": no marker was seen after the start",
                      setup.experiment.trials.front().trace.string()};
@@ -228,6 +239,8 @@ void judge_signals(const setup::Setup& setup, Optimization& result, const Progre
     result.warnings = warnings_of(setup, result);
     if (result.stopped)
         result.deviations.reason = "not looked for: the search was stopped";
+    else if (prediction::follows_goals(setup))
+        result.deviations.reason = "none: goals are no measurements";
     else
         result.deviations = inverse::actuation_deviations(with_placement(result.problem, result.fit.best.placement),
                                                           result.fit.values, setup::mean_noise(setup),

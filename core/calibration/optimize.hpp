@@ -33,8 +33,8 @@ struct OptimizeSettings {
 ///
 /// For a trial that starts in equilibrium under unrecorded levels these are unknowns as well; so is a limited
 /// registration.
-/// Errors: no actuators, no recording, no samples after the start, knots closer than steps, no values between the
-/// bounds, a lowest activation <= 0 unless as_published.
+/// Errors: no actuators, neither recording nor goals (see with_goals()), no samples after the start, knots closer than
+/// steps, no values between the bounds, a lowest activation <= 0 unless as_published.
 Result<inverse::ActuationProblem> actuation_problem(const setup::Setup& setup, const OptimizeSettings& settings);
 
 /// Outcome of one start.

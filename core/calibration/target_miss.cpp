@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "experiment/actuators.hpp"
 #include "experiment/read_trial.hpp"
+#include "prediction/trial_goals.hpp"
 
 namespace myo::calibration {
 namespace {
@@ -29,6 +30,7 @@ TargetMiss target_miss(const setup::Setup& setup, const prediction::SetupRun& ru
     const prediction::TrialPrediction& prediction = run.predictions.front();
     const Eigen::VectorXd& times = setup.trials.front().measured.time_s;
     TargetMiss miss;
+    miss.goals = prediction::follows_goals(setup);
     miss.noise_m = setup::mean_noise(setup);
     miss.rms_m = run.fit_rms_m;
     miss.noise_levels = miss.rms_m / miss.noise_m;
@@ -70,11 +72,14 @@ std::string sentence(const TargetMiss& miss, double before_rms_m) {
     std::vector<std::string> names;
     for (const TargetMiss::Marker& marker : miss.markers)
         names.push_back(marker.name + " (" + millimetres(marker.rms_m) + ")");
-    return "the target is not reached: " + millimetres(miss.rms_m) + " rms of " + millimetres(before_rms_m) +
-           " are left, " + format_number(miss.noise_levels, 3) + " times the noise of " + millimetres(miss.noise_m) +
-           "; farthest off " + (names.size() > 1 ? "are " : "is ") + join(names) + ", most from " +
-           format_number(miss.from_s, 3) + " s to " + format_number(miss.until_s, 3) + " s (" +
-           millimetres(miss.worst_rms_m) + " at " + format_number(miss.worst_s, 3) + " s)";
+    const std::string levels = miss.goals ? ""
+                                          : ", " + format_number(miss.noise_levels, 3) + " times the noise of " +
+                                                millimetres(miss.noise_m);
+    return std::string(miss.goals ? "the goals are" : "the target is") + " not reached: " + millimetres(miss.rms_m) +
+           " rms of " + millimetres(before_rms_m) + " are left" + levels + "; farthest off " +
+           (names.size() > 1 ? "are " : "is ") + join(names) + ", most from " + format_number(miss.from_s, 3) +
+           " s to " + format_number(miss.until_s, 3) + " s (" + millimetres(miss.worst_rms_m) + " at " +
+           format_number(miss.worst_s, 3) + " s)";
 }
 
 bool level_is_on_record(const experiment::Experiment& experiment, const experiment::TrialDeclaration& trial,

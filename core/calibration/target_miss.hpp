@@ -29,6 +29,7 @@ struct TargetMiss {
         std::string name;
         double rms_m = 0.0;
     };
+    bool goals = false;                       // the target are goals, no recording
     bool reached = true;                      // rms below TargetRule::reached
     double noise_m = 0.0, rms_m = 0.0;        // of a coordinate, over the trial
     double noise_levels = 0.0;                // rms_m / noise_m

@@ -1,6 +1,7 @@
 #include "inverse/marker_target.hpp"
 
 #include <cassert>
+#include <cmath>
 
 #include "measurement/rigid_motion.hpp"
 
@@ -42,6 +43,23 @@ Matrix3Xd or_zero(const Matrix3Xd& residual) { return residual.array().isFinite(
 
 }  // namespace
 
+std::vector<Matrix3Xd> shares_of_coordinates(const MarkerTarget& target) {
+    std::vector<Matrix3Xd> shares;
+    double sum = 0.0;
+    for (std::size_t m = 0; m < target.positions_m.size(); ++m) {
+        const Matrix3Xd& track = target.positions_m[m];
+        shares.emplace_back(Matrix3Xd::Zero(3, track.cols()));
+        for (Eigen::Index k = 0; k < track.size(); ++k) {
+            if (!std::isfinite(track(k))) continue;
+            shares[m](k) = target.weights.empty() ? 1.0 : target.weights[m](k);
+            sum += shares[m](k);
+        }
+    }
+    assert(sum > 0.0);
+    for (Matrix3Xd& share : shares) share /= sum;
+    return shares;
+}
+
 std::vector<Matrix3Xd> target_residuals(const MarkerTarget& target, const sensitivity::NodeMotion& motion) {
     const Eigen::Matrix3d R = measurement::small_rotation(target.placement.rotation_rad);
     std::vector<Matrix3Xd> residuals = unplaced(target, motion).positions;
@@ -70,16 +88,15 @@ SensitiveResiduals target_residuals(const MarkerTarget& target, const sensitivit
 }
 
 sensitivity::MotionLoss mean_square(const MarkerTarget& target, const sensitivity::NodeMotion& motion) {
-    const auto count = static_cast<double>(target.coordinates());
-    assert(count > 0.0);
-    // Adjoint of the placed residual: 2/count R' residual on the marker; R' is the rotation by the negative vector.
+    const std::vector<Matrix3Xd> shares = shares_of_coordinates(target);
+    // Adjoint of the placed residual: 2 R' (share residual) on the marker; R' is the rotation by the negative vector.
     const Eigen::Matrix3d back_turned = measurement::small_rotation(-target.placement.rotation_rad);
     std::vector<Matrix3Xd> pulls = target_residuals(target, motion);
     double sum = 0.0;
-    for (Matrix3Xd& residual : pulls) {
-        residual = or_zero(residual);
-        sum += residual.squaredNorm();
-        residual = (2.0 / count * back_turned * residual).eval();
+    for (std::size_t m = 0; m < pulls.size(); ++m) {
+        const Matrix3Xd residual = or_zero(pulls[m]), shared = residual.cwiseProduct(shares[m]);
+        sum += residual.cwiseProduct(shared).sum();
+        pulls[m] = 2.0 * back_turned * shared;
     }
     sensitivity::MotionLoss loss = measurement::pull_on_nodes(motion, target.markers, model_times(target), pulls);
     // Displacements: each sample also depends on the marker at t = 0, with the opposite sign.
@@ -90,20 +107,19 @@ sensitivity::MotionLoss mean_square(const MarkerTarget& target, const sensitivit
                                                                              back);
         loss.d_positions.front() += of_origin.d_positions.front();
     }
-    loss.value = sum / count;
+    loss.value = sum;
     return loss;
 }
 
 MarkerPlacement mean_square_by_placement(const MarkerTarget& target, const sensitivity::NodeMotion& motion) {
-    const auto count = static_cast<double>(target.coordinates());
-    assert(count > 0.0);
+    const std::vector<Matrix3Xd> shares = shares_of_coordinates(target);
     const Vector3d omega = target.placement.rotation_rad;
     const Eigen::Matrix3d R = measurement::small_rotation(omega);
     const measurement::MarkerTracks tracks = unplaced(target, motion);
     MarkerPlacement gradient;
     for (std::size_t m = 0; m < tracks.positions.size(); ++m) {
         const Matrix3Xd& x = tracks.positions[m];
-        const Matrix3Xd pull = 2.0 / count * or_zero(residual_of(target, R, x, m));
+        const Matrix3Xd pull = 2.0 * shares[m].cwiseProduct(or_zero(residual_of(target, R, x, m)));
         if (!target.from_start) gradient.translation_m += pull.rowwise().sum();
         for (Eigen::Index t = 0; t < x.cols(); ++t)
             gradient.rotation_rad += measurement::d_rotated_d_omega(omega, x.col(t)).transpose() * pull.col(t);

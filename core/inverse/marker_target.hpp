@@ -24,6 +24,8 @@ struct MarkerTarget {
     std::vector<Eigen::Matrix3Xd> positions_m;  // per marker 3 x T; NaN: not compared
     bool from_start = false;                    // positions are displacements from the marker position at t = 0
     MarkerPlacement placement;
+    /// Of the squared coordinates in mean_square(), like positions_m; empty: 1 each. best_placement() takes no notice.
+    std::vector<Eigen::Matrix3Xd> weights{};
 
     /// Number of compared (finite) coordinates.
     Eigen::Index coordinates() const;
@@ -40,8 +42,11 @@ struct SensitiveResiduals {
 /// Residuals of a run with tangents of the marker nodes.
 SensitiveResiduals target_residuals(const MarkerTarget& target, const sensitivity::SensitiveTrace& run);
 
-/// Mean square of the residual coordinates [m2] and its derivative with respect to the motion of the marker nodes.
-/// Asserts that coordinates() > 0.
+/// Weights of the squared coordinates with sum 1, per marker 3 x T; 0 where there is no target.
+std::vector<Eigen::Matrix3Xd> shares_of_coordinates(const MarkerTarget& target);
+
+/// Weighted mean square of the residual coordinates [m2] and its derivative with respect to the motion of the marker
+/// nodes. Asserts that coordinates() > 0.
 sensitivity::MotionLoss mean_square(const MarkerTarget& target, const sensitivity::NodeMotion& motion);
 
 /// Derivative of mean_square() with respect to each field of the placement.

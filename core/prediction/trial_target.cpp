@@ -48,11 +48,13 @@ inverse::MarkerTarget trial_target(const setup::Setup& setup, std::size_t index,
         Matrix3Xd track = trial.measured.tracks[m].middleCols(std::min(first, times.size()), count);
         if (target.from_start) track.colwise() -= trial.reference_m[m];
         if (mount) see_from_mount(*mount, target.times_s, target.from_start, track);
-        // A sample with an occluded coordinate is excluded as a whole.
-        for (Index t = 0; t < count; ++t)
+        // A sample with an occluded coordinate is excluded as a whole; a goal may name some coordinates only.
+        for (Index t = 0; t < count && trial.goal_weights.empty(); ++t)
             if (!track.col(t).allFinite()) track.col(t).setConstant(std::numeric_limits<double>::quiet_NaN());
         target.positions_m.push_back(std::move(track));
     }
+    for (const Matrix3Xd& weights : trial.goal_weights)
+        target.weights.emplace_back(weights.middleCols(std::min(first, times.size()), count));
     return target;
 }
 

@@ -175,6 +175,7 @@ report::Json search_json(const setup::Setup& setup, const calibration::Optimizat
     const int evaluations = evaluations_of(optimization.starts);
     return {{"schema", "optimize/1"},
             {"trial", setup.trials.front().name},
+            {"target", optimization.miss.goals ? "goals" : "recording"},
             {"frequency_Hz", sought.frequency_Hz},
             {"interpolation", interpolation(sought.hold)},
             {"smoothness_m_s", optimization.problem.smoothness_m_s},

@@ -39,10 +39,12 @@ experiment::Actuator actuator_named(const setup::Setup& setup, const std::string
 std::vector<report::KeyFigure> key_figures(const setup::Setup& setup, const calibration::Optimization& optimization) {
     const inverse::SoughtSignals& sought = optimization.problem.sought;
     std::vector<report::KeyFigure> figures;
+    const std::string levels = optimization.miss.goals
+                                   ? "distance to the goals"
+                                   : readable_number(optimization.miss.noise_levels, 3) + " times the noise";
     figures.push_back({optimization.miss.reached ? "Error (rms)" : "Error (rms): target not reached",
                        report::in_mm(optimization.after.fit_rms_m), "mm",
-                       readable_number(optimization.miss.noise_levels, 3) + " times the noise; was " +
-                           report::in_mm(optimization.before.fit_rms_m) + " mm at the start"});
+                       levels + "; was " + report::in_mm(optimization.before.fit_rms_m) + " mm at the start"});
     for (std::size_t s = 0; s < sought.signals.size(); ++s) {
         const auto row = optimization.fit.values.row(static_cast<Eigen::Index>(s));
         const experiment::Actuator actuator = actuator_named(setup, sought.signals[s].name);
@@ -189,12 +191,13 @@ report::HtmlReport optimize_report(const setup::Setup& setup, const calibration:
     report::HtmlReport report;
     report.title = setup.experiment.name;
     const inverse::SoughtSignals& sought = optimization.problem.sought;
-    report.summary = {"The actuation that makes the markers follow trial " + setup.trials.front().name +
-                      (sought.constant
-                           ? ": one value of each signal, as the body is at rest"
-                           : ": signals with values " + readable_number(1e3 / sought.frequency_Hz, 3) + " ms apart") +
-                      ", found by " + std::to_string(evaluations_of(optimization)) + " runs with their gradients in " +
-                      readable_number(optimization.seconds, 3) + " s."};
+    report.summary = {
+        std::string("The actuation that makes the markers ") +
+        (optimization.miss.goals ? "reach the goals of" : "follow") + " trial " + setup.trials.front().name +
+        (sought.constant ? ": one value of each signal, as the body is at rest"
+                         : ": signals with values " + readable_number(1e3 / sought.frequency_Hz, 3) + " ms apart") +
+        ", found by " + std::to_string(evaluations_of(optimization)) + " runs with their gradients in " +
+        readable_number(optimization.seconds, 3) + " s."};
     report.key_figures = key_figures(setup, optimization);
     report.warnings.lines = optimization.warnings;
     report.warnings.lines.insert(report.warnings.lines.end(), setup.warnings.begin(), setup.warnings.end());

@@ -326,6 +326,45 @@ TEST(Optimize, BadCallsAreTurnedDownInOneSentence) {
     EXPECT_FALSE(folder.has("out/optimize.json"));
 }
 
+/// A planned trial of the muscled block whose tip shall be somewhere, without any recording.
+std::string planned_toml() {
+    std::string text = muscled_toml();
+    text = text.substr(0, text.find("[[trial]]"));
+    return text +
+           "[[trial]]\nname = \"reach\"\nrole = \"simulate\"\nduration_s = 0.3\nstart = \"equilibrium\"\n"
+           "[[trial.goal]]\nmarker = \"tip\"\nplace_m = [0.038, 0.01, 0.022]\ntime_s = 0.15\nuntil_s = 0.25\n"
+           "axes = [\"z\"]\n";
+}
+
+TEST(Optimize, ReachesAGoalWithoutARecording) {
+    const Folder folder("optimize_goal");
+    folder.write("exp/experiment.toml", planned_toml());
+    const ProgramRun run = run_program(optimize_call(folder, {"--dt", "0.005"}));
+    ASSERT_EQ(run.status, 0) << run.out << run.err;
+    EXPECT_THAT(run.out, HasSubstr("towards 1 goal"));
+    const json j = json_at(folder, "out/optimize.json");
+    EXPECT_EQ(j.at("target"), "goals");
+    EXPECT_GT(j.at("rms_before_m").get<double>(), 1e-3);
+    EXPECT_LT(j.at("rms_after_m").get<double>(), 0.1 * j.at("rms_before_m").get<double>());
+    EXPECT_THAT(content_of(folder.path() / "out/report.html"), HasSubstr("reach the goals of trial reach"));
+    // The signals that were found lead there when the trial is run with them, and stay after the goal.
+    const auto found = measurement::read_actuation_csv(folder.path() / "out/reach_actuation.csv");
+    ASSERT_TRUE(found) << found.error().text();
+    EXPECT_GE(found->time_s.tail(1)(0), 0.25 - 1e-9);
+    const ProgramRun gradients = run_program({"gradcheck", folder.str("exp"), "--resolution", "0.01"});
+    EXPECT_EQ(gradients.status, 0) << gradients.out << gradients.err;
+}
+
+TEST(Gradcheck, TakesTheGoalsOfATrial) {
+    const Folder folder("gradcheck_goal");
+    std::string text = planned_toml();
+    text.replace(text.find("time_s = 0.15"), 13, "time_s = 0.01");
+    folder.write("exp/experiment.toml", text);
+    const ProgramRun run = run_program({"gradcheck", folder.str("exp"), "--resolution", "0.01", "--dt", "0.005"});
+    ASSERT_EQ(run.status, 0) << run.out << run.err;
+    EXPECT_THAT(run.out, HasSubstr("mean square distance of the markers to the goals"));
+}
+
 TEST(Gradcheck, EveryParameterOfATrialAgreesWithDifferences) {
     const Folder folder("gradcheck");
     write_small_experiment(folder);

@@ -88,6 +88,46 @@ TEST_P(MarkerTargets, KnowTheDerivativeByTheMotionAsPlaced) {
     EXPECT_NEAR(loss.d_positions[at].cwiseProduct(d).sum() / ((moved(1e-6) - moved(-1e-6)) / 2e-6), 1.0, 1e-6);
 }
 
+/// Weights of single coordinates, 0 among them.
+MarkerTarget weighted(MarkerTarget target) {
+    for (std::size_t m = 0; m < target.positions_m.size(); ++m)
+        target.weights.push_back(
+            (2.0 + test::rough_field(target.times_s.size(), 3.0 + static_cast<double>(m)).array()).matrix());
+    target.weights[0].row(1).setZero();
+    target.positions_m[1](2, 7) = std::numeric_limits<double>::quiet_NaN();
+    return target;
+}
+
+TEST_P(MarkerTargets, CountCoordinatesByTheirWeights) {
+    const Moved given(GetParam());
+    const MarkerTarget target = weighted(given.target);
+    const std::vector<Matrix3Xd> residuals = target_residuals(target, given.motion);
+    double sum = 0.0, weights = 0.0;
+    for (std::size_t m = 0; m < residuals.size(); ++m)
+        for (Eigen::Index k = 0; k < residuals[m].size(); ++k) {
+            if (!std::isfinite(residuals[m](k))) continue;
+            sum += target.weights[m](k) * residuals[m](k) * residuals[m](k);
+            weights += target.weights[m](k);
+        }
+    const sensitivity::MotionLoss loss = mean_square(target, given.motion);
+    EXPECT_NEAR(loss.value, sum / weights, 1e-12 * loss.value);
+    const std::size_t at = 6;
+    const Matrix3Xd d = test::rough_field(given.motion.positions[at].cols(), 0.7);
+    const auto moved = [&](double by) {
+        sensitivity::NodeMotion motion = given.motion;
+        motion.positions[at] += by * d;
+        return mean_square(target, motion).value;
+    };
+    EXPECT_NEAR(loss.d_positions[at].cwiseProduct(d).sum() / ((moved(1e-6) - moved(-1e-6)) / 2e-6), 1.0, 1e-6);
+    const MarkerPlacement gradient = mean_square_by_placement(target, given.motion);
+    const auto turned = [&](double by) {
+        MarkerTarget changed = target;
+        changed.placement.rotation_rad.y() += by;
+        return mean_square(changed, given.motion).value;
+    };
+    EXPECT_NEAR(gradient.rotation_rad.y() / ((turned(1e-5) - turned(-1e-5)) / 2e-5), 1.0, 1e-6);
+}
+
 /// A target made by the placed motion itself is met exactly.
 TEST_P(MarkerTargets, AreMetByWhatThePlacementSays) {
     Moved given(GetParam());
