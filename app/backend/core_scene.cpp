@@ -11,6 +11,7 @@
 #include "backend/effect_settings.hpp"
 #include "backend/law_settings.hpp"
 #include "backend/mesh_scene.hpp"
+#include "backend/scene_goals.hpp"
 #include "base/files.hpp"
 #include "base/letter_case.hpp"
 #include "base/parallel.hpp"
@@ -98,6 +99,7 @@ void fill_from_setup(const setup::Setup& setup, ui::commands::Scene& scene) {
                                        {},         shown_commands(setup, trial)};
         const experiment::TrialDeclaration& declared = experiment.trials[scene.trials.size()];
         shown.duration_s = declared.duration_s;
+        shown.goals = scene_goals(experiment, declared);
         for (const experiment::LoadDeclaration& load : declared.loads)
             shown.loads.push_back({load.kind == experiment::LoadKind::mass, load.box_m, load.mass_kg, load.force_N});
         for (std::size_t m = 0; m < scene.markers.size(); ++m)

@@ -16,7 +16,8 @@
 #include "commands/body_actuators.hpp"
 #include "commands/check_view.hpp"
 #include "commands/diagnosis_view.hpp"
-#include "commands/live_model.hpp"
+
+#include "commands/goal_view.hpp"
 #include "commands/project.hpp"
 #include "commands/recording_import.hpp"
 #include "commands/run_result.hpp"
@@ -104,6 +105,7 @@ struct SceneTrial {
     std::map<std::string, ShownCommand> commands = {};     // of chambers and tendons, by name
     std::vector<SceneLoad> loads = {};                     // in the order of declaration
     double duration_s = 0.0;                               // of a trial without a recording, else 0
+    std::vector<SceneGoal> goals = {};                     // in the order of declaration; Optimise follows them
 };
 
 /// Mean interval between the samples of a trial [s]. Returns 0 if there are fewer than two.
@@ -270,7 +272,8 @@ public:
     /// if there are none.
     virtual Result<SearchResult> calibrate(const Scene& scene, const MeshedBody& body, const Settings& settings,
                                            const Progress& progress, const LiveSearch& live) = 0;
-    /// Finds muscle signals with which the markers of a trial follow their measured paths. Cancelling works as in
+    /// Finds muscle signals with which the markers of a trial reach its goals, or else follow their measured paths.
+    /// Cancelling works as in
     /// calibrate().
     virtual Result<SearchResult> optimize(const Scene& scene, const MeshedBody& body, const Settings& settings,
                                           const OptimizeRequest& request, const Progress& progress,

@@ -31,6 +31,7 @@ struct SearchPoint {
 /// State of a search while it runs, and its history afterwards.
 struct SearchView {
     std::string loss_unit;                  // "mm²"; empty: without unit
+    std::string target = {};                // what the markers follow: "goals of trial reach"; empty: all trials to fit
     std::vector<SearchPoint> log;           // all evaluations in order
     std::vector<ParameterRow> parameters;   // of the best evaluation; deviations are unknown
     Settings settings;                      // with the best values

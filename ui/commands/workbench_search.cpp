@@ -1,6 +1,7 @@
 #include <cmath>
 #include <utility>
 
+#include "commands/search_target.hpp"
 #include "commands/workbench.hpp"
 #include "plot/number_text.hpp"
 
@@ -117,10 +118,11 @@ void Workbench::on(const Calibrate&) {
 void Workbench::on(const Optimize&) {
     if (!may_compute()) return;
     const SceneTrial* const trial = state_.scene_trial();
-    if (state_.settings.muscles.empty() || !trial || trial->measured.empty()) {
-        log(LogLevel::warning, state_.settings.muscles.empty()
-                                   ? "Nothing to optimise: add a muscle and paint it first."
-                                   : "Nothing to optimise: the shown trial has no measured markers to follow.");
+    if (state_.settings.muscles.empty() || !trial || !has_target(*trial)) {
+        log(LogLevel::warning,
+            state_.settings.muscles.empty()
+                ? "Nothing to optimise: add a muscle and paint it first."
+                : "Nothing to optimise: the shown trial has neither goals nor measured markers to follow.");
         return;
     }
     // The trial is stored in the request, as another one may be shown when the job starts.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "commands/search_target.hpp"
 #include "plot/number_text.hpp"
 
 namespace myo::ui::commands {
@@ -67,7 +68,8 @@ TaskStatus measure_status(const WorkbenchState& state) {
 }
 
 TaskStatus fit_status(const WorkbenchState& state) {
-    if (!is_measured(*state.scene)) return {TaskState::missing, "A fit needs measured markers."};
+    if (!is_measured(*state.scene) && !any_goals(*state.scene))
+        return {TaskState::missing, "A fit needs measured markers or goals."};
     if (state.scene->calibrated.empty() && state.settings.muscles.empty())
         return {TaskState::missing, "Unknown parameters: none. No muscle to optimise."};
     if (!state.found)

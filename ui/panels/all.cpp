@@ -3,6 +3,7 @@
 #include "panels/diagnose_panel.hpp"
 #include "panels/fibre_panel.hpp"
 #include "panels/fit_panel.hpp"
+#include "panels/goal_panel.hpp"
 #include "panels/import_panel.hpp"
 #include "panels/jobs_panel.hpp"
 #include "panels/live_panel.hpp"
@@ -43,6 +44,7 @@ std::vector<std::unique_ptr<Panel>> all_panels() {
     add(std::type_identity<MeasurePanel>());
     add(std::type_identity<ImportPanel>());
     add(std::type_identity<UnknownPanel>());
+    add(std::type_identity<GoalPanel>());
     add(std::type_identity<FitPanel>());
     add(std::type_identity<VerdictPanel>());
     add(std::type_identity<ReportPanel>());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "commands/search_target.hpp"
 #include "panels/check_marks.hpp"
 #include "platform/fonts.hpp"
 #include "plot/number_text.hpp"
@@ -107,14 +108,14 @@ void FitPanel::draw_optimize(PanelContext& context) {
     const platform::Theme& theme = context.theme;
     heading(theme, "Signals of the muscles");
     const commands::SceneTrial* const trial = state.scene_trial();
-    const bool measured = trial && !trial->measured.empty();
     if (state.settings.muscles.empty())
         return muted_text(theme, "There is no muscle. Add one under Fibres and paint it on the body.");
-    if (!measured) return muted_text(theme, "The shown trial has no measured markers to follow.");
+    if (!trial || !commands::has_target(*trial))
+        return muted_text(theme, "The shown trial has neither goals nor measured markers to follow.");
     // Edited as a copy and emitted if anything changed.
     commands::OptimizeRequest request = state.optimize;
-    text_row(theme, "Follow", trial->name);
-    tooltip(theme, "The trial that the timeline shows is the target.");
+    text_row(theme, "Follow", commands::target_words(*trial));
+    tooltip(theme, "Goals of the trial that the timeline shows, or else its recording, are the target.");
     draw_optimize_rows(context, edit_, request);
     if (!(request == state.optimize)) context.emit(commands::ChangeOptimize{request});
     if (ImGui::Button((std::string(platform::icon::bolt) + "  Optimise").c_str(), {-1.0f, 0.0f}))
@@ -122,7 +123,8 @@ void FitPanel::draw_optimize(PanelContext& context) {
     context.items.mark("fit/optimize");
     tooltip(
         theme,
-        "Seeks the signals with which the markers follow the trial: least mean square distance plus a small penalty on "
+        "Seeks the signals with which the markers reach the goals or follow the recording: least mean square distance "
+        "plus a small penalty on "
         "the rate of the signals, by a quasi-Newton search on its exact gradient. The best so far plays in the view.");
 }
 

@@ -53,6 +53,8 @@ void SearchPanel::draw_values(PanelContext& context, bool starts) {
     ImGui::TextUnformatted((std::to_string(runs) + (runs == 1 ? " evaluation" : " evaluations")).c_str());
     ImGui::PopFont();
     context.items.mark("search/evaluations");
+    if (!search.target.empty()) muted_text(theme, "Follows the " + search.target);
+    context.items.mark("search/target");
     std::vector<Heading> headings{{"Value", "Unknown that the search varies"},
                                   {"Best so far", "Of the evaluation with the least loss", true},
                                   {"Unit", ""}};

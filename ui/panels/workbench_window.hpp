@@ -11,6 +11,7 @@
 #include "panels/distance_tool.hpp"
 #include "panels/file_browser.hpp"
 #include "panels/film_job.hpp"
+#include "panels/goal_tool.hpp"
 #include "panels/inspect_tool.hpp"
 #include "panels/layout.hpp"
 #include "panels/live_tool.hpp"
@@ -159,6 +160,7 @@ private:
     viewport::ViewportState viewport_;  // camera and mouse of the 3D view
     PaintTool paint_;
     LiveTool live_;
+    GoalTool goals_;
     NumberEdits view_edits_;  // edits in progress in the options of the view
     InspectTool inspect_;
     DistanceTool distances_;          // also drawn into images of the view

@@ -1,0 +1,114 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "backend/workbench_backend.hpp"
+#include "base/files.hpp"
+#include "support/folder.hpp"
+#include "ui/driver.hpp"
+
+// From a planned trial with a muscle to a goal that is reached, in the window.
+
+namespace myo {
+namespace {
+
+using test::Driver;
+using testing::HasSubstr;
+
+const std::string arm_toml = R"(schema = "experiment/1"
+name = "arm"
+[geometry]
+kind = "box"
+size_m = [0.08, 0.02, 0.02]
+[clamp]
+box_m = [[-0.0005, -0.001, -0.001], [0.0005, 0.021, 0.021]]
+[material]
+model = "neo_hookean"
+youngs_modulus_Pa = 2.0e5
+poissons_ratio = 0.45
+density_kg_m3 = 1000
+damping_s = 0.005
+calibrate = []
+[[muscle]]
+name = "upper"
+box_m = [[0.0, -0.001, 0.0133], [0.08, 0.021, 0.021]]
+fibre = [1.0, 0.0, 0.0]
+stiffness_Pa = 1.0e5
+[markers]
+[markers.rest_m]
+tip = [0.08, 0.01, 0.02]
+[[trial]]
+name = "reach"
+role = "simulate"
+duration_s = 0.4
+start = "equilibrium"
+)";
+
+TEST(GoalInWindow, IsAddedMovedReachedAndUndone) {
+    const test::Folder folder("goal_in_window");
+    folder.write("arm/experiment.toml", arm_toml);
+    Driver driver(backend::make_core_backend(), 1280, 1400);
+    driver.window->open(folder.path() / "arm");
+    ASSERT_TRUE(driver.wait_for_job(60));
+    ui::commands::Settings coarse = driver.state().settings;
+    coarse.resolution_m = 0.01;
+    driver.workbench->execute(ui::commands::ChangeSettings{coarse, "resolution"});
+    driver.workbench->execute(ui::commands::Run{});
+    ASSERT_TRUE(driver.wait_for_job(120));
+    ASSERT_TRUE(driver.state().run) << driver.state().log.back().text;
+    // Optimise has nothing to follow yet.
+    driver.window->show_panel("goal");
+    driver.settle();
+    EXPECT_FALSE(driver.has("fit/optimize"));
+    driver.workbench->execute(ui::commands::SetTime{0.3});
+    driver.settle();
+    driver.click("goal/add");
+    ASSERT_EQ(driver.state().scene_trial()->goals.size(), 1u) << driver.state().refused;
+    const ui::commands::SceneGoal added = driver.state().scene_trial()->goals[0];
+    EXPECT_NEAR(added.time_s(0), 0.3, 1e-9);
+    ASSERT_TRUE(driver.state().run) << "the shown run stays";
+    const Eigen::Matrix3Xd rest = driver.state().simulated_trial()->markers[0];
+    EXPECT_LT((added.place_m.col(0) - rest.rightCols<1>()).norm(), 1e-4) << "where the marker rests under its weight";
+
+    // The goal is dragged upwards in the view.
+    const ImVec2 from = test::pixel_of(driver, added.place_m.col(0));
+    driver.drag(from, {from.x, from.y - 20.0f});
+    const Eigen::Vector3d goal = driver.state().scene_trial()->goals[0].place_m.col(0);
+    EXPECT_GT((goal - added.place_m.col(0)).norm(), 1e-4) << driver.state().refused;
+    driver.workbench->execute(ui::commands::Undo{});
+    EXPECT_LT((driver.state().scene_trial()->goals[0].place_m - added.place_m).norm(), 1e-12) << "one step";
+    // To a place that the muscle can reach: 3 mm higher.
+    const Eigen::Vector3d higher = added.place_m.col(0) + Eigen::Vector3d(0.0, 0.0, 0.003);
+    driver.workbench->execute(ui::commands::EditDeclaration{
+        {ui::commands::SetDeclared{{"trial", std::size_t{0}, "goal", std::size_t{0}, "place_m"},
+                                   "[" + std::to_string(higher.x()) + ", " + std::to_string(higher.y()) + ", " +
+                                       std::to_string(higher.z()) + "]"},
+         ui::commands::SetDeclared{{"trial", std::size_t{0}, "goal", std::size_t{0}, "axes"}, "[\"z\"]"}},
+        "goal"});
+    ASSERT_NEAR(driver.state().scene_trial()->goals[0].place_m(2, 0), higher.z(), 1e-5) << driver.state().refused;
+
+    driver.settle();
+    const ui::commands::Settings before = driver.state().settings;
+    driver.click("fit/optimize");
+    ASSERT_TRUE(driver.wait_for_job(240));
+    ASSERT_TRUE(driver.state().found) << driver.state().log.back().text;
+    const ui::commands::SearchResult& found = *driver.state().found;
+    EXPECT_NEAR(found.rms_before_m, 0.003, 3e-4);
+    EXPECT_LT(found.rms_after_m, 3e-4) << "reached";
+    ASSERT_TRUE(driver.state().search);
+    EXPECT_EQ(driver.state().search->target, "goals of trial reach");
+    EXPECT_THAT(found.notes.front(), HasSubstr("follow the goals of reach"));
+    // The shown run is that with the signals found: the marker is at its goal, and the signal stays after it.
+    const Eigen::VectorXd& times = driver.state().scene_trial()->time_s;
+    Eigen::Index sample = 0;
+    (times.array() - 0.3).abs().minCoeff(&sample);
+    EXPECT_NEAR(driver.state().simulated_trial()->markers[0](2, sample), higher.z(), 3e-4);
+    const fibre::Signal& signal = *driver.state().settings.muscles[0].signal;
+    EXPECT_EQ(signal.value(0.4), signal.values.back());
+    EXPECT_LT(signal.value(0.4), 1.0 - 0.3 * (1.0 - *std::min_element(signal.values.begin(), signal.values.end())));
+    driver.workbench->execute(ui::commands::Undo{});
+    EXPECT_EQ(driver.state().settings, before) << "the result is one edit";
+    EXPECT_EQ(*read_file(folder.path() / "arm/experiment.toml"), arm_toml) << "the file is written on request only";
+}
+
+}  // namespace
+}  // namespace myo
