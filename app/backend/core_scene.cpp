@@ -7,6 +7,7 @@
 
 #include "backend/body_actuators.hpp"
 #include "backend/check_rows.hpp"
+#include "backend/declared_parts.hpp"
 #include "backend/dominant_vibration.hpp"
 #include "backend/effect_settings.hpp"
 #include "backend/law_settings.hpp"
@@ -93,7 +94,7 @@ Matrix3Xd shown_measurement(const setup::Setup& setup, const setup::PreparedTria
 void fill_from_setup(const setup::Setup& setup, ui::commands::Scene& scene) {
     const experiment::Experiment& experiment = setup.experiment;
     for (const experiment::MarkerDeclaration& marker : experiment.markers.on_body)
-        scene.markers.push_back({marker.name, marker.rest_m});
+        scene.markers.push_back({marker.name, marker.rest_m, marker.label, marker.probe});
     for (const setup::PreparedTrial& trial : setup.trials) {
         ui::commands::SceneTrial shown{trial.name, to_string(trial.role),       trial.measured.time_s, {},
                                        {},         shown_commands(setup, trial)};
@@ -203,6 +204,7 @@ void show_setup(const setup::Setup& setup, std::shared_ptr<const setup::BodyMesh
     scene.gravity_m_s2 = experiment.gravity_m_s2;
     scene.is_experiment = true;
     scene.unknowns = experiment.material.calibrate;
+    scene.parts = declared_parts(setup);
     scene.warnings = setup.warnings;
     scene.checks = check_rows(check::check_before(setup));
     scene.markers.clear();

@@ -1,6 +1,7 @@
 #include "backend/declaration.hpp"
 
 #include "backend/core_scene.hpp"
+#include "backend/marker_edit.hpp"
 #include "base/files.hpp"
 #include "experiment/new_trial.hpp"
 #include "experiment/read_experiment.hpp"
@@ -51,6 +52,8 @@ Result<std::string> with_edit(const std::string& text, const ui::commands::Decla
         return toml::without(text, removed->path);
     if (const auto* added = std::get_if<ui::commands::AppendDeclared>(&edit))
         return toml::with_appended_table(text, added->array, added->body);
+    if (const auto* renamed = std::get_if<ui::commands::RenameMarker>(&edit))
+        return with_renamed_marker(text, renamed->name, renamed->wanted);
     const auto& copied = std::get<ui::commands::DuplicateDeclared>(edit);
     const Result<std::string> twice = toml::with_duplicated_table(text, copied.element);
     if (!twice) return twice;

@@ -109,6 +109,7 @@ std::string problem_of(const ui::commands::Scene& scene, const ui::commands::Imp
     // Displacements are relative to the rest pose, so every marker of the body must be visible before the start.
     if (has_trials(scene) && experiment.markers.compare == experiment::Comparison::displacement)
         for (const experiment::MarkerDeclaration& own : experiment.markers.on_body) {
+            if (own.probe) continue;
             const auto found = std::find_if(choices.markers.begin(), choices.markers.end(),
                                             [&](const ui::commands::ImportedMarker& m) { return m.name == own.name; });
             if (found == choices.markers.end() || !view.before_m.col(found - choices.markers.begin()).allFinite())
@@ -262,8 +263,8 @@ Result<ui::commands::RecordingFile> read_recording_file(const fs::path& path,
 std::vector<ui::commands::SceneMarker> declared_scene_markers(const ui::commands::Scene& scene) {
     std::vector<ui::commands::SceneMarker> markers;
     const experiment::MarkersDeclaration& own = source_of(scene).experiment.markers;
-    for (const auto* group : {&own.on_body, &own.fixed})
-        for (const experiment::MarkerDeclaration& marker : *group) markers.push_back({marker.name, marker.rest_m});
+    for (const experiment::MarkerDeclaration& marker : experiment::recorded_markers(own))
+        markers.push_back({marker.name, marker.rest_m});
     return markers;
 }
 

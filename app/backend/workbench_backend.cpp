@@ -151,6 +151,14 @@ public:
                                            const ui::commands::MeshedBody* body) const override {
         return redeclared_scene(scene, declaration, body);
     }
+    ui::commands::BodyActuators actuators(const ui::commands::Scene& scene,
+                                          const ui::commands::MeshedBody& body) const override {
+        const SceneSource& source = source_of(scene);
+        const auto* const mesh = static_cast<const setup::BodyMesh*>(body.source.get());
+        Result<ui::commands::BodyActuators> found = body_actuators(source.experiment, source.surface, *mesh,
+                                                                   body.boundary);
+        return found ? std::move(*found) : ui::commands::BodyActuators{};
+    }
     Result<void> write_declaration(const ui::commands::Scene& scene,
                                    const ui::commands::Declaration& declaration) const override {
         return write_scene_declaration(scene, declaration);

@@ -17,7 +17,9 @@ constexpr MarkersPolicy markers_policy;
 }  // namespace
 
 std::vector<Finding> check_markers(const CheckedJob& job) {
-    const std::vector<experiment::MarkerDeclaration>& markers = job.setup.experiment.markers.on_body;
+    // Probes are compared with nothing, so they may lie anywhere.
+    std::vector<experiment::MarkerDeclaration> markers = job.setup.experiment.markers.on_body;
+    std::erase_if(markers, [](const experiment::MarkerDeclaration& marker) { return marker.probe; });
     const double edge = mesh::mean_edge_length(job.setup.mesh.mesh);
     std::size_t first = 0, second = 0;
     double nearest = std::numeric_limits<double>::infinity();

@@ -59,7 +59,56 @@ std::string no_cavity(const BodyQueries& body, const Eigen::Vector3d& point) {
                : "lies outside the body";
 }
 
+/// Distance [m] along a ray at which it meets a surface next; empty if it does not.
+std::optional<double> next_wall(const mesh::SurfaceMesh& surface, const Eigen::Vector3d& from,
+                                const Eigen::Vector3d& direction, double beyond) {
+    std::optional<double> nearest;
+    for (const auto& corners : surface.triangles.colwise()) {
+        const Eigen::Vector3d a = surface.vertices.col(corners(0)), u = surface.vertices.col(corners(1)) - a,
+                              v = surface.vertices.col(corners(2)) - a, p = direction.cross(v), s = from - a;
+        const double determinant = u.dot(p);
+        if (determinant == 0.0) continue;
+        const Eigen::Vector3d q = s.cross(u);
+        const double along = v.dot(q) / determinant, first = s.dot(p) / determinant,
+                     second = direction.dot(q) / determinant;
+        if (first < 0.0 || second < 0.0 || first + second > 1.0 || along <= beyond) continue;
+        nearest = std::min(nearest.value_or(along), along);
+    }
+    return nearest;
+}
+
+/// A point in the cavity that a part bounds: the middle between a wall and the one opposite. Empty if none is found.
+std::optional<Eigen::Vector3d> point_in(const mesh::SurfaceMesh& wall, const BodyQueries& body) {
+    for (const auto& corners : wall.triangles.colwise()) {
+        const Eigen::Vector3d a = wall.vertices.col(corners(0)), b = wall.vertices.col(corners(1)),
+                              c = wall.vertices.col(corners(2)), normal = (b - a).cross(c - a);
+        if (!(normal.norm() > 0.0)) continue;
+        // Walls of a cavity face away from the material, into the cavity.
+        const Eigen::Vector3d from = (a + b + c) / 3.0;
+        const std::optional<double> opposite = next_wall(body.surface(), from, normal.normalized(), body.tolerance());
+        if (!opposite) continue;
+        const Eigen::Vector3d middle = from + 0.5 * *opposite * normal.normalized();
+        if (mesh::winding_number(wall, middle) < -0.5 && !body.in_material(middle) &&
+            body.distance_to_surface(middle) > body.tolerance())
+            return middle;
+    }
+    return std::nullopt;
+}
+
 }  // namespace
+
+std::vector<SurfaceCavity> surface_cavities(const BodyQueries& body) {
+    std::vector<SurfaceCavity> cavities;
+    const std::vector<mesh::SurfaceMesh> parts = closed_parts(body.surface());
+    if (parts.size() < 2) return cavities;
+    for (const mesh::SurfaceMesh& part : parts) {
+        const double volume = mesh::enclosed_volume(part);
+        if (volume >= 0.0) continue;
+        if (const std::optional<Eigen::Vector3d> inside = point_in(part, body))
+            cavities.push_back({{part, -volume, area_of(part)}, *inside});
+    }
+    return cavities;
+}
 
 Result<std::vector<Cavity>> chamber_cavities(const Experiment& experiment, const BodyQueries& body) {
     std::vector<Cavity> cavities;

@@ -21,4 +21,16 @@ struct Cavity {
 /// with one cavity.
 Result<std::vector<Cavity>> chamber_cavities(const Experiment& experiment, const BodyQueries& body);
 
+/// Closed cavity of a surface, declared as a chamber or not.
+struct SurfaceCavity {
+    Cavity cavity;
+    Eigen::Vector3d inside_m = Eigen::Vector3d::Zero();  // a point in it [m], for chamber.inside_m
+};
+
+/// All closed cavities of a surface: its parts that face inward and hold a point at which no material is. In the order
+/// of their parts.
+///
+/// @param body  of the closed, outward surface
+std::vector<SurfaceCavity> surface_cavities(const BodyQueries& body);
+
 }  // namespace myo::experiment

@@ -84,7 +84,7 @@ Result<void> check_on_body(const Experiment& experiment, const mesh::SurfaceMesh
         // Markers are glued on: a small standoff is normal, a large one means a wrong unit, frame or rest position.
         const double distance = check.distance_to_surface(marker.rest_m);
         if (distance > allowed + check.tolerance())
-            return declaration_error(experiment, "markers.rest_m." + marker.name,
+            return declaration_error(experiment, (marker.probe ? "markers.probe_m." : "markers.rest_m.") + marker.name,
                                      "the rest position is " + format_number(1e3 * distance, 4) +
                                          " mm off the surface, more than max_standoff_m (" +
                                          format_number(1e3 * allowed, 4) + " mm)");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
@@ -116,6 +117,7 @@ struct MarkerDeclaration {
     std::string name;
     Eigen::Vector3d rest_m;  // mesh frame [m]
     std::string label;       // name in the recording; equals `name` unless markers.labels says otherwise
+    bool probe = false;      // in no recording: only its simulated motion is wanted
 };
 
 /// All markers of the experiment and how their recorded motion is compared.
@@ -124,7 +126,7 @@ struct MarkersDeclaration {
     double max_standoff_m = 1e-3;   // largest distance of a rest position from the surface
     double placement_m = 0.0;       // 1 sigma per coordinate of where a marker sits against what is declared; 0: exact
     Comparison compare = Comparison::position;
-    std::vector<MarkerDeclaration> on_body;  // move with the body; at least one where a trial is recorded
+    std::vector<MarkerDeclaration> on_body;  // move with the body, probes last; a recorded trial needs one that is none
     std::vector<MarkerDeclaration> fixed;    // attached to the surroundings, used for registration only
 };
 
@@ -223,6 +225,15 @@ struct Experiment {
     std::map<std::string, std::string>
         key_locations;  // "trial[2].load[0].box_m" -> "folder/experiment.toml:41", or "--set"
 };
+
+/// Markers that every recording holds: those on the body, then those on the mount.
+inline std::vector<MarkerDeclaration> recorded_markers(const MarkersDeclaration& declared) {
+    std::vector<MarkerDeclaration> markers;
+    for (const auto* group : {&declared.on_body, &declared.fixed})
+        std::copy_if(group->begin(), group->end(), std::back_inserter(markers),
+                     [](const MarkerDeclaration& marker) { return !marker.probe; });
+    return markers;
+}
 
 /// True if any trial has a recording.
 inline bool has_recordings(const Experiment& experiment) {

@@ -26,10 +26,10 @@ std::string element(const char* table, std::size_t index) {
     return std::string(table) + "[" + std::to_string(index) + "]";
 }
 
-std::vector<std::string> marker_names(const Experiment& experiment) {
+/// Names of the markers that recordings hold.
+std::vector<std::string> recorded_names(const Experiment& experiment) {
     std::vector<std::string> names;
-    for (const auto* group : {&experiment.markers.on_body, &experiment.markers.fixed})
-        for (const MarkerDeclaration& marker : *group) names.push_back(marker.name);
+    for (const MarkerDeclaration& marker : recorded_markers(experiment.markers)) names.push_back(marker.name);
     return names;
 }
 
@@ -40,7 +40,10 @@ void check_marker_names(const Experiment& experiment) {
         const bool fixed = group == &experiment.markers.fixed;
         for (const MarkerDeclaration& marker : *group) {
             names.push_back(marker.name);
-            paths.push_back((fixed ? "markers.fixed_m." : "markers.rest_m.") + marker.name);
+            paths.push_back((fixed          ? "markers.fixed_m."
+                             : marker.probe ? "markers.probe_m."
+                                            : "markers.rest_m.") +
+                            marker.name);
             labels.push_back(marker.label);
             label_paths.push_back(marker.label == marker.name ? paths.back() : "markers.labels." + marker.name);
         }
@@ -52,8 +55,7 @@ void check_marker_names(const Experiment& experiment) {
 void check_rest_pose_fit(const Experiment& experiment) {
     if (experiment.registration.known || experiment.registration.method != RegistrationMethod::rest_pose) return;
     std::vector<Eigen::Vector3d> points;
-    for (const auto* group : {&experiment.markers.on_body, &experiment.markers.fixed})
-        for (const MarkerDeclaration& marker : *group) points.push_back(marker.rest_m);
+    for (const MarkerDeclaration& marker : recorded_markers(experiment.markers)) points.push_back(marker.rest_m);
     if (!fix_a_rigid_motion(points))
         fail(experiment, "registration.method", "a rigid fit needs at least three markers that are not in one line");
 }
@@ -91,11 +93,10 @@ void check_muscles(const Experiment& experiment) {
 // A columns file lists its markers by name or by label; labels are replaced by names unless they are names themselves.
 void check_columns(const Experiment& experiment, const std::string& trial_path, measurement::ColumnLayout& columns) {
     const std::string key = trial_path + ".columns.markers";
-    const std::vector<std::string> names = marker_names(experiment);
+    const std::vector<std::string> names = recorded_names(experiment);
     for (std::string& word : columns.labels) {
-        for (const auto* group : {&experiment.markers.on_body, &experiment.markers.fixed})
-            for (const MarkerDeclaration& marker : *group)
-                if (word == marker.label && !contains(names, word)) word = marker.name;
+        for (const MarkerDeclaration& marker : recorded_markers(experiment.markers))
+            if (word == marker.label && !contains(names, word)) word = marker.name;
         if (!contains(names, word))
             fail(experiment, key, "\"" + word + "\" is not a declared marker; " + toml::suggest(word, names));
     }
@@ -210,7 +211,7 @@ void check_calibrate(Experiment& experiment) {
 
 // Effects may name trials and markers, which are complete only after all tables have been read.
 void check_effects(const Experiment& experiment) {
-    const std::vector<std::string> markers = marker_names(experiment);
+    const std::vector<std::string> markers = recorded_names(experiment);
     std::vector<std::string> trials;
     for (const TrialDeclaration& trial : experiment.trials) trials.push_back(trial.name);
     std::vector<std::string> driven;

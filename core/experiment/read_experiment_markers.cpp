@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "experiment/read_experiment_tables.hpp"
 
 namespace myo::experiment {
@@ -21,6 +23,7 @@ void read_labels(const toml::TomlReader& markers, MarkersDeclaration& declared) 
     std::vector<std::string> names;
     for (auto* group : {&declared.on_body, &declared.fixed}) {
         for (MarkerDeclaration& marker : *group) {
+            if (marker.probe) continue;  // no recording has it
             names.push_back(marker.name);
             if (table.has_entry(marker.name)) marker.label = table.name(marker.name);
         }
@@ -37,7 +40,7 @@ void read_labels(const toml::TomlReader& markers, MarkersDeclaration& declared) 
 MarkersDeclaration read_markers(const toml::TomlReader& document, bool recorded) {
     if (!recorded && !document.has("markers")) return {};
     const toml::TomlReader markers = document.table(
-        "markers", {"noise_m", "max_standoff_m", "placement_m", "compare", "rest_m", "fixed_m", "labels"});
+        "markers", {"noise_m", "max_standoff_m", "placement_m", "compare", "rest_m", "probe_m", "fixed_m", "labels"});
     MarkersDeclaration declared;
     declared.noise_m = markers.optional_number("noise_m", toml::positive());
     declared.max_standoff_m = markers.number_or("max_standoff_m", declared.max_standoff_m, toml::not_negative());
@@ -47,6 +50,11 @@ MarkersDeclaration read_markers(const toml::TomlReader& document, bool recorded)
             "compare", {{"position", Comparison::position}, {"displacement", Comparison::displacement}});
     if (recorded || markers.has("rest_m")) declared.on_body = read_positions(markers, "rest_m");
     if (recorded && declared.on_body.empty()) markers.fail("rest_m", "at least one marker is needed");
+    if (markers.has("probe_m"))
+        for (MarkerDeclaration& probe : read_positions(markers, "probe_m")) {
+            probe.probe = true;
+            declared.on_body.push_back(std::move(probe));
+        }
     if (markers.has("fixed_m")) declared.fixed = read_positions(markers, "fixed_m");
     if (markers.has("labels")) read_labels(markers, declared);
     return declared;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "base/text.hpp"
@@ -12,12 +13,6 @@
 
 namespace myo::experiment {
 namespace {
-
-std::vector<MarkerDeclaration> all_markers(const Experiment& experiment) {
-    std::vector<MarkerDeclaration> markers = experiment.markers.on_body;
-    markers.insert(markers.end(), experiment.markers.fixed.begin(), experiment.markers.fixed.end());
-    return markers;
-}
 
 /// Tracks that a marker may mean, by label or, if the label does not occur, by name.
 std::vector<std::size_t> find_tracks(const std::vector<std::string>& labels, const MarkerDeclaration& marker) {
@@ -42,7 +37,7 @@ Result<measurement::Recording> rename_tracks(const Experiment& experiment, const
     renamed.rate_Hz = raw.rate_Hz;
     renamed.metres_per_unit = raw.metres_per_unit;
     std::vector<bool> used(raw.labels.size(), false);
-    for (const MarkerDeclaration& marker : all_markers(experiment)) {
+    for (const MarkerDeclaration& marker : recorded_markers(experiment.markers)) {
         const std::vector<std::size_t> tracks = find_tracks(raw.labels, marker);
         if (tracks.empty())
             return declaration_error(experiment, key,
@@ -65,6 +60,22 @@ Result<measurement::Recording> rename_tracks(const Experiment& experiment, const
     for (std::size_t i = 0; i < used.size(); ++i)
         if (!used[i]) unused.push_back(raw.labels[i]);
     return renamed;
+}
+
+/// Adds the tracks of the probes, which no camera sees, behind those of the other markers on the body.
+void add_probes(const Experiment& experiment, measurement::Recording& recording) {
+    constexpr double unseen = std::numeric_limits<double>::quiet_NaN();
+    const Eigen::Index count = recording.sample_count();
+    const auto at = [&](auto& list) {
+        return list.end() - static_cast<std::ptrdiff_t>(experiment.markers.fixed.size());
+    };
+    for (const MarkerDeclaration& marker : experiment.markers.on_body) {
+        if (!marker.probe) continue;
+        recording.labels.insert(at(recording.labels), marker.name);
+        recording.tracks.insert(at(recording.tracks), Eigen::Matrix3Xd::Constant(3, count, unseen));
+        if (!recording.residual_m.empty())
+            recording.residual_m.insert(at(recording.residual_m), Eigen::VectorXd::Constant(count, unseen));
+    }
 }
 
 // At least one sample must lie between start_s and end_s.
@@ -165,6 +176,7 @@ Result<TrialRecording> read_trial(const Experiment& experiment, const TrialDecla
                                     std::to_string(occluded) + " of " + std::to_string(read.recording.sample_count()) +
                                     " samples");
     }
+    add_probes(experiment, read.recording);
     if (const std::string turned = unturned_axes(experiment, trial); !turned.empty())
         read.warnings.push_back(key + ": " + turned);
     return read;

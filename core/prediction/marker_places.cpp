@@ -81,10 +81,12 @@ std::vector<FoundPlace> found_places(const setup::Setup& setup, const inverse::M
     const Eigen::MatrixXd J = derived ? fit.jacobian : Eigen::MatrixXd(places.derivatives().rows(), 0);
     const VectorXd
         variance = places.covariance(J, derived ? covariance : Eigen::MatrixXd(0, 0)).diagonal().cwiseMax(0.0);
-    for (std::size_t m = 0; m < shifts.size(); ++m)
+    for (std::size_t m = 0; m < shifts.size(); ++m) {
+        if (setup.experiment.markers.on_body[m].probe) continue;  // nothing tells where it sits
         found.push_back({setup.marker_names[m], shifts[m],
                          setup.experiment.markers.placement_m *
                              Vector3d(variance.segment<3>(3 * static_cast<Index>(m)).cwiseSqrt())});
+    }
     return found;
 }
 

@@ -125,7 +125,8 @@ report::Section model_section(const setup::Setup& setup, const calibration::Cali
                         {{"Marker"}, {"Noise", "mm", 3}},
                         {}};
     for (std::size_t m = 0; m < setup.marker_names.size(); ++m)
-        noise.rows.push_back({setup.marker_names[m], 1e3 * setup.noise_m(static_cast<Eigen::Index>(m))});
+        if (!setup.experiment.markers.on_body[m].probe)
+            noise.rows.push_back({setup.marker_names[m], 1e3 * setup.noise_m(static_cast<Eigen::Index>(m))});
     report::Section section{"Model and data", {facts}};
     for (report::Block& table : robot_tables(setup, values)) section.blocks.push_back(std::move(table));
     section.blocks.emplace_back(noise);

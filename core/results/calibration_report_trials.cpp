@@ -82,7 +82,7 @@ std::string start_paragraph(const setup::Setup& setup, const calibration::Calibr
         text += " Registration: the rest positions of the markers fit the recording to " +
                 readable_number(1e3 * *trial.registration_rms_m, 3) + " mm rms.";
     for (std::size_t m = 0; m < trial.occluded_fraction.size(); ++m)
-        if (trial.occluded_fraction[m] > 0.005)
+        if (trial.occluded_fraction[m] > 0.005 && !setup.experiment.markers.on_body[m].probe)
             text += " " + setup.marker_names[m] + " was hidden in " +
                     readable_number(100.0 * trial.occluded_fraction[m], 2) + " % of the samples.";
     for (const auto& [actuator, level] : calibration.after.values.levels[index])

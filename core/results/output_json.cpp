@@ -332,7 +332,8 @@ report::Json calibrate_json(const setup::Setup& setup, const calibration::Calibr
     json["starts"] = starts_json(calibration);
     json["history"] = history_json(calibration);
     for (std::size_t m = 0; m < setup.marker_names.size(); ++m)
-        json["noise_m"][setup.marker_names[m]] = report::json_number(setup.noise_m(static_cast<Eigen::Index>(m)));
+        if (!setup.experiment.markers.on_body[m].probe)
+            json["noise_m"][setup.marker_names[m]] = report::json_number(setup.noise_m(static_cast<Eigen::Index>(m)));
     json["noise_declared"] = setup.experiment.markers.noise_m.has_value();
     std::vector<std::string> warnings = setup.warnings;
     warnings.insert(warnings.end(), calibration.warnings.begin(), calibration.warnings.end());

@@ -106,6 +106,11 @@ Result<void> set_references(const experiment::Experiment& experiment, const std:
                             const measurement::RestPose& pose, const measurement::RigidMotion& camera_to_mesh,
                             PreparedTrial& trial) {
     for (std::size_t m = 0; m < experiment.markers.on_body.size(); ++m) {
+        // A probe is compared with nothing, so any reference serves.
+        if (experiment.markers.on_body[m].probe) {
+            trial.reference_m.push_back(experiment.markers.on_body[m].rest_m);
+            continue;
+        }
         const Eigen::Vector3d mean = camera_to_mesh.apply(pose.positions_m.col(static_cast<Eigen::Index>(m)));
         // Without a reference position the marker has no displacement.
         if (!mean.allFinite())

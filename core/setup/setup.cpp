@@ -143,6 +143,9 @@ Result<PreparedTrial> prepare_trial(const Setup& setup, const model::Model& mode
     } else {
         trial.occluded_fraction.assign(recording->recording.tracks.size(), 1.0);
         trial.measured = std::move(recording->recording);
+        if (experiment.markers.compare == experiment::Comparison::displacement)  // from rest
+            for (const experiment::MarkerDeclaration& marker : experiment.markers.on_body)
+                trial.reference_m.push_back(marker.rest_m);
     }
 
     Result<std::vector<SensorSeries>> sensors = read_sensor_series(experiment, declaration, trial.start_s);

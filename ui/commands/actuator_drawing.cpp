@@ -84,18 +84,18 @@ viewport::Color actuator_color(const WorkbenchState& state, const platform::Them
 }
 
 void add_actuators(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme) {
-    if (!state.view.actuators || !state.body || state.body->actuators.empty() || !drawn.body ||
+    if (!state.view.actuators || !state.body || state.actuators.empty() || !drawn.body ||
         drawn.positions.cols() != state.body->mesh.node_count())
         return;
     const MeshedBody& body = *state.body;
     std::size_t actuator = 0;
-    for (const ShownChamber& chamber : body.actuators.chambers) {
+    for (const ShownChamber& chamber : state.actuators.chambers) {
         const viewport::Color color = actuator_color(state, theme, actuator++);
         if (drawn.tints.cols() == 0) drawn.tints = Eigen::Matrix4Xf::Zero(4, body.boundary.count());
         for (const int wall : chamber.walls) drawn.tints.col(wall) << color.head<3>(), wall_tint;
         drawn.lines.push_back({outline(body, chamber.walls, drawn.positions), color, outline_width});
     }
-    for (const ShownTendon& tendon : body.actuators.tendons)
+    for (const ShownTendon& tendon : state.actuators.tendons)
         add_tendon(drawn, tendon, actuator_color(state, theme, actuator++));
 }
 

@@ -15,9 +15,10 @@
 #include "base/result.hpp"
 #include "commands/body_actuators.hpp"
 #include "commands/check_view.hpp"
+#include "commands/declared_parts.hpp"
 #include "commands/diagnosis_view.hpp"
-
 #include "commands/goal_view.hpp"
+#include "commands/live_model.hpp"
 #include "commands/project.hpp"
 #include "commands/recording_import.hpp"
 #include "commands/run_result.hpp"
@@ -108,6 +109,11 @@ struct SceneTrial {
     std::vector<SceneGoal> goals = {};                     // in the order of declaration; Optimise follows them
 };
 
+/// Whether a marker was seen in a trial. Trials that are only simulated, and probes, have nothing measured.
+inline bool is_seen(const SceneTrial& trial, std::size_t marker) {
+    return marker < trial.measured.size() && !trial.measured[marker].array().isNaN().all();
+}
+
 /// Mean interval between the samples of a trial [s]. Returns 0 if there are fewer than two.
 inline double sample_interval_s(const SceneTrial& trial) {
     const Eigen::Index last = trial.time_s.size() - 1;
@@ -133,6 +139,7 @@ struct Scene {
     // labels of the parameters that calibration changes; empty: nothing to calibrate
     std::vector<std::string> calibrated;
     bool is_experiment = false;          // with a declaration that can be edited; otherwise a plain mesh
+    DeclaredParts parts;                 // of an experiment
     std::vector<std::string> unknowns;   // material.calibrate: "youngs_modulus", "damping", ...
     std::vector<std::string> warnings;   // from reading the files
     CheckRows checks;                    // of the experiment as declared; empty for a plain mesh
@@ -237,6 +244,9 @@ public:
     /// @param body  shown body, null: none
     virtual Result<Scene> redeclared(const Scene& scene, const Declaration& declaration,
                                      const MeshedBody* body) const = 0;
+    /// Declared chambers and tendons on a mesh of the scene's body; empty if the mesh lost one. Called on the UI
+    /// thread.
+    virtual BodyActuators actuators(const Scene&, const MeshedBody& body) const { return body.actuators; }
     /// Writes an edited declaration to the experiment's file.
     virtual Result<void> write_declaration(const Scene& scene, const Declaration& declaration) const = 0;
     /// Writes a plain mesh with the settings as an experiment with one trial that is simulated.

@@ -39,7 +39,11 @@ struct DuplicateDeclared {
     toml::TomlPath element;
     std::string name;
 };
+/// Renames a marker or probe wherever the declaration names it; recordings keep the label they have for it.
+struct RenameMarker {
+    std::string name, wanted;
+};
 /// One edit of a declaration.
-using DeclarationEdit = std::variant<SetDeclared, RemoveDeclared, AppendDeclared, DuplicateDeclared>;
+using DeclarationEdit = std::variant<SetDeclared, RemoveDeclared, AppendDeclared, DuplicateDeclared, RenameMarker>;
 
 }  // namespace myo::ui::commands

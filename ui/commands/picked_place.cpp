@@ -65,7 +65,7 @@ std::vector<ReportLine> lines_about_marker(int marker, const WorkbenchState& sta
     // Measured and simulated markers have the same sample times; a run of another version of the experiment does not.
     const TimePlace when = place_in_time(trial->time_s, state.time_s);
     const Vector3d measured = at_time(trial->measured[m], when);
-    lines.push_back({"Measured", in_mm(measured)});
+    if (is_seen(*trial, m)) lines.push_back({"Measured", in_mm(measured)});
     const SimulatedTrial* const simulated = state.simulated_trial();
     if (!simulated || m >= simulated->markers.size() || simulated->markers[m].cols() != trial->time_s.size())
         return lines;

@@ -81,6 +81,12 @@ void add_simulated_marker(viewport::DrawnScene& drawn, const WorkbenchState& sta
     }
 }
 
+/// Whether a marker is neither seen nor simulated in the shown trial, such as a probe before the first run.
+bool is_unknown(const WorkbenchState& state, std::size_t m) {
+    const SimulatedTrial* const simulated = state.simulated_trial();
+    return !(simulated && m < simulated->markers.size()) && !is_seen(*state.scene_trial(), m);
+}
+
 /// Adds measured and simulated markers, trails and error lines of the shown trial.
 void add_markers(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme) {
     const SceneTrial* trial = state.scene_trial();
@@ -93,6 +99,11 @@ void add_markers(viewport::DrawnScene& drawn, const WorkbenchState& state, const
         if (place.index < 0) {
             drawn.markers.push_back(
                 {state.scene->markers[m].rest_m, viewport::color_of(theme.measured), false, label, number});
+            continue;
+        }
+        if (is_unknown(state, m)) {
+            drawn.markers.push_back(
+                {state.scene->markers[m].rest_m, viewport::color_of(theme.simulated), true, label, number});
             continue;
         }
         const Eigen::Vector3d measured = at_time(trial->measured[m], place);
@@ -226,6 +237,15 @@ MotionSummary summarize_motion(const WorkbenchState& state) {
     }
     motion.reach = bounds.box;
     return motion;
+}
+
+WorkbenchState at_rest(WorkbenchState state) {
+    state.trial = -1;
+    state.run.reset();
+    state.search.reset();
+    state.preview.run.reset();
+    state.diagnosis.reset();
+    return state;
 }
 
 viewport::DrawnScene scene_at_time(const WorkbenchState& state, const platform::Theme& theme,

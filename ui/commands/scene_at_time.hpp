@@ -40,6 +40,9 @@ struct MotionSummary {
 /// Computes the summary for the shown trial.
 MotionSummary summarize_motion(const WorkbenchState& state);
 
+/// The state with body and markers at rest: no trial and no run are shown.
+WorkbenchState at_rest(WorkbenchState state);
+
 /// Creates the 3D picture of the shown trial at the shown time. Empty if nothing is open.
 ///
 /// @param motion  summary of the same scene, body, run and trial

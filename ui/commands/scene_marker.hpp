@@ -10,6 +10,8 @@ namespace myo::ui::commands {
 struct SceneMarker {
     std::string name;
     Eigen::Vector3d rest_m = Eigen::Vector3d::Zero();  // [m]
+    std::string label = {};                            // in the recordings
+    bool probe = false;                                // in no recording, by its declaration
 };
 
 }  // namespace myo::ui::commands

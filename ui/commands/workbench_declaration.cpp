@@ -59,6 +59,7 @@ bool Workbench::redeclare(const Declaration& declaration) {
     }
     state_.refused.clear();
     state_.scene = std::make_shared<const Scene>(std::move(*scene));
+    if (state_.body) state_.actuators = backend_->actuators(*state_.scene, *state_.body);
     state_.marker = std::clamp(state_.marker, 0, std::max(0, static_cast<int>(state_.scene->markers.size()) - 1));
     choose_trial(state_.trial);
     return true;

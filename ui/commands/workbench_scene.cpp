@@ -71,6 +71,7 @@ void Workbench::open(const std::filesystem::path& given, std::optional<double> m
 void Workbench::forget_scene() {
     stop_live();
     state_.body.reset();
+    state_.actuators = {};
     state_.ground.reset();
     state_.run.reset();
     state_.found.reset();
@@ -189,6 +190,7 @@ void Workbench::show_body(const PlacedBody& on) {
     if (on.body == state_.body) return;
     stop_live();
     state_.body = on.body;
+    state_.actuators = on.body->actuators;
     state_.ground = on.ground;
     state_.body_settings = on.settings;
     place_muscles();

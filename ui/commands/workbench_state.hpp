@@ -52,6 +52,7 @@ struct PendingAction {
 struct WorkbenchState {
     std::shared_ptr<const Scene> scene;         // null: nothing is open
     std::shared_ptr<const MeshedBody> body;     // null: not meshed
+    BodyActuators actuators;                    // declared chambers and tendons on `body`
     std::shared_ptr<const PaintGround> ground;  // data for painting on `body`
     // of the settings' muscles on `body`; empty without a body
     std::vector<std::shared_ptr<const fibre::CellPaint>> paint;

@@ -39,11 +39,11 @@ TaskStatus material_status(const WorkbenchState& state) {
 }
 
 TaskStatus fibres_status(const WorkbenchState& state) {
-    if (state.settings.muscles.empty() && state.body && !state.body->actuators.empty())
-        return {TaskState::done, std::string(state.body->actuators.tendons.empty()    ? "Chambers drive the body."
-                                             : state.body->actuators.chambers.empty() ? "Tendons drive the body."
-                                                                                      : "Chambers and tendons drive "
-                                                                                        "the body.")};
+    if (state.settings.muscles.empty() && state.body && !state.actuators.empty())
+        return {TaskState::done, std::string(state.actuators.tendons.empty()    ? "Chambers drive the body."
+                                             : state.actuators.chambers.empty() ? "Tendons drive the body."
+                                                                                : "Chambers and tendons drive "
+                                                                                  "the body.")};
     if (state.settings.muscles.empty())
         return {TaskState::ready, "No muscles: add one and paint it on the body, or leave it passive."};
     // The first muscle without paint is what is missing.

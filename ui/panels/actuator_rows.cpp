@@ -41,8 +41,8 @@ void draw_row(PanelContext& context, std::size_t actuator, const std::string& na
 }  // namespace
 
 void draw_actuators(PanelContext& context) {
-    if (!context.state.body || context.state.body->actuators.empty()) return;
-    const commands::BodyActuators& actuators = context.state.body->actuators;
+    if (!context.state.body || context.state.actuators.empty()) return;
+    const commands::BodyActuators& actuators = context.state.actuators;
     heading(context.theme, actuators.tendons.empty()    ? "Chambers"
                            : actuators.chambers.empty() ? "Tendons"
                                                         : "Chambers and tendons");

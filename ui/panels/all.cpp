@@ -1,4 +1,5 @@
 #include "panels/body_panel.hpp"
+#include "panels/chamber_panel.hpp"
 #include "panels/checks_panel.hpp"
 #include "panels/diagnose_panel.hpp"
 #include "panels/fibre_panel.hpp"
@@ -13,6 +14,7 @@
 #include "panels/measure_panel.hpp"
 #include "panels/mesh_panel.hpp"
 #include "panels/panel.hpp"
+#include "panels/probe_panel.hpp"
 #include "panels/recording_panel.hpp"
 #include "panels/report_panel.hpp"
 #include "panels/run_panel.hpp"
@@ -20,6 +22,7 @@
 #include "panels/signal_panel.hpp"
 #include "panels/summary_panel.hpp"
 #include "panels/support_panel.hpp"
+#include "panels/tendon_panel.hpp"
 #include "panels/time_panel.hpp"
 #include "panels/trial_panel.hpp"
 #include "panels/unknown_panel.hpp"
@@ -37,10 +40,13 @@ std::vector<std::unique_ptr<Panel>> all_panels() {
     add(std::type_identity<MeshPanel>());
     add(std::type_identity<MaterialPanel>());
     add(std::type_identity<FibrePanel>());
+    add(std::type_identity<TendonPanel>());
+    add(std::type_identity<ChamberPanel>());
     add(std::type_identity<TrialPanel>());
     add(std::type_identity<TimePanel>());
     add(std::type_identity<LivePanel>());
     add(std::type_identity<RunPanel>());
+    add(std::type_identity<ProbePanel>());
     add(std::type_identity<MeasurePanel>());
     add(std::type_identity<ImportPanel>());
     add(std::type_identity<UnknownPanel>());

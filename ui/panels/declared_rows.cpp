@@ -1,5 +1,7 @@
 #include "panels/declared_rows.hpp"
 
+#include <imgui.h>
+
 #include <utility>
 
 #include "toml/toml_text.hpp"
@@ -50,6 +52,26 @@ void box_rows(PanelContext& context, const DeclaredPlace& place, NumberEdits& ed
             if (number_row(context, row, edits, (upper ? changed.highest : changed.lowest)(k), goes_on))
                 emit_value(context, place, row.name, box_text(changed), goes_on);
         }
+}
+
+void pick_box_button(PanelContext& context, const DeclaredPlace& place, const std::string& what) {
+    const bool picks = context.placing.sets_box(place.path);
+    ImGui::BeginDisabled(!context.state.body);
+    if (toggle_button(context.theme, "Pick in the view##" + place.name, picks)) {
+        context.placing = {};
+        if (!picks) {
+            context.placing.kind = Placing::Kind::box;
+            context.placing.box = place.path;
+            context.placing.item = place.name;
+            context.placing.what = what;
+        }
+    }
+    ImGui::EndDisabled();
+    context.items.mark(place.name + "/pick");
+    tooltip(context.theme, context.state.body ? "Click " + what +
+                                                    ": a thin box around this face of the body is declared. The part "
+                                                    "it holds is shown before the click."
+                                              : "Build the mesh first.");
 }
 
 std::string box_text(const Box& box) {

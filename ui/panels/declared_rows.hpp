@@ -25,6 +25,11 @@ void vector_rows(PanelContext& context, const DeclaredPlace& place, const std::s
 /// Six rows for the corners of a box [m], in mm.
 void box_rows(PanelContext& context, const DeclaredPlace& place, NumberEdits& edits, const Box& value);
 
+/// Button that lets the user click a face of the body, around which the box is then declared. Needs a meshed body.
+///
+/// @param what  "the face that is held"
+void pick_box_button(PanelContext& context, const DeclaredPlace& place, const std::string& what);
+
 /// TOML text of a box.
 std::string box_text(const Box& box);
 

@@ -85,7 +85,17 @@ void MarkerPanel::follow(const commands::WorkbenchState& state) {
 void MarkerPanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     if (!state.scene_trial() || state.scene->markers.empty()) {
-        muted_text(context.theme, "Measured and simulated markers are drawn here. Open an experiment folder to begin.");
+        muted_text(context.theme,
+                   !state.scene_trial() || !state.scene->is_experiment
+                       ? "Measured and simulated markers are drawn here. Open an experiment folder to "
+                         "begin."
+                       : "Simulated motion is drawn here. Add a probe under Measure, Markers and probes.");
+        return;
+    }
+    if (!state.simulated_trial() && !commands::is_seen(*state.scene_trial(), static_cast<std::size_t>(state.marker))) {
+        muted_text(context.theme,
+                   "Run to see how " + state.scene->markers[static_cast<std::size_t>(state.marker)].name + " moves.");
+        context.items.mark("markers/not_run");
         return;
     }
     follow(state);

@@ -67,12 +67,14 @@ void add_shown(plot::Plot& plot, plot::Plot& strip, const PanelContext& context,
     const commands::SceneTrial& trial = *state.scene_trial();
     const commands::SimulatedTrial* simulated = state.simulated_trial();
     const Eigen::VectorXd measured = 1e3 * trial.measured[m].row(axis).transpose();
-    plot.panel.series.push_back(plot::plot_series("measured", trial.time_s, measured, theme.measured, true));
+    const bool seen = commands::is_seen(trial, m);
+    if (seen) plot.panel.series.push_back(plot::plot_series("measured", trial.time_s, measured, theme.measured, true));
     if (compare) {
         const Eigen::VectorXd predicted = 1e3 * simulated->markers[m].row(axis).transpose();
         plot.panel.series.push_back(plot::plot_series("simulated", trial.time_s, predicted, theme.simulated));
-        strip.panel.series.push_back(
-            plot::plot_series("simulated \xe2\x88\x92 measured", trial.time_s, predicted - measured, theme.failure));
+        if (seen)
+            strip.panel.series.push_back(plot::plot_series("simulated \xe2\x88\x92 measured", trial.time_s,
+                                                           predicted - measured, theme.failure));
     }
     for (const commands::ComparedMarker& other : commands::compared_markers(state))
         plot.panel.series.push_back(plot::plot_series(other.name, trial.time_s,
@@ -126,7 +128,8 @@ void MarkerPanel::draw_component(PanelContext& context, int axis, const ImVec2& 
         add_overlaid(plot, strip, other, overlaid_curves(other, m, axis, overlay_color(theme, other.trial)), hidden_);
     add_shown(plot, strip, context, axis, compare);
     // In a low strip the motion keeps all the room.
-    const bool residual = compare && size.y > 110.0f * theme.scale;
+    // A probe, or a trial that is only simulated, has nothing to compare with.
+    const bool residual = compare && commands::is_seen(*state.scene_trial(), m) && size.y > 110.0f * theme.scale;
     plot.x_labels = !residual;
     // At least high enough for its axis labels.
     const float residual_height = residual ? std::max(76.0f * theme.scale, 0.42f * size.y) : 0.0f;

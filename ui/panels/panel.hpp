@@ -10,6 +10,7 @@
 #include "commands/command.hpp"
 #include "commands/workflow.hpp"
 #include "panels/picture_request.hpp"
+#include "panels/placing.hpp"
 #include "platform/item_rectangles.hpp"
 #include "platform/theme.hpp"
 
@@ -63,6 +64,7 @@ struct PanelContext {
     std::vector<commands::Command>& commands;
     const commands::Backend& backend;              // only its quick functions may be called
     WindowRequests& window;                        // requests to the window
+    Placing& placing;                              // what clicks in the view set
     const fibre::CellPaint* live_paint = nullptr;  // paint of the selected muscle during a stroke; null otherwise
     // Range of the colours that are shown, in the unit of the legend; empty: no field is shown.
     std::optional<std::array<double, 2>> field_range = {};

@@ -31,8 +31,8 @@ std::map<std::string, plot::Plot> plots_of(const PanelContext& context, const co
             signal_series(name, command.signal, span, ImVec4(color.x(), color.y(), color.z(), 1.0f), command.per_unit));
         plot.legend = plot.panel.series.size() > 1;
     };
-    for (const commands::ShownChamber& chamber : context.state.body->actuators.chambers) add(chamber.name, "pressure");
-    for (const commands::ShownTendon& tendon : context.state.body->actuators.tendons)
+    for (const commands::ShownChamber& chamber : context.state.actuators.chambers) add(chamber.name, "pressure");
+    for (const commands::ShownTendon& tendon : context.state.actuators.tendons)
         add(tendon.name,
             trial.commands.count(tendon.name) && trial.commands.at(tendon.name).unit == "N" ? "tension" : "shortening");
     return plots;
@@ -42,7 +42,7 @@ std::map<std::string, plot::Plot> plots_of(const PanelContext& context, const co
 
 bool SignalPanel::draw_commands(PanelContext& context) {
     const commands::SceneTrial* const trial = context.state.scene_trial();
-    if (!context.state.body || context.state.body->actuators.empty() || !trial || trial->commands.empty()) return false;
+    if (!context.state.body || context.state.actuators.empty() || !trial || trial->commands.empty()) return false;
     std::map<std::string, plot::Plot> plots = plots_of(context, *trial);
     const auto count = static_cast<float>(plots.size());
     const float gap = ImGui::GetStyle().ItemSpacing.y;

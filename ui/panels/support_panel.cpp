@@ -48,7 +48,7 @@ void SupportPanel::draw(PanelContext& context) {
     if (!context.state.scene->is_experiment) {
         muted_text(context.theme,
                    "A mesh alone is held at the lower end of its longest axis. Make an experiment of it to choose "
-                   "support, gravity, loads, markers and trials.");
+                   "support, gravity, loads, chambers, tendons, markers and trials.");
         if (primary_button(context.theme, "Make an experiment\xe2\x80\xa6", {-1.0f, 0.0f}))
             context.window.file = experiment_dialog(context.state.scene->path);
         context.items.mark("support/make");
@@ -86,6 +86,7 @@ void SupportPanel::draw_support(PanelContext& context) {
                     "support/end"});
     if (scene.clamp_m && (scene.clamp_m->lowest.array() <= scene.clamp_m->highest.array()).all())
         box_rows(context, {{"clamp", "box_m"}, "support/box"}, edits_, *scene.clamp_m);
+    pick_box_button(context, {{"clamp", "box_m"}, "support/box"}, "the face that is held");
 }
 
 void SupportPanel::draw_gravity(PanelContext& context) {

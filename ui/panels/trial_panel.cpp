@@ -160,6 +160,7 @@ void TrialPanel::draw_loads(PanelContext& context) {
             vector_rows(context, {inside(path, "force_N"), item + "/force"}, "F", field, edits_, load.force_N);
         }
         box_rows(context, {inside(path, "box_m"), item + "/box"}, edits_, load.box_m);
+        pick_box_button(context, {inside(path, "box_m"), item + "/box"}, "the face that carries the load");
         ImGui::PopID();
     }
     const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2.0f;

@@ -34,6 +34,11 @@ bool tab(const platform::Theme& theme, const char* label, bool chosen) {
     return pressed;
 }
 
+bool toggle_button(const platform::Theme& theme, const std::string& label, bool on) {
+    if (on) return primary_button(theme, label, {-1.0f, 0.0f});
+    return ImGui::Button(label.c_str(), {-1.0f, 0.0f});
+}
+
 void right_aligned(const std::string& text) {
     const float space = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
     if (space > 0.0f) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + space);

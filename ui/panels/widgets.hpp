@@ -19,6 +19,9 @@ void tooltip(const platform::Theme& theme, const std::string& text, float width 
 /// A button that is one of several alternatives. Returns true if it was pressed.
 bool tab(const platform::Theme& theme, const char* label, bool chosen);
 
+/// A button as wide as the panel that switches something on and off. Returns true if it was pressed.
+bool toggle_button(const platform::Theme& theme, const std::string& label, bool on);
+
 /// Text at the right edge of the window.
 void right_aligned(const std::string& text);
 /// A heading within a panel.

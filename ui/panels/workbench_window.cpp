@@ -190,17 +190,19 @@ void WorkbenchWindow::draw_view(PanelContext& context) {
     }
     // Order matters: the view receives the mouse first, then the tools, and the card of a picked place last.
     const viewport::ToolTakes takes = [&](const Eigen::Vector2d& pixel) {
+        if (placing_.on()) return placing_tools_.takes(context, scene_, viewport_, pixel);
         return live_.takes(context.state, scene_, viewport_, pixel) ||
                paint_.takes(context.state, scene_, viewport_, pixel) ||
                goals_.takes(context.state, context.theme, viewport_, pixel);
     };
     viewport::draw_viewport(scene_, context.theme, context.items, viewport_, context.state.view.labels, takes);
-    paint_.update(context, scene_, viewport_);
+    const bool placing = placing_tools_.update(context, scene_, viewport_);
+    if (!placing) paint_.update(context, scene_, viewport_);
     live_.update(context, scene_, viewport_);
     context.live_paint = paint_.live();
     goals_.update(context, viewport_);
     distances_.update(context, scene_, viewport_);
-    if (!update_placing(context, scene_, viewport_)) inspect_.update(context, scene_, viewport_);
+    if (!placing && !update_placing(context, scene_, viewport_)) inspect_.update(context, scene_, viewport_);
     ImGui::SameLine();
     draw_view_options(context, viewport_.camera, view_edits_);
     ImGui::End();

@@ -19,6 +19,7 @@
 #include "panels/palette.hpp"
 #include "panels/panel.hpp"
 #include "panels/picture_dialog.hpp"
+#include "panels/placing_tools.hpp"
 #include "platform/interface.hpp"
 #include "viewport/scene_renderer.hpp"
 #include "viewport/viewport.hpp"
@@ -134,7 +135,9 @@ private:
         std::vector<std::shared_ptr<const fibre::CellPaint>> paint;
         std::vector<int> muscle_colors;
         int muscle = 0;
-        int stroke = 0;  // PaintTool::revision()
+        int stroke = 0;        // PaintTool::revision()
+        bool at_rest = false;  // a tool sets places of the declaration
+        int placing = 0;       // PlacingTools::revision()
         platform::ThemeName theme = platform::ThemeName::dark;
         std::vector<std::size_t> compared;  // indices in the history
         bool operator==(const SceneKey&) const = default;
@@ -161,6 +164,8 @@ private:
     PaintTool paint_;
     LiveTool live_;
     GoalTool goals_;
+    Placing placing_;  // what clicks in the view set
+    PlacingTools placing_tools_;
     NumberEdits view_edits_;  // edits in progress in the options of the view
     InspectTool inspect_;
     DistanceTool distances_;          // also drawn into images of the view

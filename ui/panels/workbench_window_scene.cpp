@@ -43,6 +43,8 @@ WorkbenchWindow::SceneKey WorkbenchWindow::scene_key() {
             muscle_looks(state.settings.muscles),
             state.muscle,
             paint_.revision(),
+            placing_.on(),
+            placing_tools_.revision(),
             interface_.theme().name,
             commands::compared_records(state)};
 }
@@ -51,8 +53,10 @@ void WorkbenchWindow::follow_scene(const SceneKey& key) {
     const commands::WorkbenchState& state = workbench_->state();
     // Another body begins with its first task; the same one, read again, keeps the task.
     if (key.scene && scene_key_.scene && key.scene->path != scene_key_.scene->path) show_task(commands::Task::body);
-    // A new scene starts with the standard direction of view.
-    if (key.scene != scene_key_.scene) {
+    // A new scene starts with the standard direction of view. An edit of the declaration leaves the view as it is.
+    const bool edited = key.scene && scene_key_.scene && key.body && key.body == scene_key_.body &&
+                        key.scene->path == scene_key_.scene->path;
+    if (key.scene != scene_key_.scene && !edited) {
         viewport_.camera = viewport::turn_to(viewport_.camera, viewport::StandardView::oblique);
         viewport_.untouched = true;
     }
@@ -82,8 +86,9 @@ void WorkbenchWindow::update_scene() {
     // After the summary, which contains the whole body.
     cut_.apply(state, motion_);
     const std::optional<commands::FieldKind> kind = commands::shown_field(state, workbench_->backend());
-    scene_ = commands::scene_at_time(state, interface_.theme(), motion_, paint_.live(), kind ? &*kind : nullptr,
-                                     key.field.get());
+    scene_ = commands::scene_at_time(placing_.on() ? commands::at_rest(state) : state, interface_.theme(), motion_,
+                                     paint_.live(), kind && !placing_.on() ? &*kind : nullptr, key.field.get());
+    placing_tools_.show(placing_, interface_.theme(), scene_);
     scene_key_ = key;
     ++revision_;
 }
@@ -91,8 +96,13 @@ void WorkbenchWindow::update_scene() {
 std::vector<commands::Command> WorkbenchWindow::draw_panels() {
     std::vector<commands::Command> commands;
     WindowRequests requests;
-    PanelContext context{
-        workbench_->state(), interface_.theme(), interface_.items(), commands, workbench_->backend(), requests};
+    PanelContext context{workbench_->state(),
+                         interface_.theme(),
+                         interface_.items(),
+                         commands,
+                         workbench_->backend(),
+                         requests,
+                         placing_};
     if (scene_.field) context.field_range = std::array<double, 2>{scene_.field->lowest, scene_.field->highest};
     draw_parts(context);
     follow(requests);

@@ -251,7 +251,9 @@ report::Json diagnosis_json(const setup::Setup& setup, const Diagnosis& d, const
     json.update(results::robot_json(setup));
     // The places that the fit of the verdict found, where markers.placement_m leaves them open.
     for (std::size_t m = 0; m < d.after.values.places_m.size(); ++m)
-        json["marker_places"][setup.marker_names[m]] = {{"shift_m", report::json_array(d.after.values.places_m[m])}};
+        if (!setup.experiment.markers.on_body[m].probe)
+            json["marker_places"][setup.marker_names[m]] = {
+                {"shift_m", report::json_array(d.after.values.places_m[m])}};
     json["details"] = details_json(setup, d);
     return json;
 }

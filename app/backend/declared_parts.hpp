@@ -1,0 +1,11 @@
+#pragma once
+
+#include "commands/declared_parts.hpp"
+#include "setup/setup.hpp"
+
+namespace myo::backend {
+
+/// Chambers, tendons, cavities and commands of an experiment as declared, for the panels that edit them.
+ui::commands::DeclaredParts declared_parts(const setup::Setup& setup);
+
+}  // namespace myo::backend

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "base/result.hpp"
+
+namespace myo::backend {
+
+/// Renames a marker or probe in the text of experiment.toml, in effects and columns too. Recordings keep their label.
+///
+/// Errors: no marker or probe of that name; the new name is taken.
+Result<std::string> with_renamed_marker(const std::string& text, const std::string& name, const std::string& wanted);
+
+}  // namespace myo::backend

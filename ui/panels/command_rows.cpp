@@ -1,0 +1,57 @@
+#include "panels/command_rows.hpp"
+
+namespace myo::ui::panels {
+namespace {
+
+using commands::DeclaredCommand;
+
+/// Ids of the kinds of a command, as they are listed.
+const char* const rest_id = "rest";
+const char* const constant_id = "constant";
+const char* const step_id = "step";
+const char* const file_id = "file";
+
+const char* id_of(const DeclaredCommand* command) {
+    if (!command) return rest_id;
+    return command->kind == DeclaredCommand::Kind::constant ? constant_id
+           : command->kind == DeclaredCommand::Kind::step   ? step_id
+                                                            : file_id;
+}
+
+}  // namespace
+
+void command_rows(PanelContext& context, const DeclaredActuator& actuator, const CommandField& field,
+                  const std::string& name, NumberEdits& edits) {
+    const commands::Scene& scene = *context.state.scene;
+    const auto trial = static_cast<std::size_t>(context.state.trial);
+    if (trial >= scene.parts.commands.size()) return;
+    const auto found = scene.parts.commands[trial].find(actuator.name);
+    const DeclaredCommand* const command = found == scene.parts.commands[trial].end() ? nullptr : &found->second;
+    std::vector<commands::Choice> choices{
+        {rest_id, "None", "Zero in this trial."},
+        {constant_id, "Constant", "Also before the start, so that an equilibrium includes it."},
+        {step_id, "From the start on", "Zero before t = 0 and this value from then on."}};
+    if (command && command->kind == DeclaredCommand::Kind::file)
+        choices.push_back({file_id, "From the trial's file", "A column of the trial's actuation file."});
+    std::string chosen = id_of(command);
+    const std::string before = chosen;
+    const std::string label = field.quantity + " in " + scene.trials[trial].name;
+    if (choice_row(context, field.quantity, name + "/kind", label + ".", choices, chosen) && chosen != before &&
+        chosen != file_id) {
+        std::optional<DeclaredCommand> wanted;
+        if (chosen != rest_id)
+            wanted = DeclaredCommand{
+                chosen == constant_id ? DeclaredCommand::Kind::constant : DeclaredCommand::Kind::step,
+                command && command->kind != DeclaredCommand::Kind::file ? command->value : field.usual};
+        set_command(context, actuator, trial, wanted, false);
+    }
+    if (!command || command->kind == DeclaredCommand::Kind::file) return;
+    DeclaredCommand changed = *command;
+    bool goes_on = false;
+    const NumberField row{"Value",     name + "/value", field.dimension,     field.unit,
+                          label + ".", field.limits,    field.smallest_step, field.quantity};
+    if (number_row(context, row, edits, changed.value, goes_on, actuator.name + scene.trials[trial].name))
+        set_command(context, actuator, trial, changed, goes_on);
+}
+
+}  // namespace myo::ui::panels

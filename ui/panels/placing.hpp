@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "toml/toml_path.hpp"
+
+namespace myo::ui::panels {
+
+/// What clicks in the view set at present. Switched on by panels, ended by them, by Escape, and with the scene. While
+/// it is on, the body is drawn at rest, as places are declared there.
+struct Placing {
+    enum class Kind { none, markers, guides, box, cavity };
+    Kind kind = Kind::none;
+    std::string next_name;  // of markers: name of the next one; empty: the next free one
+    int tendon = -1;        // of guides: index of the tendon whose guides are moved; -1: a new one is drawn
+    double depth_m = 0.0;   // of guides: of new ones below the surface
+    toml::TomlPath box;     // of a box: where it is declared
+    std::string item;       // of a box: name of the edit
+    std::string what;       // of a box: "the face that is held"
+
+    bool on() const { return kind != Kind::none; }
+    bool sets(Kind other) const { return kind == other; }
+    bool sets_box(const toml::TomlPath& path) const { return kind == Kind::box && box == path; }
+};
+
+}  // namespace myo::ui::panels

@@ -1,0 +1,187 @@
+#include "panels/tendon_panel.hpp"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "panels/command_rows.hpp"
+#include "platform/fonts.hpp"
+#include "toml/toml_text.hpp"
+
+namespace myo::ui::panels {
+namespace {
+
+/// Values of what is added, for the user to change.
+struct NewTendonPolicy {
+    double tension_N = 1.0;
+    double shortening_m = 1e-3;
+    double stiffness_N_m = 1e4;  // of a nylon thread of decimetres
+};
+constexpr NewTendonPolicy new_tendon_policy;
+
+const CommandField tension{commands::Dimension::force, "N", "Tension", {0.0, 1e4}, 0.01, new_tendon_policy.tension_N};
+const CommandField shortening{commands::Dimension::length,   "mm", "Shortening", {-1.0, 1.0}, 0.01,
+                              new_tendon_policy.shortening_m};
+
+Eigen::Matrix3Xd without_guide(const Eigen::Matrix3Xd& path_m, Eigen::Index guide) {
+    Eigen::Matrix3Xd left(3, path_m.cols() - 1);
+    left << path_m.leftCols(guide), path_m.rightCols(path_m.cols() - guide - 1);
+    return left;
+}
+
+}  // namespace
+
+void TendonPanel::draw(PanelContext& context) {
+    const auto& tendons = context.state.scene->parts.tendons;
+    draw_new(context);
+    if (tendons.empty()) {
+        muted_text(context.theme,
+                   "A tendon is a thread that a motor pulls through guides on the body; between guides it is "
+                   "straight.");
+    } else {
+        chosen_ = std::min(chosen_, tendons.size() - 1);
+        for (std::size_t t = 0; t < tendons.size(); ++t) {
+            if (ImGui::Selectable((tendons[t].name + "##tendon").c_str(), t == chosen_)) chosen_ = t;
+            context.items.mark("tendon/list/" + tendons[t].name);
+        }
+        draw_tendon(context, chosen_);
+    }
+    if (!context.state.refused.empty()) notice(context.theme, commands::LogLevel::warning, context.state.refused);
+}
+
+void TendonPanel::draw_new(PanelContext& context) {
+    const bool drawing = context.placing.sets(Placing::Kind::guides) && context.placing.tendon < 0;
+    ImGui::BeginDisabled(!context.state.body);
+    if (toggle_button(context.theme, drawing ? "Drawing a tendon\xe2\x80\xa6" : "Add by clicking##tendon", drawing)) {
+        context.placing = {};
+        if (!drawing) context.placing.kind = Placing::Kind::guides;
+        chosen_ = context.state.scene->parts.tendons.size();
+    }
+    ImGui::EndDisabled();
+    context.items.mark("tendon/add");
+    tooltip(context.theme, context.state.body ? "Click the guides along the body, the motor's end first. Enter ends "
+                                                "the tendon, Escape drops it."
+                                              : "Build the mesh first.");
+    if (!drawing) return;
+    bool goes_on = false;
+    const NumberField field{"Depth",
+                            "tendon/depth",
+                            commands::Dimension::length,
+                            "mm",
+                            "Of the next guides below the surface that is clicked.",
+                            {0.0, 1.0},
+                            0.05};
+    number_row(context, field, edits_, depth_m_, goes_on);
+    context.placing.depth_m = depth_m_;
+}
+
+void TendonPanel::draw_tendon(PanelContext& context, std::size_t t) {
+    const commands::Scene& scene = *context.state.scene;
+    const DeclaredActuator tendon = declared_tendon(scene, t);
+    std::string name = tendon.name;
+    if (names_.row(context, "Name", "tendon/name", "Heads its column in actuation files.", name))
+        rename_actuator(context, tendon, name);
+    draw_drive(context, t);
+    command_rows(context, tendon, scene.parts.tendons[t].by_shortening ? shortening : tension, "tendon/command",
+                 edits_);
+    draw_guides(context, t);
+    if (ImGui::Button("Remove the tendon", {-1.0f, 0.0f})) remove_actuator(context, tendon);
+    context.items.mark("tendon/remove");
+}
+
+void TendonPanel::draw_drive(PanelContext& context, std::size_t t) {
+    const commands::DeclaredTendon& tendon = context.state.scene->parts.tendons[t];
+    std::string drive = tendon.by_shortening ? "shortening" : "tension";
+    const std::string before = drive;
+    if (choice_row(context, "Motor prescribes", "tendon/drive", "What the command of a trial is.",
+                   {{"tension", "Tension", "The force in the thread at the motor."},
+                    {"shortening", "Shortening", "The length that the motor has taken in."}},
+                   drive) &&
+        drive != before)
+        set_tendon_drive(context, t, drive == "shortening");
+    const auto set = [&](const NumberField& field, const char* key, double value, bool goes_on) {
+        context.emit(commands::EditDeclaration{
+            {commands::SetDeclared{{"tendon", t, key}, toml::toml_number(value)}}, field.name, goes_on});
+    };
+    if (tendon.by_shortening) {
+        bool stretches = tendon.stiffness_N_m.has_value();
+        row_label(context.theme, "Stretches", "Not ticked: the thread keeps its length.");
+        if (ImGui::Checkbox("##tendon/stretches", &stretches)) {
+            const toml::TomlPath path{"tendon", t, "stiffness_N_m"};
+            const commands::DeclarationEdit edit = stretches
+                                                       ? commands::DeclarationEdit(commands::SetDeclared{
+                                                             path, toml::toml_number(new_tendon_policy.stiffness_N_m)})
+                                                       : commands::RemoveDeclared{path};
+            context.emit(commands::EditDeclaration{{edit}, "tendon/stretches"});
+        }
+        context.items.mark("tendon/stretches");
+    }
+    bool goes_on = false;
+    if (tendon.stiffness_N_m) {
+        double stiffness = *tendon.stiffness_N_m;
+        const NumberField field{"Stiffness",
+                                "tendon/stiffness",
+                                commands::Dimension::stiffness,
+                                "N/m",
+                                "Tension per elongation of the whole thread.",
+                                {1e-3, 1e9},
+                                10.0};
+        if (number_row(context, field, edits_, stiffness, goes_on, tendon.name))
+            set(field, "stiffness_N_m", stiffness, goes_on);
+    }
+    double friction = tendon.friction;
+    const NumberField field{
+        "Friction",
+        "tendon/friction",
+        commands::Dimension::number,
+        "",
+        "Capstan coefficient \xce\xbc at the guides: the tension falls by exp(\xe2\x88\x92\xce\xbc b) "
+        "on every bend by b rad.",
+        {0.0, 5.0},
+        0.005};
+    if (number_row(context, field, edits_, friction, goes_on, tendon.name)) set(field, "friction", friction, goes_on);
+}
+
+void TendonPanel::draw_guides(PanelContext& context, std::size_t t) {
+    const Eigen::Matrix3Xd& path_m = context.state.scene->parts.tendons[t].path_m;
+    heading(context.theme, "Guides x, y, z, motor's end first");
+    const bool dragging = context.placing.sets(Placing::Kind::guides) && context.placing.tendon == static_cast<int>(t);
+    ImGui::BeginDisabled(!context.state.body);
+    if (toggle_button(context.theme, dragging ? "End dragging guides" : "Drag guides in the view", dragging)) {
+        context.placing = {};
+        if (!dragging) context.placing.kind = Placing::Kind::guides, context.placing.tendon = static_cast<int>(t);
+    }
+    ImGui::EndDisabled();
+    context.items.mark("tendon/drag");
+    const float button = ImGui::GetFrameHeight(), gap = ImGui::GetStyle().ItemSpacing.x;
+    const float width = (ImGui::GetContentRegionAvail().x - button - 3.0f * gap) / 3.0f;
+    for (Eigen::Index g = 0; g < path_m.cols(); ++g) {
+        const std::string item = "tendon/guide/" + std::to_string(g);
+        ImGui::PushID(item.c_str());
+        for (Eigen::Index k = 0; k < 3; ++k) {
+            Eigen::Matrix3Xd changed = path_m;
+            bool goes_on = false;
+            const NumberField field{std::string("Guide ") + axis_names[static_cast<std::size_t>(k)],
+                                    item + "/" + axis_names[static_cast<std::size_t>(k)],
+                                    commands::Dimension::length,
+                                    "mm",
+                                    "Place of the guide at rest [m].",
+                                    {-10.0, 10.0},
+                                    0.05};
+            ImGui::SetNextItemWidth(width);
+            if (number_field(context, field, edits_, changed(k, g), goes_on,
+                             context.state.scene->parts.tendons[t].name))
+                set_tendon_path(context, t, changed, field.name, goes_on);
+            ImGui::SameLine();
+        }
+        ImGui::BeginDisabled(path_m.cols() <= 2);
+        if (ImGui::Button(platform::icon::remove, {button, 0.0f}))
+            set_tendon_path(context, t, without_guide(path_m, g), item + "/remove");
+        ImGui::EndDisabled();
+        context.items.mark(item + "/remove");
+        tooltip(context.theme, "Remove the guide");
+        ImGui::PopID();
+    }
+}
+
+}  // namespace myo::ui::panels
