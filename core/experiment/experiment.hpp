@@ -20,6 +20,7 @@
 #include "fibre/polyline.hpp"
 #include "fibre/signal.hpp"
 #include "measurement/trace_file.hpp"
+#include "measurement/trace_repair.hpp"
 #include "mesh/surface_mesh.hpp"
 
 namespace myo::experiment {
@@ -198,6 +199,7 @@ struct TrialDeclaration {
     std::map<std::string, double> condition;       // test conditions by name; free levels are interpolated over them
     std::vector<LoadDeclaration> loads;
     std::vector<GoalDeclaration> goals;  // that `optimize` follows instead of the recording; times within the trial
+    std::vector<measurement::TraceRepair> repairs;  // of the recording, in this order
 };
 
 /// A complete experiment folder after reading and checking. Names are unique and references between tables resolve.

@@ -62,6 +62,8 @@ std::vector<LoadDeclaration> read_loads(const toml::TomlReader& trial);
 /// @param declared  role, hold and duration of the trial
 std::vector<GoalDeclaration> read_goals(const toml::TomlReader& trial, const std::filesystem::path& folder,
                                         const TrialDeclaration& declared);
+/// [[trial.repair]]: what is done to the recording by hand; names are checked on reading the recording.
+std::vector<measurement::TraceRepair> read_repairs(const toml::TomlReader& trial);
 /// [[effect]]: parameters as the effect catalogue declares them.
 std::vector<effect::EffectDeclaration> read_effects(const toml::TomlReader& document);
 

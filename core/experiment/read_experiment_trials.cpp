@@ -62,7 +62,8 @@ std::optional<double> read_unit(const toml::TomlReader& table, const std::string
 }
 
 /// Keys of a recording, which a trial that is only simulated lacks.
-constexpr std::array recording_keys{"trace", "format", "columns", "unit", "time_unit", "axes", "start_s", "end_s"};
+constexpr std::array recording_keys{"trace", "format",  "columns", "unit",  "time_unit",
+                                    "axes",  "start_s", "end_s",   "repair"};
 
 /// How long a trial without a recording runs.
 void read_duration(const toml::TomlReader& table, TrialDeclaration& trial) {
@@ -91,6 +92,7 @@ void read_trace_keys(const toml::TomlReader& table, const std::filesystem::path&
     if (trial.seconds_per_unit && !measurement::find_trace_reader(trial.format)->has_times)
         table.fail("time_unit", "a recording of format \"" + trial.format + "\" has a rate instead of times");
     if (table.has("axes")) trial.axes = read_axes(table);
+    trial.repairs = read_repairs(table);
 }
 
 TrialDeclaration read_trial(const toml::TomlReader& table, const std::filesystem::path& folder) {

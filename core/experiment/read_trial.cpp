@@ -135,6 +135,18 @@ measurement::Recording planned_times(const Experiment& experiment, const TrialDe
     return planned;
 }
 
+/// The repairs that the trial declares, in their order. Each is told, as a correction is.
+Result<void> make_repairs(const Experiment& experiment, const TrialDeclaration& trial, TrialRecording& read) {
+    for (std::size_t r = 0; r < trial.repairs.size(); ++r) {
+        const std::string key = trial_key(experiment, trial) + ".repair[" + std::to_string(r) + "]";
+        const Result<Eigen::Index> changed = measurement::repair_trace(read.recording, trial.repairs[r]);
+        if (!changed) return declaration_error(experiment, key, changed.error().what);
+        read.warnings.push_back(key + ": repaired by hand: " + measurement::repair_words(trial.repairs[r]) + ", " +
+                                std::to_string(*changed) + (*changed == 1 ? " sample" : " samples"));
+    }
+    return {};
+}
+
 }  // namespace
 
 std::string trial_key(const Experiment& experiment, const TrialDeclaration& trial) {
@@ -168,6 +180,8 @@ Result<TrialRecording> read_trial(const Experiment& experiment, const TrialDecla
     }
     if (Result<void> window = check_window(experiment, trial, read.recording); !window) return window.error();
     correct_faults(experiment, key, read);
+    // Last: a person repairs what the corrections leave, and sees the corrected traces.
+    if (Result<void> repaired = make_repairs(experiment, trial, read); !repaired) return repaired.error();
     for (std::size_t i = 0; i < read.recording.labels.size(); ++i) {
         const Eigen::Index occluded = occluded_samples(read.recording.tracks[i]);
         // Such a marker contributes little and its gaps may hide a mislabelled interval.

@@ -23,9 +23,10 @@ struct TrialRecording {
 /// A recording may name a marker by its label or by its declared name, both also as "subject:name" where that is
 /// unique. Undeclared markers are an error, except in files of camera systems, which contain everything in view: there
 /// they are dropped with a warning. Faults are corrected, see correct_faults(); each correction gives a warning, as
-/// does a marker occluded in more than half of the samples. Positions are turned by the trial's `axes`. Errors: those
-/// of the readers (place: line of the trace), content of another format than the declared one, a declared marker
-/// missing or ambiguous, an undeclared one, start_s or end_s outside the recording (place: line of the key).
+/// does a marker occluded in more than half of the samples. Then the trial's repairs are made, see repair_trace(), and
+/// told. Positions are turned by the trial's `axes`. Errors: those of the readers (place: line of the trace), content
+/// of another format than the declared one, a declared marker missing or ambiguous, an undeclared one, start_s or end_s
+/// outside the recording, a repair that cannot be made (place: line of the key).
 /// A trial of role simulate has output times from 0 to its duration, at which only the markers on the body are listed
 /// and none is seen.
 Result<TrialRecording> read_trial(const Experiment& experiment, const TrialDeclaration& trial);

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "base/text.hpp"
 #include "measurement/noise.hpp"
+#include "measurement/recording_edit.hpp"
 #include "setup/hold_recording.hpp"
 
 namespace myo::setup {
@@ -55,6 +57,19 @@ void set_estimated_noise(const std::vector<measurement::Recording>& recordings, 
 }
 
 }  // namespace
+
+measurement::Recording without_made_samples(const experiment::TrialDeclaration& declaration,
+                                            const PreparedTrial& trial) {
+    measurement::Recording recording = trial.measured;
+    for (const measurement::TraceRepair& repair : declaration.repairs) {
+        const std::optional<std::size_t> marker = measurement::label_index(recording, repair.marker);
+        if (!makes_samples(repair.kind) || !marker) continue;
+        const auto [first, end] = measurement::samples_within(recording.time_s, repair.from_s - trial.start_s,
+                                                              repair.to_s - trial.start_s);
+        recording.tracks[*marker].middleCols(first, end - first).setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+    return recording;
+}
 
 void set_noise(const std::vector<measurement::Recording>& recordings, Setup& setup) {
     const auto count = static_cast<Eigen::Index>(setup.marker_names.size());

@@ -12,6 +12,13 @@ struct MarkerNoisePolicy {
 };
 inline constexpr MarkerNoisePolicy marker_noise_policy;
 
+/// The recording of a trial with gaps where a person filled or smoothed it: those samples would show less noise than
+/// the cameras have.
+///
+/// @param trial  with `measured` and `start_s`
+measurement::Recording without_made_samples(const experiment::TrialDeclaration& declaration,
+                                            const PreparedTrial& trial);
+
 /// Sets the noise of each marker [m]: declared, or estimated per trial and pooled (rms). Markers without an estimate
 /// get the mean of the others; if all trials are holds, all markers do. Never below the deviation that rounding
 /// produces.

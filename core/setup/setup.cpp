@@ -313,7 +313,7 @@ Result<void> add_trials(Setup& setup, const model::Model& model, const Progress&
         if (progress.cancelled()) return Error{"stopped before trial " + declaration.name + " was read", ""};
         Result<PreparedTrial> trial = prepare_trial(setup, model, declaration, setup.warnings);
         if (!trial) return trial.error();
-        recordings.push_back(trial->measured);
+        recordings.push_back(without_made_samples(declaration, *trial));
         if (trial->hold) trial->measured = mean_pose(trial->measured);
         setup.trials.push_back(std::move(*trial));
     }
