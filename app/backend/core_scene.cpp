@@ -13,6 +13,7 @@
 #include "backend/law_settings.hpp"
 #include "backend/mesh_scene.hpp"
 #include "backend/scene_goals.hpp"
+#include "backend/trial_repairs.hpp"
 #include "base/files.hpp"
 #include "base/letter_case.hpp"
 #include "base/parallel.hpp"
@@ -101,6 +102,7 @@ void fill_from_setup(const setup::Setup& setup, ui::commands::Scene& scene) {
         const experiment::TrialDeclaration& declared = experiment.trials[scene.trials.size()];
         shown.duration_s = declared.duration_s;
         shown.goals = scene_goals(experiment, declared);
+        shown.repairs = shown_repairs(declared, trial);
         for (const experiment::LoadDeclaration& load : declared.loads)
             shown.loads.push_back({load.kind == experiment::LoadKind::mass, load.box_m, load.mass_kg, load.force_N});
         for (std::size_t m = 0; m < scene.markers.size(); ++m)

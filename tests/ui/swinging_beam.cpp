@@ -145,9 +145,10 @@ Result<void> SwingingBeam::write_signal(const std::filesystem::path& path, const
 
 Result<ui::commands::Declaration> SwingingBeam::edited(const ui::commands::Scene&,
                                                        const ui::commands::Declaration& declaration,
-                                                       const std::vector<ui::commands::DeclarationEdit>& edits) const {
+                                                       const std::vector<ui::commands::DeclarationEdit>& asked) const {
     ui::commands::Declaration result = declaration;
-    for (const ui::commands::DeclarationEdit& edit : edits)
+    edits.insert(edits.end(), asked.begin(), asked.end());
+    for (const ui::commands::DeclarationEdit& edit : asked)
         if (const auto* set = std::get_if<ui::commands::SetDeclared>(&edit))
             result.text = std::make_shared<const std::string>(set->value);
     return result;
@@ -185,6 +186,8 @@ Result<ui::commands::Scene> SwingingBeam::open(const std::filesystem::path& path
                     measured_trial("pull_release", "validate", scene.markers, 2)};
     for (const ui::commands::ImportChoices& choices : added)
         scene.trials.push_back(measured_trial(choices.trial, choices.fit ? "fit" : "validate", scene.markers, 3));
+    scene.is_experiment = as_experiment;
+    for (ui::commands::SceneTrial& trial : scene.trials) trial.repairs = {as_experiment, 1.5, {}};
     scene.frequency_Hz = 7.75;
     scene.damping_ratio = 0.06;
     scene.calibrated = {"Young's modulus E", "Damping \xcf\x84"};

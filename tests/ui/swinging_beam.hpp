@@ -41,6 +41,10 @@ public:
     Result<void> write_declaration(const ui::commands::Scene&, const ui::commands::Declaration&) const override {
         return {};
     }
+    /// While set, the beam opens as an experiment whose declaration can be edited.
+    bool as_experiment = false;
+    /// Edits in the order in which they were asked for.
+    mutable std::vector<ui::commands::DeclarationEdit> edits;
     Result<void> write_plain_experiment(const std::filesystem::path& folder, const ui::commands::Scene&,
                                         const ui::commands::Settings&) const override {
         return Error{"not part of this test", folder.string()};

@@ -25,6 +25,7 @@
 #include "commands/scene_marker.hpp"
 #include "commands/search_result.hpp"
 #include "commands/settings.hpp"
+#include "commands/trace_repairs.hpp"
 #include "fibre/cell_paint.hpp"
 #include "mesh/surface_mesh.hpp"
 #include "mesh/volume_mesh.hpp"
@@ -107,6 +108,7 @@ struct SceneTrial {
     std::vector<SceneLoad> loads = {};                     // in the order of declaration
     double duration_s = 0.0;                               // of a trial without a recording, else 0
     std::vector<SceneGoal> goals = {};                     // in the order of declaration; Optimise follows them
+    TraceRepairs repairs = {};
 };
 
 /// Whether a marker was seen in a trial. Trials that are only simulated, and probes, have nothing measured.

@@ -21,7 +21,7 @@ constexpr const char* plot_help =  // tooltip of the help icon
     "Drag with the right button: zoom to a box\n"
     "Drag with the left button: move the curves; double-click: show all\n"
     "Click: go to that time; the vertical line can be dragged\n"
-    "Shift and drag: select a time range and show its rms error; Shift and click: no range\n"
+    "Shift and drag: select a time range, for its rms error and for repairs; Shift and click: no range\n"
     "A name in the legend: hide or show the curve";
 
 /// Whether there is no room for text on the buttons. The legend of several trials is then in their menu.
@@ -64,21 +64,28 @@ std::string error_text(const commands::WorkbenchState& state, const std::optiona
     return text;
 }
 
+/// Whether two trials have the same name and as many samples.
+bool same_samples(const commands::Scene& a, int trial_a, const commands::Scene& b, int trial_b) {
+    const auto x = static_cast<std::size_t>(trial_a), y = static_cast<std::size_t>(trial_b);
+    return x < a.trials.size() && y < b.trials.size() && a.trials[x].name == b.trials[y].name &&
+           a.trials[x].time_s.size() == b.trials[y].time_s.size();
+}
+
 }  // namespace
 
 std::string MarkerPanel::title() const { return std::string(platform::icon::chart) + "  Markers"; }
 
 void MarkerPanel::follow(const commands::WorkbenchState& state) {
-    if (scene_ != state.scene || trial_ != state.trial || marker_ != state.marker) {
-        // A different curve: the old zoom has no meaning for it.
-        if (scene_ != state.scene || trial_ != state.trial) time_ = {};
-        if (scene_ != state.scene) overlaid_.clear();
-        main_ = {};
-        residual_ = {};
-        scene_ = state.scene;
-        trial_ = state.trial;
-        marker_ = state.marker;
-    }
+    if (scene_ == state.scene && trial_ == state.trial && marker_ == state.marker) return;
+    const bool same_file = scene_ && scene_->path == state.scene->path;
+    // A different curve: the old zoom has no meaning for it.
+    const bool same_trial = same_file && same_samples(*scene_, trial_, *state.scene, state.trial);
+    if (!same_trial) time_ = {};
+    if (!same_file || scene_->trials.size() != state.scene->trials.size()) overlaid_.clear();
+    if (!same_trial || marker_ != state.marker) main_ = residual_ = {};
+    scene_ = state.scene;
+    trial_ = state.trial;
+    marker_ = state.marker;
 }
 
 /// Controls in one line; below it the plots of the selected coordinates next to each other, with equal widths.
@@ -151,6 +158,8 @@ void MarkerPanel::draw_choice(PanelContext& context) {
     context.items.mark("markers/export");
     tooltip(context.theme, "Saves the visible curves of this marker as a table, a drawing or a picture");
     draw_export(context, state.scene_trial()->name + "_" + markers[current].name);
+    ImGui::SameLine(0.0f, gap);
+    repair_.draw(context, narrow ? platform::icon::eraser : "Repair\xe2\x80\xa6", time_.chosen);
     ImGui::SameLine(0.0f, gap);
     draw_plot_help(context);
     draw_error(context);

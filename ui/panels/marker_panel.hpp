@@ -4,15 +4,16 @@
 #include <set>
 
 #include "panels/panel.hpp"
+#include "panels/repair_popup.hpp"
 #include "plot/plot_svg.hpp"
 
 namespace myo::ui::panels {
 
 /// Plots the selected marker in x, y and z: measured and simulated, with the residual below. Other trials can be drawn
-/// over the shown one, and ended jobs that are compared are included.
+/// over the shown one, and ended jobs that are compared are included. A popup repairs the recording.
 ///
-/// Emits ChooseMarker and SetTime; requests dialogs for the export. Comes to the front with the task Measure. Item
-/// names begin with "markers/", "plot/" and "residual/".
+/// Emits ChooseMarker, SetTime and EditDeclaration; requests dialogs for the export. Comes to the front with the task
+/// Measure. Item names begin with "markers/", "plot/" and "residual/".
 class MarkerPanel : public Panel {
 public:
     std::string name() const override { return "markers"; }
@@ -37,16 +38,17 @@ private:
     /// Colour of another trial, chosen far in hue from measured, simulated and residual in both themes.
     static const ImVec4& overlay_color(const platform::Theme& theme, std::size_t trial);
     void show_all();
-    /// Resets the zoom where another curve is shown.
+    /// Resets zoom and selection where another curve is shown. Those of an edited scene with the same trial stay.
     void follow(const commands::WorkbenchState& state);
     /// Plot of the residual below that of the motion. `strip` has the curves; `size` in pixels.
     void draw_residual(PanelContext& context, int axis, plot::Plot strip, const ImVec2& size);
     /// Plot of one coordinate with its residual below. `size` in pixels.
     void draw_component(PanelContext& context, int axis, const ImVec2& size);
 
-    platform::Rectangle plots_;                     // area of the plots in the last frame, for export as PNG
-    std::array<bool, 3> shown_{true, true, true};   // x, y, z
-    std::set<int> overlaid_;                        // indices of other trials that are drawn, too
+    platform::Rectangle plots_;                    // area of the plots in the last frame, for export as PNG
+    std::array<bool, 3> shown_{true, true, true};  // x, y, z
+    std::set<int> overlaid_;                       // indices of other trials that are drawn, too
+    RepairPopup repair_;
     plot::LinkedAxis time_;                         // time axis of all plots
     std::array<plot::PlotState, 3> main_;           // per coordinate
     std::array<plot::PlotState, 3> residual_;       // per coordinate

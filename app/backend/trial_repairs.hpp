@@ -1,0 +1,13 @@
+#pragma once
+
+#include "commands/trace_repairs.hpp"
+#include "experiment/experiment.hpp"
+#include "setup/setup.hpp"
+
+namespace myo::backend {
+
+/// Repairs that a trial declares, as the window shows them.
+ui::commands::TraceRepairs shown_repairs(const experiment::TrialDeclaration& declared,
+                                         const setup::PreparedTrial& trial);
+
+}  // namespace myo::backend

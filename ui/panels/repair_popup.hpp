@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+
+#include "chart/chart.hpp"
+#include "panels/number_field.hpp"
+
+namespace myo::ui::panels {
+
+/// Popup of the marker plots that repairs the recording of the shown marker over a span of time: cut, fill, swap with
+/// another marker, smooth. What was repaired is listed and can be removed.
+///
+/// Emits EditDeclaration. Item names begin with "repair/".
+class RepairPopup {
+public:
+    /// Draws the button that opens the popup, and the popup.
+    ///
+    /// @param label  of the button
+    /// @param span   selected times of the trial [s]; changed by the fields of the popup
+    void draw(PanelContext& context, const char* label, std::optional<chart::Range>& span);
+
+private:
+    void draw_span(PanelContext& context, const commands::SceneTrial& trial, std::optional<chart::Range>& span);
+    /// Buttons of the repairs. `span`: times of the trial [s].
+    void draw_repairs(PanelContext& context, const commands::SceneTrial& trial, const chart::Range& span);
+    void draw_swap(PanelContext& context, const commands::SceneTrial& trial, const chart::Range& span);
+    void draw_made(PanelContext& context, const commands::SceneTrial& trial);
+
+    int with_ = 0;            // index of the marker to swap with
+    double window_s_ = 0.05;  // of smoothing
+    NumberEdits edits_;
+};
+
+}  // namespace myo::ui::panels
