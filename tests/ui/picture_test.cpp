@@ -338,5 +338,48 @@ TEST(Picture, WithoutFfmpegAFilmIsRefused) {
     setenv("PATH", before.c_str(), 1);
 }
 
+/// A picture of a beam with this background.
+platform::Image picture_with(Driver& driver, const fs::path& path, panels::PictureBackground background) {
+    panels::PictureRequest request{path, 640, 400};
+    request.background = background;
+    driver.window->draw_into(request);
+    for (int i = 0; i < 100 && !fs::exists(path); ++i) driver.frame();
+    return read_png(path);
+}
+
+TEST(Picture, HasAWhiteOrATransparentBackground) {
+    const Folder folder("background");
+    Driver driver;
+    driver.draw_pixels();
+    ASSERT_NO_FATAL_FAILURE(run_a_beam(driver));
+    commands::ViewOptions options = driver.state().view;
+    options.grid = false;
+    driver.workbench->execute(commands::ChangeView{options});
+    const platform::Image white = picture_with(driver, folder.path() / "white.png", panels::PictureBackground::white),
+                          clear = picture_with(driver, folder.path() / "clear.png",
+                                               panels::PictureBackground::transparent);
+    EXPECT_EQ(white.color(2, 200), (std::array{255, 255, 255}));
+    const auto alpha = [&](const platform::Image& image, int x, int y) {
+        return image.rgba[4 * static_cast<std::size_t>(y * image.width + x) + 3];
+    };
+    EXPECT_EQ(alpha(white, 2, 200), 255);
+    EXPECT_EQ(alpha(clear, 2, 200), 0);
+    // On white paper the transparent picture is the white one.
+    int opaque = 0, differing = 0;
+    for (int y = 0; y < 400; ++y)
+        for (int x = 0; x < 640; ++x) {
+            const double a = alpha(clear, x, y) / 255.0;
+            opaque += alpha(clear, x, y) == 255 ? 1 : 0;
+            const auto colour = clear.color(x, y), on_white = white.color(x, y);
+            for (std::size_t k = 0; k < 3; ++k)
+                if (std::abs(a * colour[k] + (1.0 - a) * 255.0 - on_white[k]) > 6.0) {
+                    ++differing;
+                    break;
+                }
+        }
+    EXPECT_GT(opaque, 2000) << "the body hides what is behind it";
+    EXPECT_LT(differing, 400);
+}
+
 }  // namespace
 }  // namespace myo::ui

@@ -51,6 +51,9 @@ Result<void> FilmJob::begin(const PictureRequest& request, FilmedView filmed) {
     filmed.view.camera = widened(filmed.view.camera, view, size);
     // Overlays are drawn as in the view, whose rectangle is now the whole image.
     filmed.view.pixels = {{0.0f, 0.0f}, {static_cast<float>(size.width), static_cast<float>(size.height)}};
+    // Without the window's background light annotations would vanish.
+    if (request_.background != PictureBackground::view)
+        filmed.theme = platform::make_theme(platform::ThemeName::light, filmed.theme.scale);
     auto renderer = viewport::SceneRenderer::make();
     if (!renderer) return renderer.error();
     auto canvas = platform::PictureCanvas::make(filmed.theme.name, scale_);
@@ -103,12 +106,14 @@ Result<bool> FilmJob::add(const commands::Backend& backend) {
 Result<platform::Image> FilmJob::picture(const viewport::DrawnScene& scene) {
     const viewport::ViewSize size{request_.width, request_.height};
     // A new revision for each image, as the scene differs in every one.
-    const auto drawn = renderer_->update(scene, static_cast<std::uint64_t>(done_) + 1,
-                                         viewport::view_colors(filmed_->theme), filmed_->view.camera, size, 4,
-                                         static_cast<double>(scale_));
+    viewport::ViewColors colors = viewport::view_colors(filmed_->theme);
+    if (request_.background != PictureBackground::view) colors.top = colors.bottom = viewport::Color::Ones();
+    colors.transparent = request_.background == PictureBackground::transparent;
+    const auto drawn = renderer_->update(scene, static_cast<std::uint64_t>(done_) + 1, colors, filmed_->view.camera,
+                                         size, 4, static_cast<double>(scale_));
     if (!drawn) return drawn.error();
     if (request_.overlay) draw_overlay(scene);
-    return renderer_->read();
+    return renderer_->read(colors.transparent);
 }
 
 /// Draws the view's annotations with fonts of the image's scale, and the time if there is a motion.

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "panels/file_dialogs.hpp"
@@ -72,6 +73,22 @@ void PictureDialog::draw_size(PanelContext& context) {
             "Draws the overlay of the view into the pictures, too: the legend of the colours, the scale bar, axes, "
             "names of markers, distances, and the time. "
             "Text and lines keep their size relative to the view.");
+}
+
+/// A film has no opacity, so it is white instead.
+void PictureDialog::draw_background(PanelContext& context) {
+    std::vector<commands::Choice> choices{{"view", "Like the view", ""}, {"white", "White", ""}};
+    if (kind_ != Kind::film) choices.push_back({"transparent", "Transparent", ""});
+    constexpr std::array<PictureBackground, 3> meanings{PictureBackground::view, PictureBackground::white,
+                                                        PictureBackground::transparent};
+    const auto found = std::find(meanings.begin(), meanings.end(), request_.background);
+    std::size_t chosen = std::min(static_cast<std::size_t>(found - meanings.begin()), choices.size() - 1);
+    std::string id = choices[chosen].id;
+    choice_row(context, "Background", "picture/background",
+               "White and transparent pictures have the colours of the light theme, for papers and slides.", choices,
+               id);
+    for (std::size_t k = 0; k < choices.size(); ++k)
+        if (choices[k].id == id) request_.background = meanings[k];
 }
 
 void PictureDialog::draw_time(PanelContext& context) {
@@ -177,6 +194,7 @@ void PictureDialog::draw(PanelContext& context) {
     draw_kinds(context);
     ImGui::Spacing();
     draw_size(context);
+    draw_background(context);
     if (kind_ == Kind::picture)
         draw_time(context);
     else

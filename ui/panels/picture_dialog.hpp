@@ -21,6 +21,8 @@ private:
 
     /// Rows for the size of the image [pixels] and the annotations.
     void draw_size(PanelContext& context);
+    /// Row for what is behind the body.
+    void draw_background(PanelContext& context);
     /// Fields of width and height.
     void draw_sides(PanelContext& context);
     /// Tabs of what is written: a picture, pictures of the motion, or a film.

@@ -5,11 +5,15 @@
 
 namespace myo::ui::panels {
 
+/// What is behind the body in an image. White and transparent images have the colours of the light theme.
+enum class PictureBackground { view, white, transparent };
+
 /// A request for an image of the 3D view, or for a sequence of images of the motion.
 struct PictureRequest {
-    std::filesystem::path path;         // file or folder to write
-    int width = 0, height = 0;          // [pixels]; 0: the size of the view
-    bool overlay = true;                // draws legend, scale bars, axes, names, distances and time
+    std::filesystem::path path;  // file or folder to write
+    int width = 0, height = 0;   // [pixels]; 0: the size of the view
+    bool overlay = true;         // draws legend, scale bars, axes, names, distances and time
+    PictureBackground background = PictureBackground::view;
     std::optional<double> time_s = {};  // time of a single image; empty: the shown time
     bool moves = false;                 // sequence: a video (.mp4) or numbered images; otherwise a single image
     double rate_Hz = 30.0;              // images per second of the video

@@ -10,7 +10,7 @@
 
 namespace myo::ui::platform {
 
-Image read_frame(int width, int height, unsigned framebuffer) {
+Image read_frame(int width, int height, unsigned framebuffer, bool transparent) {
     Image image{width, height, {}};
     const std::size_t row = static_cast<std::size_t>(width) * 4;
     // OpenGL returns the lowest row first; image files start at the top.
@@ -22,6 +22,14 @@ Image read_frame(int width, int height, unsigned framebuffer) {
     for (std::size_t y = static_cast<std::size_t>(height); y-- > 0;) {
         const auto first = bottom_up.begin() + static_cast<std::ptrdiff_t>(y * row);
         image.rgba.insert(image.rgba.end(), first, first + static_cast<std::ptrdiff_t>(row));
+    }
+    if (transparent) {
+        for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+            const int alpha = image.rgba[i + 3];
+            for (std::size_t k = i; alpha > 0 && k < i + 3; ++k)
+                image.rgba[k] = static_cast<std::uint8_t>(std::min(255, (image.rgba[k] * 255 + alpha / 2) / alpha));
+        }
+        return image;
     }
     // Blending leaves arbitrary alpha values in the framebuffer, but the window itself is opaque.
     for (std::size_t i = 3; i < image.rgba.size(); i += 4) image.rgba[i] = 255;

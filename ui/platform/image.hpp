@@ -27,8 +27,11 @@ struct Image {
 };
 
 /// Reads the lower left width x height pixels of a framebuffer of the current context; 0 is the framebuffer of the
-/// window. Waits for the GPU. Alpha is set to opaque.
-Image read_frame(int width, int height, unsigned framebuffer = 0);
+/// window. Waits for the GPU.
+///
+/// @param transparent  the framebuffer was cleared to transparent black and blended over: its colours are divided by
+///                     their opacity, as image files want them. Otherwise alpha is set to opaque
+Image read_frame(int width, int height, unsigned framebuffer = 0, bool transparent = false);
 
 /// Returns the part of an image inside a rectangle [pixels, origin at the upper left], cut off at the image's edges.
 /// May be empty.

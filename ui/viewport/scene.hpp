@@ -84,6 +84,7 @@ struct DrawnScene {
 /// Colours of the view that depend on the theme only.
 struct ViewColors {
     Color top, bottom, grid, body, edge;  // background (top, bottom), ground grid, body, element edges
+    bool transparent = false;             // no background: the image has an alpha channel
 };
 /// The view's colours in a theme.
 ViewColors view_colors(const platform::Theme& theme);

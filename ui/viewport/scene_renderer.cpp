@@ -203,7 +203,10 @@ void SceneRenderer::begin_drawing(const ViewSize& size, int samples) const {
     platform::gl::BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     platform::gl::DepthMask(GL_TRUE);
     platform::gl::DepthFunc(GL_LEQUAL);
+    // Without a background what is blended over it gets colours multiplied by their opacity, see read_transparent().
+    platform::gl::ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     platform::gl::Clear(GL_DEPTH_BUFFER_BIT | GL_COLOR_BUFFER_BIT);
+    platform::gl::Enable(GL_DEPTH_TEST);
 }
 
 void SceneRenderer::draw_lines_and_markers(const DrawnScene& scene) const {
@@ -247,7 +250,7 @@ Result<void> SceneRenderer::update(const DrawnScene& scene, std::uint64_t revisi
     projection_ = projection_matrix(camera, size).cast<float>();
 
     begin_drawing(size, samples);
-    draw_backdrop(colors);
+    if (!colors.transparent) draw_backdrop(colors);
     if (scene.grid) {
         // The grid writes no depth, so that it never hides what lies below it.
         platform::gl::DepthMask(GL_FALSE);
@@ -263,8 +266,9 @@ Result<void> SceneRenderer::update(const DrawnScene& scene, std::uint64_t revisi
     return {};
 }
 
-platform::Image SceneRenderer::read() const {
-    platform::Image image = platform::read_frame(picture_.width, picture_.height, picture_.framebuffer.name());
+platform::Image SceneRenderer::read(bool transparent) const {
+    platform::Image image = platform::read_frame(picture_.width, picture_.height, picture_.framebuffer.name(),
+                                                 transparent);
     platform::gl::BindFramebuffer(GL_FRAMEBUFFER, 0);
     return image;
 }

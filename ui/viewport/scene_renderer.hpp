@@ -33,7 +33,9 @@ public:
     /// Framebuffer with the last image, to draw annotations over it.
     GLuint framebuffer() const { return picture_.framebuffer.name(); }
     /// Copies the last image into memory. Waits for the GPU.
-    platform::Image read() const;
+    ///
+    /// @param transparent  with the opacity of an image that was drawn without a background; otherwise opaque
+    platform::Image read(bool transparent = false) const;
 
     /// Copies the last image into the window's framebuffer, its lower left corner at (x, y) [pixels]. Does nothing
     /// before the first update().
