@@ -180,7 +180,7 @@ bool draw_experiment(DefaultsCase& d, RandomStream& random) {
 
 /// Every third case has a declaration error, in the order of the catalogue.
 const Slip* slip_of(int number) {
-    constexpr int round = static_cast<int>(1.0 / defaults_policy.slips + 0.5);
+    const auto round = static_cast<int>(std::lround(1.0 / defaults_policy.slips));
     if (number % round != round - 1) return nullptr;
     return &slips()[static_cast<std::size_t>(number / round) % slips().size()];
 }

@@ -64,7 +64,7 @@ void change_signals(const TrialContext& context, const EffectParameters& paramet
         if (element->command() == nullptr || !chosen()) continue;
         fibre::Signal command = *element->command();
         change(command, 0.0);
-        element = element->with_command(std::move(command));
+        element = element->with_command(command);
     }
 }
 

@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "base/parallel.hpp"
 #include "model/model.hpp"
@@ -59,9 +58,8 @@ Eigen::SparseMatrix<double> directional_mass(const Model& model, double at_s) {
 
 }  // namespace
 
-MassMatrix mass_matrix(Eigen::SparseMatrix<double> isotropic, Eigen::SparseMatrix<double> directional) {
-    Eigen::VectorXd nodal_kg = isotropic * Eigen::VectorXd::Ones(isotropic.cols());
-    return {std::move(isotropic), std::move(directional), std::move(nodal_kg)};
+MassMatrix mass_matrix(const Eigen::SparseMatrix<double>& isotropic, const Eigen::SparseMatrix<double>& directional) {
+    return {isotropic, directional, isotropic * Eigen::VectorXd::Ones(isotropic.cols())};
 }
 
 MassMatrix mass_matrix(const Model& model, double at_s) {

@@ -19,7 +19,7 @@ struct MassMatrix {
     bool has_directional() const { return directional.size() > 0; }
 };
 /// Mass matrix from its parts; computes nodal_kg.
-MassMatrix mass_matrix(Eigen::SparseMatrix<double> isotropic, Eigen::SparseMatrix<double> directional);
+MassMatrix mass_matrix(const Eigen::SparseMatrix<double>& isotropic, const Eigen::SparseMatrix<double>& directional);
 
 /// Mass matrix of a model at a time.
 ///

@@ -51,7 +51,7 @@ std::vector<prediction::TrialPrediction> runs_with(const setup::Setup& setup, co
     std::vector<prediction::TrialPrediction> runs = prediction::predict_trials_with(setup, values, moving, progress);
     std::vector<prediction::TrialPrediction> all;
     for (std::size_t i = 0, next = 0; i < trials.size(); ++i)
-        all.push_back(setup.trials[trials[i]].hold ? base[i] : std::move(runs[next++]));
+        all.push_back(setup.trials[trials[i]].hold ? base[i] : runs[next++]);
     return all;
 }
 

@@ -118,7 +118,7 @@ std::vector<report::Block> trial_blocks(const setup::Setup& setup, const Diagnos
     std::vector<report::Block> blocks{
         report::Figure{overlay(setup, d, motion, order.front()),
                        name + ": " + setup.marker_names[order.front()] +
-                           (motion.time_s.size() > 0 && score != nullptr && std::isfinite(score->rms_m)
+                           (!motion.time_s.empty() && score != nullptr && std::isfinite(score->rms_m)
                                 ? ", the marker with the largest error."
                                 : "; nothing was seen to compare with.")},
         report::Figure{residual_over_time(setup, d, trial, motion.time_s), name + ": residual over time."}};
