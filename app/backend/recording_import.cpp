@@ -208,14 +208,15 @@ experiment::NewTrial new_trial(const ui::commands::RecordingFile& file, const ui
     return trial;
 }
 
-/// Adds the trial to the experiment in `from`, or to a copy of it in `to`.
-Result<fs::path> add_to_folder(const fs::path& from, const fs::path& to, const experiment::NewTrial& trial) {
+/// Adds the trial to the experiment in `from`, or to a copy of it in `to`, with the edits of the window.
+Result<fs::path> add_to_folder(const fs::path& from, const fs::path& to, const experiment::NewTrial& trial,
+                               const ui::commands::Declaration& edited) {
     fs::path folder = from;
     const bool elsewhere = !to.empty() && to != folder;
     if (elsewhere)
         if (const Result<void> copied = experiment::copy_experiment(folder, to); !copied) return copied.error();
     if (elsewhere) folder = to;
-    if (const Result<void> added = experiment::add_trial(folder, trial); !added) {
+    if (const Result<void> added = experiment::add_trial(folder, trial, edited.text.get()); !added) {
         std::error_code ignored;
         // The copy is removed if the trial could not be added.
         if (elsewhere) fs::remove_all(folder, ignored);
@@ -383,7 +384,7 @@ Result<fs::path> add_recording_trial(const ui::commands::Scene& scene, const ui:
                           ? placed.tracks[static_cast<std::size_t>(found - choices.markers.begin())]
                           : Matrix3Xd::Constant(3, placed.sample_count(), unseen));
     }
-    return add_to_folder(declared.folder, choices.folder, trial);
+    return add_to_folder(declared.folder, choices.folder, trial, settings.declaration);
 }
 
 }  // namespace myo::backend

@@ -64,16 +64,17 @@ bool is_file_name(const std::string& name) {
 
 }  // namespace
 
-Result<void> add_trial(const fs::path& folder, const NewTrial& trial) {
+Result<void> add_trial(const fs::path& folder, const NewTrial& trial, const std::string* declaration) {
     if (!is_file_name(trial.name))
         return Error{"names the trial's file, so it must be a file's name without a slash", "\"" + trial.name + "\""};
-    const Result<Experiment> before = read_experiment(folder);
+    const fs::path file = folder / declaration_file;
+    const Result<std::string> text = declaration ? Result<std::string>(*declaration) : read_file(file);
+    if (!text) return text.error();
+    const Result<Experiment> before = read_experiment_text(*text, file);
     if (!before) return before.error();
     for (const TrialDeclaration& known : before->trials)
         if (known.name == trial.name)
             return Error{"the experiment has a trial of this name already", "\"" + trial.name + "\""};
-    const Result<std::string> text = read_file(folder / declaration_file);
-    if (!text) return text.error();
     return put(folder, *text + (text->ends_with('\n') ? "" : "\n") + trial_text(trial), trial);
 }
 

@@ -23,9 +23,11 @@ struct NewTrial {
 /// Adds a trial to an experiment folder: samples to `<name>.csv`, declaration appended to experiment.toml.
 ///
 /// @param folder  directory of an existing experiment
+/// @param declaration  text to which the trial is added, in place of that of experiment.toml; null: the file's
 /// Errors: the name is taken or is no file name; the folder cannot be written; those of read_experiment. After an error
 /// the folder is unchanged.
-Result<void> add_trial(const std::filesystem::path& folder, const NewTrial& trial);
+Result<void> add_trial(const std::filesystem::path& folder, const NewTrial& trial,
+                       const std::string* declaration = nullptr);
 
 /// Creates an experiment folder with one trial. Body, clamp, material, gravity and markers are taken from `declared`;
 /// its muscles, effects and trials are not written, nor are chambers, tendons, parts, obstacles, sensors and limits: it

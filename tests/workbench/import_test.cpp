@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "backend/workbench_backend.hpp"
+#include "experiment/read_experiment.hpp"
 #include "measurement/rigid_motion.hpp"
 #include "mesh/vtk_writer.hpp"
 #include "support/folder.hpp"
@@ -160,6 +161,33 @@ TEST(CoreImport, NoUnitIsChosenForTheUser) {
     ASSERT_TRUE(driver.wait_for_job(30));
     EXPECT_EQ(driver.state().import->view.problem, "");
     EXPECT_LT(driver.state().import->view.rms_m, 5e-4) << "the markers are proposed once their distances are known";
+}
+
+/// Edits that were not saved are written with the trial, and are not taken back by opening the experiment again.
+TEST(CoreImport, ARecordingIsAddedToTheEditedExperiment) {
+    Folder folder("import_edited");
+    const fs::path beam = beam_in(folder);
+    Driver driver(backend::make_core_backend(), 1280, 900);
+    driver.workbench->execute(ui::commands::Open{beam, std::nullopt});
+    ASSERT_TRUE(driver.wait_for_job(60));
+    driver.workbench->execute(ui::commands::EditDeclaration{
+        {ui::commands::SetDeclared{{"environment", "gravity_m_s2"}, "[0.0, 0.0, 0.0]"}}, "gravity"});
+    driver.workbench->execute(ui::commands::ReadRecording{take_of(folder, beam / "gravity_release.csv")});
+    ASSERT_TRUE(driver.wait_for_job(30));
+    ASSERT_TRUE(driver.state().import) << driver.state().log.back().text;
+    ui::commands::ImportChoices choices = driver.state().import->choices;
+    choices.trial = "again";
+    choices.start_s = 0.6;
+    driver.workbench->execute(ui::commands::ChangeImport{choices});
+    driver.workbench->execute(ui::commands::AddRecording{});
+    ASSERT_TRUE(driver.wait_for_job(120));
+    ASSERT_FALSE(driver.state().import) << driver.state().log.back().text;
+    EXPECT_EQ(driver.state().scene->trials.size(), 4u);
+    EXPECT_TRUE(driver.state().scene->gravity_m_s2.isZero());
+    const Result<experiment::Experiment> read = experiment::read_experiment(beam);
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_EQ(read->trials.size(), 4u);
+    EXPECT_TRUE(read->gravity_m_s2.isZero());
 }
 
 }  // namespace

@@ -117,13 +117,17 @@ void Workbench::on(const AddRecording&) {
             if (!progress.cancelled()) *place = backend_->add_recording(*scene, settings, import.file, import.choices);
             auto made = std::make_shared<Result<Scene>>(Error{"not read", ""});
             if (*place) *made = backend_->open(**place, std::nullopt, progress);
-            return [this, import, scene, place, made] {
+            return [this, import, scene, settings, place, made] {
                 if (!*place) return log_failure(place->error(), "Cannot add the trial");
                 if (!*made)
                     return log_failure(made->error(), "The trial was added, but the experiment cannot be opened");
                 if (state_.scene != scene) return;  // another scene was opened meanwhile
                 // Everything that was set and painted on this body is kept.
-                const Settings kept = state_.settings;
+                Settings kept = state_.settings;
+                // The edits of the experiment are in its file now, together with the trial.
+                if (!(kept.declaration == settings.declaration))
+                    log(LogLevel::warning, "Edits of the experiment made while the trial was added are lost.");
+                kept.declaration = {};
                 // A copy of the experiment in another folder is not what the open project refers to.
                 const std::filesystem::path project = import.choices.folder.empty() ? state_.project
                                                                                     : std::filesystem::path();
@@ -134,7 +138,9 @@ void Workbench::on(const AddRecording&) {
                 for (std::size_t t = 0; t < state_.scene->trials.size(); ++t)
                     if (state_.scene->trials[t].name == import.choices.trial) choose_trial(static_cast<int>(t));
                 remember_recent(state_.scene->path);
-                log(LogLevel::done, "Added the trial " + import.choices.trial + " in " + (*place)->string() + ".");
+                log(LogLevel::done, "Added the trial " + import.choices.trial +
+                                        (settings.declaration.text ? ", with the edits of the experiment," : "") +
+                                        " in " + (*place)->string() + ".");
                 build_mesh({});
             };
         });
