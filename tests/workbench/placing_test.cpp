@@ -284,7 +284,7 @@ TEST(PlacingInWindow, AChamberIsListedWithItsCavityAndKeptWhereATrialNeedsIt) {
     EXPECT_TRUE(driver.has("chamber/chamber/volume"));
     // Another trial has its pressure in a file, which a chamber without this name would leave unread.
     driver.click("chamber/chamber/remove");
-    EXPECT_THAT(driver.state().refused, HasSubstr("chamber_Pa"));
+    EXPECT_THAT(driver.state().refused, HasSubstr("trial[1].actuation"));
     EXPECT_EQ(window.scene().parts.chambers, std::vector<std::string>{"chamber"});
     driver.click("chamber/chamber/pressure/kind");
     driver.click("chamber/chamber/pressure/kind/rest");

@@ -99,14 +99,14 @@ void MarkerPanel::draw(PanelContext& context) {
                        : "Simulated motion is drawn here. Add a probe under Measure, Markers and probes.");
         return;
     }
+    follow(state);
+    draw_choice(context);
     if (!state.simulated_trial() && !commands::is_seen(*state.scene_trial(), static_cast<std::size_t>(state.marker))) {
         muted_text(context.theme,
                    "Run to see how " + state.scene->markers[static_cast<std::size_t>(state.marker)].name + " moves.");
         context.items.mark("markers/not_run");
         return;
     }
-    follow(state);
-    draw_choice(context);
     if (!is_narrow(context.theme) && !commands::overlaid_markers(state, overlaid_).empty()) draw_legend(context);
     // Collected while drawing, for export as SVG.
     seen_.clear();
