@@ -1,6 +1,7 @@
 #include "backend/declaration.hpp"
 
 #include "backend/core_scene.hpp"
+#include "backend/experiment_contents.hpp"
 #include "backend/marker_edit.hpp"
 #include "base/files.hpp"
 #include "experiment/new_trial.hpp"
@@ -97,6 +98,16 @@ Result<void> write_plain_scene(const fs::path& folder, const ui::commands::Scene
                                const ui::commands::Settings& settings) {
     return experiment::write_planned_experiment(folder, with_settings(source_of(scene).experiment, settings),
                                                 source_of(scene).surface);
+}
+
+Result<void> write_scene_copy(const fs::path& folder, const ui::commands::Scene& scene,
+                              const Declaration& declaration) {
+    const fs::path from = declaration_file(scene.path).parent_path();
+    if (const Result<void> copied = experiment::copy_experiment(from, folder); !copied) return copied;
+    const Result<void> written = write_contents(from, text_of(scene, declaration), folder);
+    std::error_code ignored;
+    if (!written) fs::remove_all(folder, ignored);
+    return written;
 }
 
 }  // namespace myo::backend

@@ -19,4 +19,9 @@ Result<void> write_scene_declaration(const ui::commands::Scene& scene, const ui:
 Result<void> write_plain_scene(const std::filesystem::path& folder, const ui::commands::Scene& scene,
                                const ui::commands::Settings& settings);
 
+/// Copies an experiment with its edits into a new folder; see Backend::write_experiment_copy().
+/// Errors: the folder is not empty or lies in the experiment, a file cannot be copied.
+Result<void> write_scene_copy(const std::filesystem::path& folder, const ui::commands::Scene& scene,
+                              const ui::commands::Declaration& declaration);
+
 }  // namespace myo::backend

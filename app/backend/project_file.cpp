@@ -5,6 +5,7 @@
 #include <set>
 #include <system_error>
 
+#include "backend/experiment_contents.hpp"
 #include "backend/project_masks.hpp"
 #include "base/files.hpp"
 #include "commands/settings.hpp"
@@ -282,16 +283,16 @@ ui::commands::Project read_document(const toml::TomlValue& root, const fs::path&
         throw toml::TomlFailure{Error{"schema: this is not a project; this program reads \"" + schema + "\"",
                                       named ? named->where : file.string()}};
     const toml::TomlReader document(root, "",
-                                    {"schema", "source", "metres_per_unit", "trial", "declaration", "declared_mesh",
-                                     "mesh", "material", "time", "view", "muscle", "effect"});
+                                    {"schema", "source", "self_contained", "metres_per_unit", "trial", "declaration",
+                                     "declared_mesh", "mesh", "material", "time", "view", "muscle", "effect"});
     ui::commands::Project project;
     std::error_code ignored;
     const fs::path source = document.text("source");
     project.source = source.is_absolute() ? source : (file.parent_path() / source).lexically_normal();
-    if (!fs::exists(project.source, ignored))
-        document.fail("source", "\"" + project.source.string() + "\" is not there");
+    project.source_missing = !fs::exists(project.source, ignored);
     // A trailing slash is removed, so that paths compare equal.
     if (project.source.filename().empty()) project.source = project.source.parent_path();
+    project.self_contained = document.boolean_or("self_contained", false);
     project.metres_per_unit = document.optional_number("metres_per_unit", toml::positive());
     project.trial = document.text_or("trial", "");
     project.settings = read_settings(document, root, file.parent_path(), project.warnings);
@@ -308,12 +309,20 @@ Result<void> write_project_file(const fs::path& file, const ui::commands::Projec
     std::error_code ignored;
     const fs::path folder = fs::absolute(file, ignored).parent_path();
     const fs::path files = fs::path(file).replace_extension(".files");
+    fs::path source = project.source;
+    if (project.self_contained) {
+        const Result<fs::path> inside = put_inside(project, files);
+        if (!inside) return inside.error();
+        source = *inside;
+    }
     std::string
         text = "# A project of Myoloop: what was set, painted and drawn on an experiment or a mesh.\nschema = " +
-               toml::toml_text(schema) + "\nsource = " + toml::toml_text(seen_from(project.source, folder)) + "\n";
+               toml::toml_text(schema) + "\nsource = " + toml::toml_text(seen_from(source, folder)) + "\n";
+    if (project.self_contained) text += "self_contained = true\n";
     if (project.metres_per_unit) text += "metres_per_unit = " + toml::toml_number(*project.metres_per_unit) + "\n";
     if (!project.trial.empty()) text += "trial = " + toml::toml_text(project.trial) + "\n";
-    if (const ui::commands::Declaration& d = project.settings.declaration; d.text)
+    // The copy of a self-contained project has the edits already.
+    if (const ui::commands::Declaration& d = project.settings.declaration; d.text && !project.self_contained)
         text += "declaration = " + toml::toml_text(*d.text) + "\ndeclared_mesh = " + toml::toml_text(d.mesh_words) +
                 "\n";
     text += settings_text(project.settings);

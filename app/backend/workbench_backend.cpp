@@ -20,6 +20,7 @@
 #include "backend/mesh_scene.hpp"
 #include "backend/project_file.hpp"
 #include "backend/recording_import.hpp"
+#include "backend/shape_files.hpp"
 #include "backend/short_run.hpp"
 #include "backend/shown_run.hpp"
 #include "base/overwrites.hpp"
@@ -35,6 +36,7 @@
 #include "measurement/trace_csv.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/region.hpp"
+#include "mesh/vtk_writer.hpp"
 #include "prediction/time_step.hpp"
 #include "prediction/untested_fit.hpp"
 #include "results/output_files.hpp"
@@ -166,6 +168,18 @@ public:
     Result<void> write_plain_experiment(const fs::path& folder, const ui::commands::Scene& scene,
                                         const ui::commands::Settings& settings) const override {
         return write_plain_scene(folder, scene, settings);
+    }
+    Result<void> write_experiment_copy(const fs::path& folder, const ui::commands::Scene& scene,
+                                       const ui::commands::Declaration& declaration) const override {
+        return write_scene_copy(folder, scene, declaration);
+    }
+    Result<void> write_shape(const fs::path& file, const ui::commands::MeshedBody& body,
+                             const ui::commands::ShapeFrame& frame) const override {
+        return write_shape_file(file, body, frame);
+    }
+    Result<void> write_shape_series(const fs::path& file, const std::vector<double>& times_s,
+                                    const std::vector<fs::path>& files) const override {
+        return mesh::write_pvd(file, times_s, files);
     }
 
     ui::commands::MeshPrediction predict(const ui::commands::Scene& scene,

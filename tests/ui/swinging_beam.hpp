@@ -45,6 +45,30 @@ public:
     bool as_experiment = false;
     /// Edits in the order in which they were asked for.
     mutable std::vector<ui::commands::DeclarationEdit> edits;
+    Result<void> write_experiment_copy(const std::filesystem::path& folder, const ui::commands::Scene&,
+                                       const ui::commands::Declaration&) const override {
+        copies.push_back(folder);
+        return {};
+    }
+    mutable std::vector<std::filesystem::path> copies;
+    Result<void> write_shape(const std::filesystem::path& file, const ui::commands::MeshedBody&,
+                             const ui::commands::ShapeFrame& frame) const override {
+        shapes.emplace_back(file, frame);
+        return {};
+    }
+    Result<void> write_shape_series(const std::filesystem::path& file, const std::vector<double>& times_s,
+                                    const std::vector<std::filesystem::path>& files) const override {
+        series.push_back({file, times_s, files});
+        return {};
+    }
+    /// Written frames, and collections of them.
+    mutable std::vector<std::pair<std::filesystem::path, ui::commands::ShapeFrame>> shapes;
+    struct ShapeSeries {
+        std::filesystem::path file;
+        std::vector<double> times_s;
+        std::vector<std::filesystem::path> files;
+    };
+    mutable std::vector<ShapeSeries> series;
     Result<void> write_plain_experiment(const std::filesystem::path& folder, const ui::commands::Scene&,
                                         const ui::commands::Settings&) const override {
         return Error{"not part of this test", folder.string()};

@@ -205,7 +205,6 @@ TEST(ProjectFile, SaysWhereItIsBroken) {
     for (const Fault& fault : {Fault{"step_s", "stepp_s", "stepp_s"},
                                {"myoloop-project/1", "experiment/1", "schema"},
                                {"\"tet10\"", "\"hex20\"", "element"},
-                               {"body.stl", "gone.stl", "source"},
                                {"lower", "upper / left", "name"},
                                {"poissons_ratio = 0.43", "poissons_ratio = 0.7", "poissons_ratio"},
                                {"time_s = [0.0, 0.5, 0.5]", "time_s = [0.5, 0.0, 0.5]", "ascend"},

@@ -25,6 +25,7 @@
 #include "commands/scene_marker.hpp"
 #include "commands/search_result.hpp"
 #include "commands/settings.hpp"
+#include "commands/shape_export.hpp"
 #include "commands/trace_repairs.hpp"
 #include "fibre/cell_paint.hpp"
 #include "mesh/surface_mesh.hpp"
@@ -221,9 +222,11 @@ public:
     /// known. Quick.
     virtual std::vector<ReportLine> preview(const std::filesystem::path& path) const = 0;
 
-    /// Reads a project file. Values that the project names but that are missing are reported in Project::warnings.
+    /// Reads a project file. Values that the project names but that are missing are reported in Project::warnings, a
+    /// missing experiment or mesh in Project::source_missing.
     virtual Result<Project> read_project(const std::filesystem::path& file) const = 0;
-    /// Writes a project file. Masks of painted muscles go into separate files in the folder `<name>.files`.
+    /// Writes a project file. Masks of painted muscles go into separate files in the folder `<name>.files`, and so does
+    /// a copy of the experiment or mesh if the project is self-contained.
     virtual Result<void> write_project(const std::filesystem::path& file, const Project& project) const = 0;
 
     /// Whether a file contains lengths without a unit, so that the user has to be asked. Quick.
@@ -254,6 +257,18 @@ public:
     /// Writes a plain mesh with the settings as an experiment with one trial that is simulated.
     virtual Result<void> write_plain_experiment(const std::filesystem::path& folder, const Scene& scene,
                                                 const Settings& settings) const = 0;
+
+    /// Copies the experiment's folder to a new one, with the edited declaration and with the files from elsewhere that
+    /// it names. The opened experiment stays as it is.
+    virtual Result<void> write_experiment_copy(const std::filesystem::path& folder, const Scene& scene,
+                                               const Declaration& declaration) const = 0;
+    /// Writes the body in one frame; the extension of the file decides the format: .vtu, .stl or .glb. Called from any
+    /// thread.
+    virtual Result<void> write_shape(const std::filesystem::path& file, const MeshedBody& body,
+                                     const ShapeFrame& frame) const = 0;
+    /// Writes a collection (.pvd) of the files of frames at these times [s].
+    virtual Result<void> write_shape_series(const std::filesystem::path& file, const std::vector<double>& times_s,
+                                            const std::vector<std::filesystem::path>& files) const = 0;
 
     /// Estimates the size of the mesh that these settings would give. Quick.
     virtual MeshPrediction predict(const Scene& scene, const Settings& settings) const = 0;

@@ -142,6 +142,19 @@ struct Save {};
 /// Saves to this file, which becomes the project's file.
 struct SaveAs {
     std::filesystem::path file;
+    std::optional<bool> self_contained = {};  // with body and recordings inside; empty: as before
+};
+/// Names the place of an experiment or mesh that an opened project did not find, and opens it.
+struct Locate {
+    std::filesystem::path source;  // empty: do not open the project
+};
+/// Writes the shown body for other programs.
+struct ExportBody {
+    ShapeExport what;
+};
+/// Copies the experiment, as edited, into a new folder.
+struct SaveExperimentAs {
+    std::filesystem::path folder;
 };
 /// Opens or closes the dialog that asks for a file name.
 struct AskWhereToSave {
@@ -258,6 +271,6 @@ using Command = std::variant<
     SaveAs, AskWhereToSave, AnswerUnsaved, OfferRecovery, Recover, DiscardRecovery, Quit, AnswerStop, ChooseTrial,
     ChooseMarker, SetTime, Play, SetSpeed, ChangeView, SetDampingFrequency, SetTheme, SetLayout, Bookmark,
     UsePreferences, ClearLog, LogMessage, WriteReport, ReadRecording, ChangeImport, ChooseLabel, ProposeMarkers,
-    AlignImport, AddRecording, CancelImport, PlayLive, SteerLive, RestartLive>;
+    AlignImport, AddRecording, CancelImport, PlayLive, SteerLive, RestartLive, Locate, ExportBody, SaveExperimentAs>;
 
 }  // namespace myo::ui::commands

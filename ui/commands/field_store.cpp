@@ -37,9 +37,10 @@ std::shared_ptr<const FieldFrame> force_frame(const WorkbenchState& state) {
     return std::make_shared<const FieldFrame>(std::move(frame));
 }
 
-/// Range of the values over a trial of `count` frames, from at most range_frames of them.
-template <class Values>
-std::array<double, 2> range_over_trial(std::size_t count, const Values& values_at) {
+}  // namespace
+
+std::array<double, 2> range_over_trial(std::size_t count,
+                                       const std::function<Eigen::VectorXd(std::size_t)>& values_at) {
     std::array<double, 2> range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     const std::size_t samples = std::min(count, range_frames);
     for (std::size_t k = 0; k < samples; ++k) {
@@ -49,8 +50,6 @@ std::array<double, 2> range_over_trial(std::size_t count, const Values& values_a
     }
     return range;
 }
-
-}  // namespace
 
 std::vector<FieldKind> field_kinds(const Backend& backend) {
     std::vector<FieldKind> kinds = backend.fields();

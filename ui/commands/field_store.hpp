@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <future>
 #include <map>
 #include <memory>
@@ -28,6 +29,12 @@ struct FieldFrame {
     Eigen::VectorXd values;                            // per node [SI unit of the field]
     std::optional<std::array<double, 2>> trial_range;  // least and greatest value over the trial; empty until known
 };
+
+/// Least and greatest value of a field over a trial, from some of its frames. {inf, -inf} if there is none.
+///
+/// @param count      of frames
+/// @param values_at  values in a frame
+std::array<double, 2> range_over_trial(std::size_t count, const std::function<Eigen::VectorXd(std::size_t)>& values_at);
 
 /// Provides the values of the selected field at the shown time.
 ///

@@ -17,6 +17,8 @@ struct Project {
     Settings settings;
     ViewOptions view;
     std::string trial;                       // shown trial; empty: the first
+    bool self_contained = false;             // `source` is a copy in the project's own folder `<name>.files`
+    bool source_missing = false;             // nothing is at `source`
     std::vector<std::string> warnings = {};  // from reading: names that the experiment no longer has
 
     bool operator==(const Project&) const = default;

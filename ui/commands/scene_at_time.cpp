@@ -140,10 +140,27 @@ void add_compared(viewport::DrawnScene& drawn, const WorkbenchState& state, cons
     }
 }
 
-/// Adds the field that colours the body. The range of the colours is the one fixed by the user; otherwise that of the
-/// trial, so that colours can be compared over time; until it is known, that of the frame.
-void add_field(viewport::DrawnScene& drawn, const ViewOptions& view, const FieldKind& kind, const FieldFrame& frame) {
-    if (frame.values.size() != drawn.positions.cols()) return;
+/// The body at the shown time, still without anything on it.
+viewport::DrawnScene drawn_body(const WorkbenchState& state, const MotionSummary& motion) {
+    viewport::DrawnScene drawn;
+    drawn.surface = motion.surface;
+    drawn.body = motion.body;
+    drawn.positions = positions_at_time(state);
+    drawn.edges = state.view.edges;
+    drawn.grid = state.view.grid;
+    drawn.body_opacity = state.view.opacity;
+    drawn.extent = motion.rest;
+    drawn.reach = motion.reach;
+    // 1.2 % of the diagonal: visible, without covering the body.
+    drawn.marker_radius = 0.012 * motion.rest.size().norm();
+    return drawn;
+}
+
+}  // namespace
+
+std::optional<viewport::DrawnField> drawn_field(const ViewOptions& view, const FieldKind& kind, const FieldFrame& frame,
+                                                Eigen::Index nodes) {
+    if (frame.values.size() != nodes) return std::nullopt;
     viewport::DrawnField field;
     field.name = kind.label;
     field.unit = kind.unit;
@@ -162,26 +179,8 @@ void add_field(viewport::DrawnScene& drawn, const ViewOptions& view, const Field
     // like a pattern.
     const double least = 1e-9 * std::max(std::abs(field.lowest), std::abs(field.highest)) + 1e-12;
     if (!(field.highest - field.lowest > least)) field.highest = field.lowest + std::max(1e-3, std::abs(field.lowest));
-    drawn.field = std::move(field);
+    return field;
 }
-
-/// The body at the shown time, still without anything on it.
-viewport::DrawnScene drawn_body(const WorkbenchState& state, const MotionSummary& motion) {
-    viewport::DrawnScene drawn;
-    drawn.surface = motion.surface;
-    drawn.body = motion.body;
-    drawn.positions = positions_at_time(state);
-    drawn.edges = state.view.edges;
-    drawn.grid = state.view.grid;
-    drawn.body_opacity = state.view.opacity;
-    drawn.extent = motion.rest;
-    drawn.reach = motion.reach;
-    // 1.2 % of the diagonal: visible, without covering the body.
-    drawn.marker_radius = 0.012 * motion.rest.size().norm();
-    return drawn;
-}
-
-}  // namespace
 
 TimePlace place_in_time(const Eigen::VectorXd& time_s, double t) {
     TimePlace place;
@@ -253,7 +252,7 @@ viewport::DrawnScene scene_at_time(const WorkbenchState& state, const platform::
                                    const FieldFrame* field) {
     if (!state.scene) return {};
     viewport::DrawnScene drawn = drawn_body(state, motion);
-    if (kind && field) add_field(drawn, state.view, *kind, *field);
+    if (kind && field) drawn.field = drawn_field(state.view, *kind, *field, drawn.positions.cols());
     if (state.view.clamp && state.scene->clamp_m) {
         for (viewport::DrawnLine& line :
              viewport::box_lines(*state.scene->clamp_m, viewport::color_of(theme.muted, 0.9f), 1.5))

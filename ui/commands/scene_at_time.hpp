@@ -36,12 +36,22 @@ struct MotionSummary {
     // Triangles of the body; before it is meshed, of the surface. May be null.
     std::shared_ptr<const viewport::DrawnSurface> surface;
     std::shared_ptr<const viewport::DrawnBody> body;  // null: not meshed
+    std::shared_ptr<const Eigen::Matrix3Xd>
+        outline;  // of the meshed body at rest, see rest_outline(); null: not meshed
 };
 /// Computes the summary for the shown trial.
 MotionSummary summarize_motion(const WorkbenchState& state);
 
 /// The state with body and markers at rest: no trial and no run are shown.
 WorkbenchState at_rest(WorkbenchState state);
+
+/// The field that colours the body, in the unit of its legend. The range of the colours is the one fixed by the user;
+/// otherwise that of the trial, so that colours can be compared over time; until it is known, that of the frame.
+///
+/// @param nodes  of the body
+/// @return       empty if the values belong to another body
+std::optional<viewport::DrawnField> drawn_field(const ViewOptions& view, const FieldKind& kind, const FieldFrame& frame,
+                                                Eigen::Index nodes);
 
 /// Creates the 3D picture of the shown trial at the shown time. Empty if nothing is open.
 ///

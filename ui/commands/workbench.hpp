@@ -61,7 +61,11 @@ private:
     // workbench_scene.cpp
     void on(const Open& command);
     void on(const AnswerUnit& command);
+    void on(const Locate& command);
     void on(const BuildMesh&);
+    // workbench_export.cpp
+    void on(const ExportBody& command);
+    void on(const SaveExperimentAs& command);
     // workbench_drop.cpp
     void on(const Drop& command);
     // workbench_preview.cpp
@@ -158,7 +162,9 @@ private:
     void update_queue();
 
     // Opening: workbench_scene.cpp.
-    void open(const std::filesystem::path& path, std::optional<double> metres_per_unit);
+    /// @param located  experiment or mesh of a project that is not where it was; empty: where the project says
+    void open(const std::filesystem::path& path, std::optional<double> metres_per_unit,
+              const std::filesystem::path& located = {});
     /// Shows an opened scene and resets everything that belonged to the previous one.
     void show_scene(Scene scene, std::optional<double> metres_per_unit);
     /// Removes what belongs to the previous scene: body, runs, results, import and history.
@@ -171,7 +177,8 @@ private:
         Result<Scene> scene = Error{"not read", ""};
     };
     static OpenedFile read_file(Backend& backend, const std::filesystem::path& path,
-                                std::optional<double> metres_per_unit, const Progress& progress);
+                                std::optional<double> metres_per_unit, const std::filesystem::path& located,
+                                const Progress& progress);
     void show_opened(const std::filesystem::path& path, std::optional<double> metres_per_unit, OpenedFile& opened);
     /// Ends the task if there is no mesh; returns whether it did.
     bool end_without_mesh(const Result<MeshedBody>& body, bool cancelled);
@@ -192,8 +199,10 @@ private:
     Project project() const;
     /// Saves to the project's file, or asks for a name.
     void save();
-    /// Saves to this file. Errors are logged.
-    void save_as(std::filesystem::path file);
+    /// Writes the results beside a self-contained project.
+    void save_results(const std::filesystem::path& file);
+    /// Saves to this file. Errors are logged. Returns whether it is saved.
+    bool save_as(std::filesystem::path file);
     /// Executes the action that waited for the decision about unsaved changes.
     void go_on_with_pending();
     /// Closes the window, after the questions that are necessary.

@@ -24,8 +24,12 @@ void remove_project(const fs::path& file) {
 
 Project Workbench::project() const {
     std::error_code ignored;
-    return {fs::absolute(state_.scene->path, ignored), state_.metres_per_unit, state_.settings, state_.view,
-            state_.scene_trial() ? state_.scene_trial()->name : ""};
+    return {fs::absolute(state_.scene->path, ignored),
+            state_.metres_per_unit,
+            state_.settings,
+            state_.view,
+            state_.scene_trial() ? state_.scene_trial()->name : "",
+            state_.self_contained};
 }
 
 void Workbench::save() {
@@ -37,22 +41,32 @@ void Workbench::save() {
         save_as(state_.project);
 }
 
-void Workbench::save_as(fs::path file) {
+bool Workbench::save_as(fs::path file) {
     state_.asks_where_to_save = false;
-    if (!state_.scene) return;
+    if (!state_.scene) return false;
     if (!is_project(file)) file += project_ending;
     const Result<void> written = backend_->write_project(file, project());
     if (!written) {
         // What waited for saving is dropped too, as continuing would lose the changes.
         state_.pending.reset();
-        return log_failure(written.error(), "Cannot save");
+        log_failure(written.error(), "Cannot save");
+        return false;
     }
     state_.project = file;
     state_.saved_settings = state_.settings;
     remember_recent(file);
-    log(LogLevel::done, "Saved " + file.string() + ".");
+    save_results(file);
+    log(LogLevel::done, "Saved " + file.string() + (state_.self_contained ? ", with body and recordings." : "."));
     forget_recovered();
     go_on_with_pending();
+    return true;
+}
+
+void Workbench::save_results(const fs::path& file) {
+    if (!state_.self_contained || !state_.run) return;
+    const auto written = backend_->write_report(fs::path(file).replace_extension(".files") / "results", *state_.scene,
+                                                *state_.run, state_.found.get(), state_.diagnosis.get());
+    if (!written) log_failure(written.error(), "The project is saved without its results");
 }
 
 void Workbench::on(const AnswerUnsaved& command) {
@@ -123,7 +137,9 @@ void Workbench::autosave(const fs::path& file) {
     if (state_.settings == autosaved_ && fs::exists(file, ignored)) return;
     // Stored before writing, so that edits during the writing are noticed at the next call.
     autosaved_ = state_.settings;
-    autosave_job_ = std::async(std::launch::async, [backend = backend_, file, project = project()] {
+    Project copy = project();
+    copy.self_contained = false;  // the experiment is where it was; only what is unsaved needs a copy
+    autosave_job_ = std::async(std::launch::async, [backend = backend_, file, project = std::move(copy)] {
         return backend->write_project(file, project);
     });
 }
@@ -153,7 +169,9 @@ void Workbench::on(const Recover& command) {
         start(request_->name, [this, file](const Progress& progress) -> Job::Completion {
             auto project = std::make_shared<Result<Project>>(backend_->read_project(file));
             auto scene = std::make_shared<Result<Scene>>(Error{"not read", ""});
-            if (*project)
+            if (*project && (*project)->source_missing)
+                *scene = Error{"what it was made for is not there", (*project)->source.string()};
+            else if (*project)
                 *scene = backend_->open((*project)->source, (*project)->metres_per_unit, progress);
             else
                 *scene = project->error();
@@ -179,7 +197,11 @@ void Workbench::on(const DiscardRecovery&) {
 
 void Workbench::on(const Save&) { save(); }
 
-void Workbench::on(const SaveAs& c) { save_as(c.file); }
+void Workbench::on(const SaveAs& c) {
+    const bool before = state_.self_contained;
+    state_.self_contained = c.self_contained.value_or(before);
+    if (!save_as(c.file)) state_.self_contained = before;
+}
 
 void Workbench::on(const AskWhereToSave& c) {
     state_.asks_where_to_save = c.asks && state_.scene;

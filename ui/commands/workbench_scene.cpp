@@ -8,12 +8,15 @@
 namespace myo::ui::commands {
 
 Workbench::OpenedFile Workbench::read_file(Backend& backend, const std::filesystem::path& path,
-                                           std::optional<double> metres_per_unit, const Progress& progress) {
+                                           std::optional<double> metres_per_unit, const std::filesystem::path& located,
+                                           const Progress& progress) {
     OpenedFile opened;
     if (is_project(path)) {
         Result<Project> read = backend.read_project(path);
         if (read) {
             opened.project = std::move(*read);
+            if (!located.empty()) opened.project->source = located, opened.project->source_missing = false;
+            if (opened.project->source_missing) return opened;  // the user is asked
             opened.scene = backend.open(opened.project->source, opened.project->metres_per_unit, progress);
         } else {
             opened.scene = read.error();
@@ -26,6 +29,12 @@ Workbench::OpenedFile Workbench::read_file(Backend& backend, const std::filesyst
 
 void Workbench::show_opened(const std::filesystem::path& path, std::optional<double> metres_per_unit,
                             OpenedFile& opened) {
+    if (opened.project && opened.project->source_missing) {
+        state_.missing = MissingSource{path, opened.project->source};
+        log(LogLevel::warning,
+            path.filename().string() + " belongs to " + opened.project->source.string() + ", which is not there.");
+        return;
+    }
     if (!opened.scene) {
         log_failure(opened.scene.error(), "Cannot open");
         return;
@@ -39,7 +48,8 @@ void Workbench::show_opened(const std::filesystem::path& path, std::optional<dou
     build_mesh({});
 }
 
-void Workbench::open(const std::filesystem::path& given, std::optional<double> metres_per_unit) {
+void Workbench::open(const std::filesystem::path& given, std::optional<double> metres_per_unit,
+                     const std::filesystem::path& located) {
     std::filesystem::path path = given.lexically_normal();
     if (!path.has_filename()) path = path.parent_path();  // "folder/"
     if (!state_.recovered.empty()) {
@@ -60,9 +70,9 @@ void Workbench::open(const std::filesystem::path& given, std::optional<double> m
         state_.unit_question = path;
         return;
     }
-    request("Open " + path.filename().string(), [this, path, metres_per_unit] {
-        start(request_->name, [this, path, metres_per_unit](const Progress& progress) -> Job::Completion {
-            auto opened = std::make_shared<OpenedFile>(read_file(*backend_, path, metres_per_unit, progress));
+    request("Open " + path.filename().string(), [this, path, metres_per_unit, located] {
+        start(request_->name, [this, path, metres_per_unit, located](const Progress& progress) -> Job::Completion {
+            auto opened = std::make_shared<OpenedFile>(read_file(*backend_, path, metres_per_unit, located, progress));
             return [this, path, metres_per_unit, opened] { show_opened(path, metres_per_unit, *opened); };
         });
     });
@@ -102,6 +112,7 @@ void Workbench::show_scene(Scene scene, std::optional<double> metres_per_unit) {
     // From here on everything that belongs to the previous scene is replaced or removed.
     state_.settings = state_.saved_settings = autosaved_ = within_limits(scene.settings);
     state_.project.clear();
+    state_.self_contained = false;
     state_.metres_per_unit = metres_per_unit;
     if (scene.frequency_Hz > 0.0) state_.damping_frequency_Hz = scene.frequency_Hz;
     check_stability();
@@ -137,6 +148,7 @@ void Workbench::show_project(const std::filesystem::path& file, Project project,
     }
     show_scene(std::move(scene), project.metres_per_unit);
     state_.project = file;
+    state_.self_contained = project.self_contained;
     state_.view = project.view;
     set_settings(project.settings);
     state_.saved_settings = autosaved_ = state_.settings;
@@ -207,6 +219,11 @@ void Workbench::on(const Open& c) {
 void Workbench::on(const AnswerUnit& c) {
     const auto path = std::exchange(state_.unit_question, std::nullopt);
     if (path && c.metres_per_unit) open(*path, c.metres_per_unit);
+}
+
+void Workbench::on(const Locate& c) {
+    const auto missing = std::exchange(state_.missing, std::nullopt);
+    if (missing && !c.source.empty()) open(missing->project, std::nullopt, c.source);
 }
 
 void Workbench::on(const BuildMesh&) {

@@ -47,6 +47,11 @@ struct PendingAction {
     std::optional<double> metres_per_unit;  // of the file to open
 };
 
+/// A project whose experiment or mesh is not where it was.
+struct MissingSource {
+    std::filesystem::path project, source;
+};
+
 /// Everything that the panels show. Panels read it and emit commands; only Workbench changes it, on the UI thread.
 /// Large parts are shared pointers to constant data, so that a copy of the state is cheap.
 struct WorkbenchState {
@@ -67,6 +72,7 @@ struct WorkbenchState {
     Settings settings;                              // as edited now
     Settings saved_settings;                        // as in the project's file
     std::filesystem::path project;                  // the project's file; empty: never saved
+    bool self_contained = false;                    // the project's folder holds body and recordings
     std::optional<double> metres_per_unit;          // of the mesh file that is open
     Settings diagnosis_settings;                    // settings of `diagnosis`
     Settings body_settings;                         // settings of `body`
@@ -99,6 +105,7 @@ struct WorkbenchState {
     std::vector<QueuedJob> queue;                        // waiting jobs in order
     std::vector<JobRecord> history;                      // ended jobs, newest last
     std::optional<std::filesystem::path> unit_question;  // mesh file whose unit the user has to choose
+    std::optional<MissingSource> missing;                // project whose experiment or mesh the user has to find
     std::optional<PendingAction> pending;                // waits for the answer about unsaved changes
     bool asks_to_stop = false;                           // quitting waits for the answer about a running job
     bool asks_where_to_save = false;                     // the dialog for the project's file name is open

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "commands/field_store.hpp"
+#include "panels/export_actions.hpp"
 #include "panels/file_dialogs.hpp"
 #include "platform/input_queue.hpp"
 
@@ -84,14 +85,13 @@ void add_file_actions(std::vector<Action>& all) {
                    with_scene(),
                    {},
                    true});
+    add_export_actions(all);
     all.push_back({"file.picture",
                    "File",
                    "Save picture or film\xe2\x80\xa6",
                    {},
                    [](PanelContext& context, viewport::ViewportState&) { context.window.save_view = true; },
-                   with_scene(),
-                   {},
-                   true});
+                   with_scene()});
     all.push_back(
         {"file.quit", "File", "Quit", {platform::key_q, true, false, "Ctrl+Q"}, emits(commands::Quit{}), {}, {}, true});
 }

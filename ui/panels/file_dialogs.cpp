@@ -105,4 +105,52 @@ FileDialog table_dialog(std::string title, const std::string& name, std::string 
     return dialog;
 }
 
+FileDialog body_dialog(const commands::ShapeExport& what, const std::string& name) {
+    FileDialog dialog;
+    dialog.title = "Export the body";
+    dialog.button = "Save";
+    dialog.endings = {std::filesystem::path(name).extension().string()};
+    dialog.new_name = name;
+    dialog.chosen = [what](PanelContext& context, const std::filesystem::path& path) {
+        commands::ShapeExport asked = what;
+        asked.path = path;
+        context.emit(commands::ExportBody{asked});
+    };
+    return dialog;
+}
+
+FileDialog experiment_copy_dialog(const std::filesystem::path& experiment) {
+    FileDialog dialog;
+    dialog.title = "Save a copy of the experiment, in a new folder";
+    dialog.button = "Save";
+    dialog.start = experiment.parent_path();
+    dialog.new_name = experiment.stem().string() + "_copy";
+    dialog.chosen = [](PanelContext& context, const std::filesystem::path& path) {
+        context.emit(commands::SaveExperimentAs{path});
+    };
+    return dialog;
+}
+
+FileDialog self_contained_dialog(const commands::WorkbenchState& state) {
+    FileDialog dialog = save_dialog(state);
+    dialog.title = "Save the project with body, recordings and results";
+    dialog.chosen = [](PanelContext& context, const std::filesystem::path& path) {
+        context.emit(commands::SaveAs{path, true});
+    };
+    dialog.given_up = {};
+    return dialog;
+}
+
+FileDialog locate_dialog(const commands::MissingSource& missing) {
+    FileDialog dialog = open_dialog(missing.project.parent_path());
+    dialog.title = "Find " + missing.source.filename().string();
+    // A project is no place for another one.
+    std::erase(dialog.endings, commands::project_ending);
+    dialog.chosen = [](PanelContext& context, const std::filesystem::path& path) {
+        context.emit(commands::Locate{path});
+    };
+    dialog.given_up = [](PanelContext& context) { context.emit(commands::Locate{}); };
+    return dialog;
+}
+
 }  // namespace myo::ui::panels

@@ -26,4 +26,13 @@ FileDialog part_dialog(std::string title, const std::string& name, const platfor
 FileDialog table_dialog(std::string title, const std::string& name, std::string table,
                         const std::string& ending = ".csv");
 
+/// Dialog that writes the body for other programs. `name` is the proposed name with the extension of the format.
+FileDialog body_dialog(const commands::ShapeExport& what, const std::string& name);
+/// Dialog that copies the experiment, with its edits, into a new folder.
+FileDialog experiment_copy_dialog(const std::filesystem::path& experiment);
+/// Dialog that saves the project under a new name, with body and recordings inside. Requires an open scene.
+FileDialog self_contained_dialog(const commands::WorkbenchState& state);
+/// Dialog that finds the experiment or mesh of a project.
+FileDialog locate_dialog(const commands::MissingSource& missing);
+
 }  // namespace myo::ui::panels

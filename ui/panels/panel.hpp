@@ -49,6 +49,7 @@ struct WindowRequests {
     std::optional<PictureRequest> picture;  // image or video of the 3D view to write
     std::optional<WindowPart> part;         // part of the window to write, without dialogs in front
     bool save_view = false;                 // open the dialog for images of the view
+    bool export_body = false;               // open the dialog that writes the body for other programs
     bool palette = false;                   // open the command palette
     bool about = false;                     // open the dialog with version and licences
     bool clear_distances = false;           // remove all measured distances

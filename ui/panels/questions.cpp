@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "panels/file_dialogs.hpp"
 #include "panels/widgets.hpp"
 #include "panels/wrapped_text.hpp"
 
@@ -89,6 +90,25 @@ void ask_to_stop(PanelContext& context) {
     ImGui::EndPopup();
 }
 
+/// The file browser takes its place until something is found.
+void ask_missing(PanelContext& context) {
+    if (!begin_dialog(context.theme, "Experiment not found", 480.0f)) return;
+    const commands::MissingSource& missing = *context.state.missing;
+    wrapped_text(missing.project.filename().string() + " belongs to " + missing.source.string() +
+                 ", which is not there. It may have been moved or renamed.");
+    ImGui::Spacing();
+    ButtonRow row(context, 2);
+    if (row.add("Cancel", "missing/cancel")) {
+        context.emit(commands::Locate{});
+        ImGui::CloseCurrentPopup();
+    }
+    if (row.add("Locate\xe2\x80\xa6", "missing/locate", true)) {
+        context.window.file = locate_dialog(missing);
+        ImGui::CloseCurrentPopup();
+    }
+    ImGui::EndPopup();
+}
+
 /// One recovery file after the other, the newest first.
 void ask_recovery(PanelContext& context) {
     if (!begin_dialog(context.theme, "Unsaved work found", 480.0f)) return;
@@ -123,6 +143,8 @@ void draw_questions(PanelContext& context) {
         ask_recovery(context);
     else if (state.unit_question)
         ask_unit(context);
+    else if (state.missing)
+        ask_missing(context);
     else if (state.pending && !state.asks_where_to_save)
         ask_unsaved(context);
     else if (state.asks_to_stop || ImGui::IsPopupOpen(stop_title))

@@ -270,11 +270,13 @@ void WorkbenchWindow::draw_parts(PanelContext& context) {
     // Dialogs belong to no part. Their window is one pixel large and takes no input.
     begin_part("##dialogs", {{0.0f, 0.0f}, {1.0f, 1.0f}},
                still | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoInputs);
-    draw_questions(context);
+    // One dialog at a time: a question waits while a file is chosen.
+    if (!browser_.is_open()) draw_questions(context);
     browser_.draw(context);
     palette_.draw(context, viewport_, panels_);
     draw_about(context, about_);
     picture_dialog_.draw(context);
+    export_dialog_.draw(context);
     if (film_.runs() && film_.draw(context)) {
         film_.cancel();
         context.emit(commands::LogMessage{commands::LogLevel::information, "No pictures were written."});
@@ -297,6 +299,7 @@ void WorkbenchWindow::follow(WindowRequests& requests) {
     if (requests.picture) picture_ = requests.picture;
     // The dialog that requested the image must have disappeared from the window; that takes two frames.
     if (requests.part) part_ = requests.part, part_waits_ = 2;
+    if (requests.export_body) export_dialog_.open();
     if (requests.save_view) picture_dialog_.open(state, viewport_.size());
 }
 

@@ -10,6 +10,7 @@
 #include "commands/workbench.hpp"
 #include "panels/distance_tool.hpp"
 #include "panels/file_browser.hpp"
+#include "panels/export_dialog.hpp"
 #include "panels/film_job.hpp"
 #include "panels/goal_tool.hpp"
 #include "panels/inspect_tool.hpp"
@@ -157,6 +158,7 @@ private:
     std::optional<WindowPart> part_;         // written once the dialog that requested it has disappeared
     int part_waits_ = 0;                     // frames until then
     PictureDialog picture_dialog_;
+    ExportDialog export_dialog_;
     FilmJob film_;
     float foot_height_ = 40.0f;         // height of the side panel's foot in the last frame [pixels]
     Layout layout_;                     // of this frame
