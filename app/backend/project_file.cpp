@@ -38,7 +38,9 @@ constexpr ViewSwitch view_switches[] = {{"edges", &ui::commands::ViewOptions::ed
                                         {"clamp", &ui::commands::ViewOptions::clamp},
                                         {"actuators", &ui::commands::ViewOptions::actuators},
                                         {"fibres", &ui::commands::ViewOptions::fibres},
-                                        {"effect_force", &ui::commands::ViewOptions::effect_force}};
+                                        {"effect_force", &ui::commands::ViewOptions::effect_force},
+                                        {"undeformed", &ui::commands::ViewOptions::undeformed},
+                                        {"side_by_side", &ui::commands::ViewOptions::side_by_side}};
 
 /// Relative path if it is at most three levels up, else the absolute one.
 std::string seen_from(const fs::path& path, const fs::path& folder) {

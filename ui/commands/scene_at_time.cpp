@@ -9,6 +9,7 @@
 #include "commands/force_arrows.hpp"
 #include "commands/import_drawing.hpp"
 #include "commands/muscle_drawing.hpp"
+#include "commands/rest_outline.hpp"
 #include "viewport/color_map.hpp"
 #include "viewport/scene_lines.hpp"
 
@@ -216,6 +217,7 @@ Eigen::Matrix3Xd positions_at_time(const WorkbenchState& state) {
 MotionSummary summarize_motion(const WorkbenchState& state) {
     MotionSummary motion;
     if (state.body) {
+        motion.outline = std::make_shared<const Eigen::Matrix3Xd>(rest_outline(*state.body));
         motion.body = std::make_shared<viewport::DrawnBody>(viewport::DrawnBody{state.body->boundary, {}});
         motion.surface = std::make_shared<viewport::DrawnSurface>(viewport::drawn_surface(state.body->boundary));
     } else if (state.scene && state.scene->surface.triangles.cols() > 0) {
@@ -258,6 +260,8 @@ viewport::DrawnScene scene_at_time(const WorkbenchState& state, const platform::
              viewport::box_lines(*state.scene->clamp_m, viewport::color_of(theme.muted, 0.9f), 1.5))
             drawn.lines.push_back(std::move(line));
     }
+    if (state.view.undeformed && motion.outline)
+        add_line(drawn, *motion.outline, viewport::color_of(theme.muted, 0.7f), 1.0);
     if (state.view.clip.on && state.body)
         add_line(drawn, outline_of(state.view.clip, motion.rest), viewport::color_of(theme.accent, 0.9f), 1.5);
     add_muscles(drawn, state, theme, live);

@@ -22,10 +22,12 @@ struct ViewOptions {
     std::string color_map;  // id of the colour map for unsigned fields; empty: the default
     // Ranges fixed by the user, by the field's id [SI]; other fields use the range of the trial.
     std::map<std::string, std::array<double, 2>> field_ranges;
-    bool fibres = true;        // muscle colours and fibre lines
-    bool actuators = true;     // walls of chambers, and tendons
-    bool effect_force = true;  // force arrows of the selected diagnosis row
-    double opacity = 1.0;      // of the body, 0 to 1
+    bool fibres = true;         // muscle colours and fibre lines
+    bool actuators = true;      // walls of chambers, and tendons
+    bool effect_force = true;   // force arrows of the selected diagnosis row
+    bool undeformed = false;    // outline of the body at rest
+    bool side_by_side = false;  // the newest compared run beside the shown one
+    double opacity = 1.0;       // of the body, 0 to 1
     ClipPlane clip;
 
     bool operator==(const ViewOptions&) const = default;

@@ -166,6 +166,12 @@ constexpr ViewSwitch view_switches[] = {
      "Arrows of the force that the selected row of the diagnosis puts on each part of the body; the body is "
      "translucent then. Available after Diagnose."},
     {"Clamp", "view/clamp", &commands::ViewOptions::clamp, "The box in which the body is held"},
+    {"Undeformed", "view/undeformed", &commands::ViewOptions::undeformed,
+     "The edges of the elements where the body lies at rest"},
+    {"Side by side", "view/side_by_side", &commands::ViewOptions::side_by_side,
+     "The newest run that is ticked under Compare in Jobs at the right, the shown run at the left, with the same "
+     "camera, "
+     "time and colours"},
     {"Ground grid", "view/grid", &commands::ViewOptions::grid,
      "A grid below the body, in squares of 1, 2 or 5 times a power of ten of a metre"}};
 

@@ -63,6 +63,9 @@ Result<WorkbenchWindow> WorkbenchWindow::make(commands::Workbench& workbench) {
     window.workbench_ = &workbench;
     window.interface_ = std::move(*interface);
     window.renderer_ = std::move(*renderer);
+    auto compared = ComparedView::make();
+    if (!compared) return compared.error();
+    window.compared_ = std::move(*compared);
     window.panels_ = all_panels();
     for (const auto& panel : window.panels_) {
         // The first panel of the strip is shown at the start.
@@ -101,7 +104,7 @@ std::vector<std::string> WorkbenchWindow::panel_names() const {
 bool WorkbenchWindow::must_draw() const {
     // After a movement one more frame renders the scene with multisampling.
     return pacer_.must_draw(workbench_->animating() || was_moving_ || fields_.waits() || film_.runs() || picture_ ||
-                            part_);
+                            (ComparedView::record(workbench_->state()) && compared_.waits()) || part_);
 }
 
 void WorkbenchWindow::draw_task_panels(PanelContext& context) {
@@ -180,7 +183,11 @@ void WorkbenchWindow::draw_view(PanelContext& context) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
     // Without a scene there is nothing to play or plot, so the start page gets the whole room.
     if (!context.state.scene) layout_.view.highest = {layout_.view.highest.x, layout_.strip.highest.y};
-    begin_part("##view", layout_.view,
+    // The compared run takes the right half.
+    const bool two = ComparedView::record(context.state) != nullptr;
+    platform::Rectangle left = layout_.view, right = layout_.view;
+    if (two) left.highest.x = right.lowest.x = std::floor(0.5f * (left.lowest.x + left.highest.x));
+    begin_part("##view", left,
                ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PopStyleVar();
     if (!context.state.scene) {
@@ -205,6 +212,14 @@ void WorkbenchWindow::draw_view(PanelContext& context) {
     if (!placing && !update_placing(context, scene_, viewport_)) inspect_.update(context, scene_, viewport_);
     ImGui::SameLine();
     draw_view_options(context, viewport_.camera, view_edits_);
+    if (two) draw_run_name(context.theme, viewport_.pixels, "shown run");
+    ImGui::End();
+    if (!two) return;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0.0f, 0.0f));
+    begin_part("##compared", right,
+               ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PopStyleVar();
+    compared_.draw(context, viewport_);
     ImGui::End();
 }
 

@@ -8,9 +8,10 @@
 #include "commands/body_cut.hpp"
 #include "commands/scene_at_time.hpp"
 #include "commands/workbench.hpp"
+#include "panels/compared_view.hpp"
 #include "panels/distance_tool.hpp"
-#include "panels/file_browser.hpp"
 #include "panels/export_dialog.hpp"
+#include "panels/file_browser.hpp"
 #include "panels/film_job.hpp"
 #include "panels/goal_tool.hpp"
 #include "panels/inspect_tool.hpp"
@@ -76,6 +77,8 @@ public:
     const viewport::ViewportState& viewport() const { return viewport_; }
     /// The drawn scene, for tests.
     const viewport::DrawnScene& scene() const { return scene_; }
+    /// The compared run beside it, for tests.
+    const viewport::DrawnScene& compared_scene() const { return compared_.scene(); }
     /// Whether values of the field that colours the body are still being computed.
     bool waits_for_field() const { return fields_.waits(); }
     const InspectTool& inspect_tool() const { return inspect_; }
@@ -147,6 +150,7 @@ private:
     commands::Workbench* workbench_ = nullptr;  // not owned; outlives the window
     platform::Interface interface_;
     viewport::SceneRenderer renderer_;
+    ComparedView compared_;  // beside the shown run, if asked for
     platform::FramePacer pacer_;
     std::vector<std::unique_ptr<Panel>> panels_;  // all panels, also those that are not shown
     commands::Task task_ = commands::Task::body;  // shown in the side panel

@@ -118,6 +118,7 @@ Result<void> WorkbenchWindow::render_view(int height, bool moving) {
     add_picture();
     renderer_.blit_to_window(static_cast<int>(viewport_.pixels.lowest.x),
                              height - static_cast<int>(viewport_.pixels.highest.y));
+    if (ComparedView::record(workbench_->state())) return compared_.render(interface_.theme(), height, moving);
     return {};
 }
 
@@ -131,6 +132,8 @@ Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) 
     interface_.begin_frame(width, height, static_cast<float>(seconds));
     // Before the panels, so that they draw over the scene of this frame.
     update_scene();
+    if (ComparedView::record(state))
+        compared_.update(state, interface_.theme(), workbench_->backend(), scene_, revision_);
     layout_ = make_layout(static_cast<float>(width), static_cast<float>(height), interface_.theme().scale,
                           state.preferences.layout);
     const std::vector<commands::Command> commands = draw_panels();
