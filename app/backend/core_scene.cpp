@@ -13,6 +13,7 @@
 #include "backend/law_settings.hpp"
 #include "backend/mesh_scene.hpp"
 #include "backend/scene_goals.hpp"
+#include "backend/scene_setup.hpp"
 #include "backend/trial_repairs.hpp"
 #include "base/files.hpp"
 #include "base/letter_case.hpp"
@@ -29,6 +30,7 @@
 #include "mesh/volume_reader.hpp"
 #include "prediction/time_step.hpp"
 #include "results/readable_parameter.hpp"
+#include "setup/parts.hpp"
 
 namespace myo::backend {
 
@@ -104,7 +106,8 @@ void fill_from_setup(const setup::Setup& setup, ui::commands::Scene& scene) {
         shown.goals = scene_goals(experiment, declared);
         shown.repairs = shown_repairs(declared, trial);
         for (const experiment::LoadDeclaration& load : declared.loads)
-            shown.loads.push_back({load.kind == experiment::LoadKind::mass, load.box_m, load.mass_kg, load.force_N});
+            shown.loads.push_back({load.kind == experiment::LoadKind::mass, load.box_m, load.mass_kg, load.force_N,
+                                   load.from_s, load.until_s});
         for (std::size_t m = 0; m < scene.markers.size(); ++m)
             shown.measured.push_back(shown_measurement(setup, trial, m));
         for (std::size_t m = 0; m < experiment.muscles.size(); ++m)
@@ -181,7 +184,9 @@ experiment::Experiment with_settings(experiment::Experiment experiment, const ui
     experiment.material.poissons_ratio = settings.poissons_ratio;
     experiment.material.density_kg_m3 = settings.density_kg_m3;
     experiment.material.damping_s = settings.damping_s;
-    for (const ui::commands::AddedEffect& effect : settings.effects) experiment.effects.push_back(effect.declaration);
+    experiment.effects = ui::commands::effects_on(experiment.effects, settings.off);
+    for (const ui::commands::AddedEffect& effect : settings.effects)
+        if (!effect.off) experiment.effects.push_back(effect.declaration);
     experiment.muscles = declared_muscles(experiment, settings);
     return experiment;
 }
@@ -195,6 +200,11 @@ Result<setup::Setup> scene_setup(const ui::commands::Scene& scene, const ui::com
 
 namespace {
 
+/// Time in the middle of the part of a trial after its start [s]; 0 without samples.
+double middle_of(const Eigen::VectorXd& time_s) {
+    return time_s.size() > 0 ? 0.5 * std::max(0.0, time_s[time_s.size() - 1]) : 0.0;
+}
+
 /// What a scene shows of a prepared experiment.
 void show_setup(const setup::Setup& setup, std::shared_ptr<const setup::BodyMesh> mesh,
                 std::shared_ptr<const std::string> text, ui::commands::Scene& scene) {
@@ -206,13 +216,14 @@ void show_setup(const setup::Setup& setup, std::shared_ptr<const setup::BodyMesh
     scene.gravity_m_s2 = experiment.gravity_m_s2;
     scene.is_experiment = true;
     scene.unknowns = experiment.material.calibrate;
-    scene.parts = declared_parts(setup);
+    scene.declared = declared_parts(setup);
     scene.warnings = setup.warnings;
     scene.checks = check_rows(check::check_before(setup));
     scene.markers.clear();
     scene.trials.clear();
     scene.calibrated.clear();
     fill_from_setup(setup, scene);
+    show_declared(experiment, setup.surface, middle_of(setup.trials.front().measured.time_s), scene);
     scene.source = std::make_shared<const SceneSource>(
         SceneSource{experiment, setup.surface, std::move(mesh), std::move(text)});
 }
@@ -245,10 +256,13 @@ Result<ui::commands::Scene> scene_of(const ui::commands::Scene& scene, const exp
     if (!setup && shown) setup = setup::prepare_setup(experiment, settings, {});
     if (!setup) return setup.error();
     ui::commands::Scene result = scene;
-    // A mesh follows the box that holds the body, so that of another box is not kept.
+    // A mesh follows the box that holds the body and those of parts, so that of other boxes is not kept.
     const Box &held = experiment.clamp_box_m, &held_before = source.experiment.clamp_box_m;
-    const bool same_support = held.lowest == held_before.lowest && held.highest == held_before.highest;
-    show_setup(*setup, same_support ? source.mesh : nullptr, source.text, result);
+    const auto same_box = [](const Box& a, const Box& b) { return a.lowest == b.lowest && a.highest == b.highest; };
+    const std::vector<Box> parts = setup::part_boxes(experiment), parts_before = setup::part_boxes(source.experiment);
+    const bool same_boxes = same_box(held, held_before) &&
+                            std::equal(parts.begin(), parts.end(), parts_before.begin(), parts_before.end(), same_box);
+    show_setup(*setup, same_boxes ? source.mesh : nullptr, source.text, result);
     result.settings = scene.settings;
     return result;
 }
@@ -266,6 +280,7 @@ ui::commands::Scene plain_scene(const fs::path& path, mesh::SurfaceMesh surface)
     scene.clamp_m = experiment.clamp_box_m;
     scene.gravity_m_s2 = experiment.gravity_m_s2;
     scene.trials.push_back(mesh_scene_trial());
+    show_declared(experiment, scene.surface, 0.0, scene);
     scene.settings = mesh_scene_settings(experiment, scene.surface);
     scene.source = std::make_shared<const SceneSource>(SceneSource{experiment, scene.surface, nullptr});
     return scene;

@@ -41,8 +41,13 @@ std::string mesh_words(const std::string& text) {
     const Result<toml::TomlValue> document = toml::parse_toml(text, "");
     std::string result;
     if (!document) return result;
-    for (const char* key : {"geometry", "clamp", "part"})
+    for (const char* key : {"geometry", "clamp"})
         if (const toml::TomlValue* value = document->find(key)) result += words(*value);
+    // The mesh meets the faces of parts; it does not depend on their material.
+    if (const toml::TomlValue* parts = document->find("part"))
+        for (const toml::TomlValue& part : parts->items)
+            for (const char* key : {"box_m", "file", "region"})
+                if (const toml::TomlValue* value = part.find(key)) result += words(*value);
     return result;
 }
 

@@ -233,7 +233,8 @@ private:
         row.settings.youngs_modulus_Pa = last.fit.values.youngs_modulus_Pa;
         row.settings.damping_s = last.fit.values.damping_s;
         set_law_values(last.fit.values.law, row.settings);
-        row.settings.effects.clear();
+        // Added effects that are switched off stay so.
+        std::erase_if(row.settings.effects, [](const ui::commands::AddedEffect& effect) { return !effect.off; });
         // Effects of the file stay in the file; only the additional ones become settings.
         for (std::size_t e = source_.file_effects; e < last.fit.values.effects.size(); ++e)
             row.settings.effects.push_back(added_effect(last.fit.values.effects[e]));

@@ -36,6 +36,8 @@ constexpr ViewSwitch view_switches[] = {{"edges", &ui::commands::ViewOptions::ed
                                         {"errors", &ui::commands::ViewOptions::errors},
                                         {"labels", &ui::commands::ViewOptions::labels},
                                         {"clamp", &ui::commands::ViewOptions::clamp},
+                                        {"loads", &ui::commands::ViewOptions::loads},
+                                        {"obstacles", &ui::commands::ViewOptions::obstacles},
                                         {"actuators", &ui::commands::ViewOptions::actuators},
                                         {"fibres", &ui::commands::ViewOptions::fibres},
                                         {"effect_force", &ui::commands::ViewOptions::effect_force},
@@ -72,11 +74,16 @@ std::string settings_text(const ui::commands::Settings& s) {
             "\nvelocity_force_1_s = " + toml::toml_number(s.velocity_force_1_s) + "\n";
     for (const ui::commands::AddedEffect& effect : s.effects) {
         text += "\n[[effect]]\nid = " + toml::toml_text(effect.declaration.id) +
-                "\nname = " + toml::toml_text(effect.name) + "\nvalue = " + toml::toml_text(effect.value) +
-                "\n[effect.parameters]\n";
+                "\nname = " + toml::toml_text(effect.name) + "\nvalue = " + toml::toml_text(effect.value) + "\n";
+        if (effect.off) text += "off = true\n";
+        if (!effect.declaration.calibrate) text += "calibrate = false\n";
+        text += "[effect.parameters]\n";
         for (const auto& [name, value] : effect.declaration.parameters)
             text += toml::toml_text(name) + " = " + experiment::effect_toml(value) + "\n";
     }
+    for (const ui::commands::SwitchedOff& effect : s.off)
+        text += "\n[[effect_off]]\nindex = " + std::to_string(effect.index) + "\nid = " + toml::toml_text(effect.id) +
+                "\n";
     return text;
 }
 
@@ -198,8 +205,12 @@ std::vector<ui::commands::AddedEffect> read_project_effects(const toml::TomlRead
                                                             const toml::TomlValue& root) {
     std::vector<ui::commands::AddedEffect> effects;
     const toml::TomlValue* const entries = root.find("effect");
-    for (const toml::TomlReader& table : document.tables("effect", {"id", "name", "value", "parameters"})) {
-        ui::commands::AddedEffect effect{{table.text("id"), {}, true}, table.text("name"), table.text("value")};
+    for (const toml::TomlReader& table :
+         document.tables("effect", {"id", "name", "value", "off", "calibrate", "parameters"})) {
+        ui::commands::AddedEffect effect{{table.text("id"), {}, table.boolean_or("calibrate", true)},
+                                         table.text("name"),
+                                         table.text("value"),
+                                         table.boolean_or("off", false)};
         const toml::TomlReader named = table.table_of_names("parameters");
         const toml::TomlValue& parameters = *entries->items[effects.size()].find("parameters");
         for (std::size_t k = 0; k < parameters.keys.size(); ++k) {
@@ -251,6 +262,8 @@ ui::commands::Settings read_settings(const toml::TomlReader& document, const tom
     s.velocity_force_1_s = time.number_or("velocity_force_1_s", 0.0, within(ui::commands::velocity_force_limits));
     s.muscles = read_project_muscles(document, root, folder, warnings);
     s.effects = read_project_effects(document, root);
+    for (const toml::TomlReader& table : document.tables("effect_off", {"index", "id"}))
+        s.off.push_back({static_cast<std::size_t>(table.number("index", toml::between(0.0, 1e6))), table.text("id")});
     return s;
 }
 
@@ -284,9 +297,10 @@ ui::commands::Project read_document(const toml::TomlValue& root, const fs::path&
     if (const toml::TomlValue* const named = root.find("schema"); named == nullptr || named->text != schema)
         throw toml::TomlFailure{Error{"schema: this is not a project; this program reads \"" + schema + "\"",
                                       named ? named->where : file.string()}};
-    const toml::TomlReader document(root, "",
-                                    {"schema", "source", "self_contained", "metres_per_unit", "trial", "declaration",
-                                     "declared_mesh", "mesh", "material", "time", "view", "muscle", "effect"});
+    const toml::TomlReader document(
+        root, "",
+        {"schema", "source", "self_contained", "metres_per_unit", "trial", "declaration", "declared_mesh", "mesh",
+         "material", "time", "view", "muscle", "effect", "effect_off"});
     ui::commands::Project project;
     std::error_code ignored;
     const fs::path source = document.text("source");

@@ -20,10 +20,10 @@
 #include "backend/mesh_scene.hpp"
 #include "backend/project_file.hpp"
 #include "backend/recording_import.hpp"
+#include "backend/scene_report.hpp"
 #include "backend/shape_files.hpp"
 #include "backend/short_run.hpp"
 #include "backend/shown_run.hpp"
-#include "base/overwrites.hpp"
 #include "base/text.hpp"
 #include "check/catalogue.hpp"
 #include "check/declared_steps.hpp"
@@ -33,7 +33,6 @@
 #include "dynamics/material_damping.hpp"
 #include "dynamics/numerical_damping.hpp"
 #include "measurement/actuation_csv.hpp"
-#include "measurement/trace_csv.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/region.hpp"
 #include "mesh/vtk_writer.hpp"
@@ -303,39 +302,7 @@ public:
                                                   const ui::commands::RunResult& run,
                                                   const ui::commands::SearchResult* found,
                                                   const ui::commands::DiagnosisView* diagnosis) const override {
-        const experiment::Experiment& experiment = source_of(scene).experiment;
-        std::vector<fs::path> outputs = results::trace_files(folder, experiment);
-        for (const char* const name : {"fit.html", "diagnosis.html"}) outputs.push_back(folder / name);
-        // A report must not overwrite files that the experiment is read from.
-        const Result<void> kept = check_overwrites(folder.string(), outputs,
-                                                   results::files_read(experiment.folder, experiment));
-        if (!kept) return kept.error();
-        if (const Result<void> ready = results::prepare_output_folder(folder); !ready) return ready.error();
-        std::vector<std::string> files, names, trials;
-        for (const ui::commands::SceneMarker& marker : scene.markers) names.push_back(marker.name);
-        for (const ui::commands::SceneTrial& trial : scene.trials) trials.push_back(trial.name);
-        trials = results::trial_file_names(trials);
-        for (std::size_t t = 0; t < run.trials.size() && t < scene.trials.size(); ++t) {
-            // Trials that did not run have no markers.
-            if (names.empty() || run.trials[t].markers.size() != names.size()) continue;
-            files.push_back(trials[t] + ".csv");
-            measurement::Recording simulated;
-            simulated.labels = names;
-            simulated.time_s = scene.trials[t].time_s;
-            simulated.tracks = run.trials[t].markers;
-            if (const Result<void> written = measurement::write_trace_csv(folder / files.back(), simulated); !written)
-                return written.error();
-        }
-        const auto page = [&](const char* name, const std::shared_ptr<const void>& content) -> Result<void> {
-            if (!content) return {};
-            files.emplace_back(name);
-            return report::write_html(folder / name, *std::static_pointer_cast<const report::HtmlReport>(content));
-        };
-        if (found)
-            if (const Result<void> written = page("fit.html", found->page); !written) return written.error();
-        if (diagnosis)
-            if (const Result<void> written = page("diagnosis.html", diagnosis->page); !written) return written.error();
-        return files;
+        return write_scene_report(folder, scene, run, found, diagnosis);
     }
 
     Result<ui::commands::RecordingFile> read_recording(const fs::path& path,
@@ -379,7 +346,9 @@ public:
         if (const Result<void> in_seconds = check::require_time_unit(*setup, on_units); !in_seconds)
             return in_seconds.error();
         if (!chosen.h_s) check::choose_declared_steps(*setup, on_units, progress);
-        const DiagnosisSource source{*setup, source_of(scene).experiment.effects.size(), settings};
+        const std::vector<effect::EffectDeclaration> declared = ui::commands::effects_on(
+            source_of(scene).experiment.effects, settings.off);
+        const DiagnosisSource source{*setup, declared.size(), settings};
         const auto show = [&](const diagnosis::Diagnosis& known) {
             if (live) live(std::make_shared<const ui::commands::DiagnosisView>(diagnosis_view(source, known)));
         };

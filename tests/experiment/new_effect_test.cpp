@@ -8,7 +8,7 @@
 namespace myo::experiment {
 namespace {
 
-const Box bar{{0.0, 0.0, 0.0}, {0.1, 0.02, 0.03}};
+const Box held_body{{0.0, 0.0, 0.0}, {0.1, 0.02, 0.03}};
 
 /// A bar that is held at x = 0, under gravity along -z.
 Experiment held_bar() {
@@ -22,7 +22,7 @@ Experiment held_bar() {
 }
 
 effect::EffectDeclaration new_on_bar(const std::string& id) {
-    return new_effect(*effect::find_effect(id), held_bar(), {bar, 0.5});
+    return new_effect(*effect::find_effect(id), held_bar(), {held_body, 0.5});
 }
 
 TEST(NewEffect, GivesEveryParameterAValueOfItsKindWithinItsRange) {
@@ -74,7 +74,7 @@ TEST(NewEffect, SaysWhatIsLacking) {
     with.trials[0].loads.emplace_back();
     EXPECT_EQ(lacking_for(*effect::find_effect("hung_mass"), with), "");
     with.markers.on_body.clear();
-    const effect::EffectDeclaration nameless = new_effect(*effect::find_effect("marker_slip"), with, {bar, 0.5});
+    const effect::EffectDeclaration nameless = new_effect(*effect::find_effect("marker_slip"), with, {held_body, 0.5});
     EXPECT_EQ(effect::text(nameless.parameters, "marker"), "marker") << "which the reader refuses";
 }
 

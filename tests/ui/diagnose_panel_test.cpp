@@ -204,14 +204,14 @@ TEST(DiagnosePanel, AddsTheEffectAndUndoes) {
     EXPECT_TRUE(driver.state().run_is_current());
     driver.key(ImGuiKey_Y, {.ctrl = true});
     ASSERT_EQ(driver.state().settings.effects.size(), 1u);
-    // Another candidate takes its place, and each can be taken out in the model's panel.
+    // Another candidate takes its place, and each can be taken out in the panel of effects.
     driver.click("diagnose/row/quadratic_drag");
     driver.click("diagnose/add");
     ASSERT_EQ(driver.state().settings.effects.size(), 1u);
     EXPECT_EQ(driver.state().settings.effects.front().declaration.id, "quadratic_drag");
-    driver.window->show_panel("model");
+    driver.window->show_panel("effect");
     driver.settle();
-    driver.click("model/remove/quadratic_drag");
+    driver.click("effect/added/0/remove");
     EXPECT_TRUE(driver.state().settings.effects.empty());
 }
 

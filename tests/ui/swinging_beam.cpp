@@ -170,6 +170,12 @@ Result<ui::commands::Scene> SwingingBeam::open(const std::filesystem::path& path
     scene.surface = mesh::box_surface(body_box);
     scene.settings.material = "neo_hookean";
     scene.settings.integrator = "tr_bdf2";
+    scene.effects.offered = {
+        {"linear_drag", {{"coefficient_Pa_s_m", 22.0}}},
+        {"point_mass", {{"mass_kg", 0.005}, {"position_m", Eigen::VectorXd(Eigen::Vector3d(0.1, 0.015, 0.03))}}},
+        {"gravity_tilt", {{"tilt_deg", 3.0}, {"axis", Eigen::VectorXd(Eigen::Vector3d::UnitY())}}},
+        {"actuation_lag", {{"time_constant_s", 0.04}, {"signal", std::string("signal")}}}};
+    scene.effects.lacking = {"", "", "", "a muscle, chamber or tendon"};
     if (path.filename() == "missing") return Error{"no such folder", path.string()};
     if (metres_per_unit) {
         scene.surface.vertices *= *metres_per_unit / 1e-3;

@@ -2,12 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "backend/workbench_backend.hpp"
-#include "base/files.hpp"
-#include "experiment/new_trial.hpp"
 #include "mesh/surface_mesh.hpp"
 #include "mesh/vtk_writer.hpp"
 #include "support/folder.hpp"
 #include "ui/driver.hpp"
+#include "workbench/opened_beam.hpp"
 
 // The declaration of an experiment is edited in the window: support, gravity, trials, loads, unknown values.
 
@@ -15,40 +14,9 @@ namespace myo {
 namespace {
 
 using test::Driver;
+using test::OpenedBeam;
 using testing::HasSubstr;
 using ui::commands::Undo;
-
-/// A copy of the bundled beam, coarsely meshed, in a window.
-struct OpenedBeam {
-    test::Folder folder;
-    Driver driver;
-    std::filesystem::path copy;
-
-    explicit OpenedBeam(const std::string& name)
-        : folder(name), driver(backend::make_core_backend(), 1280, 1400), copy(folder.path() / "beam") {
-        EXPECT_TRUE(
-            experiment::copy_experiment(std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/silicone_beam", copy));
-        driver.window->open(copy);
-        EXPECT_TRUE(driver.wait_for_job(60));
-        ui::commands::Settings coarse = driver.state().settings;
-        coarse.resolution_m = 0.01;
-        driver.workbench->execute(ui::commands::ChangeSettings{coarse, "resolution"});
-        driver.workbench->execute(ui::commands::BuildMesh{});
-        EXPECT_TRUE(driver.wait_for_job(60));
-    }
-    std::string text() const { return *read_file(copy / "experiment.toml"); }
-    void run() {
-        driver.workbench->execute(ui::commands::Run{});
-        ASSERT_TRUE(driver.wait_for_job(120));
-        ASSERT_TRUE(driver.state().run) << driver.state().log.back().text;
-        ASSERT_TRUE(driver.state().run->problem.empty()) << driver.state().run->problem;
-    }
-    /// Height of the first marker at the end of the shown trial [m].
-    double last_height_m() {
-        const Eigen::Matrix3Xd& tip = driver.state().simulated_trial()->markers.front();
-        return tip(2, tip.cols() - 1);
-    }
-};
 
 TEST(DeclarationInWindow, GravityActsOtherwiseAfterTheChoiceAndUndoBringsItBack) {
     OpenedBeam beam("declared_gravity");

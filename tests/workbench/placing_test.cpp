@@ -245,12 +245,12 @@ TEST(PlacingInWindow, ATendonIsDrawnAlongTheBodyPulledAndItsGuideDragged) {
     window.show("tendon");
     driver.click("tendon/add");
     for (const double x : {0.004, 0.03, 0.055, 0.076}) driver.click_at(pixel_of(driver, {x, 0.01, 0.02}));
-    EXPECT_TRUE(window.scene().parts.tendons.empty());
+    EXPECT_TRUE(window.scene().declared.tendons.empty());
     driver.key(ImGuiKey_Enter);
-    ASSERT_EQ(window.scene().parts.tendons.size(), 1u) << driver.state().refused;
-    EXPECT_EQ(window.scene().parts.tendons[0].name, "tendon1");
-    ASSERT_EQ(window.scene().parts.tendons[0].path_m.cols(), 4);
-    EXPECT_NEAR(window.scene().parts.tendons[0].path_m(2, 1), 0.02, 1e-9);
+    ASSERT_EQ(window.scene().declared.tendons.size(), 1u) << driver.state().refused;
+    EXPECT_EQ(window.scene().declared.tendons[0].name, "tendon1");
+    ASSERT_EQ(window.scene().declared.tendons[0].path_m.cols(), 4);
+    EXPECT_NEAR(window.scene().declared.tendons[0].path_m(2, 1), 0.02, 1e-9);
     ASSERT_EQ(driver.state().actuators.tendons.size(), 1u) << "drawn on the mesh at hand";
     driver.click("tendon/command/kind");
     driver.click("tendon/command/kind/constant");
@@ -259,18 +259,18 @@ TEST(PlacingInWindow, ATendonIsDrawnAlongTheBodyPulledAndItsGuideDragged) {
     EXPECT_GT(height(), hanging + 1e-3) << "a tendon along the top lifts the tip";
     window.show("tendon");
     driver.click("tendon/drag");
-    const Vector3d guide = window.scene().parts.tendons[0].path_m.col(2);
+    const Vector3d guide = window.scene().declared.tendons[0].path_m.col(2);
     const ImVec2 at = pixel_of(driver, guide);
     driver.drag(at, {at.x + 12.0f, at.y});
-    EXPECT_GT((window.scene().parts.tendons[0].path_m.col(2) - guide).norm(), 1e-4) << driver.state().refused;
+    EXPECT_GT((window.scene().declared.tendons[0].path_m.col(2) - guide).norm(), 1e-4) << driver.state().refused;
     driver.workbench->execute(Undo{});
-    EXPECT_EQ(window.scene().parts.tendons[0].path_m.col(2), guide);
+    EXPECT_EQ(window.scene().declared.tendons[0].path_m.col(2), guide);
     driver.key(ImGuiKey_Escape);
     driver.click("tendon/drive");
     driver.click("tendon/drive/shortening");
-    EXPECT_TRUE(window.scene().parts.tendons[0].by_shortening) << driver.state().refused;
+    EXPECT_TRUE(window.scene().declared.tendons[0].by_shortening) << driver.state().refused;
     driver.click("tendon/remove");
-    EXPECT_TRUE(window.scene().parts.tendons.empty()) << driver.state().refused;
+    EXPECT_TRUE(window.scene().declared.tendons.empty()) << driver.state().refused;
 }
 
 TEST(PlacingInWindow, AChamberIsListedWithItsCavityAndKeptWhereATrialNeedsIt) {
@@ -278,14 +278,14 @@ TEST(PlacingInWindow, AChamberIsListedWithItsCavityAndKeptWhereATrialNeedsIt) {
     ASSERT_NO_FATAL_FAILURE(window.open_example("pneumatic_finger"));
     Driver& driver = window.driver;
     window.show("chamber");
-    ASSERT_EQ(window.scene().parts.cavities.size(), 1u);
-    EXPECT_EQ(window.scene().parts.cavities[0].chamber, "chamber");
-    EXPECT_NEAR(window.scene().parts.cavities[0].volume_m3, 0.06 * 0.01 * 0.005, 1e-15);
+    ASSERT_EQ(window.scene().declared.cavities.size(), 1u);
+    EXPECT_EQ(window.scene().declared.cavities[0].chamber, "chamber");
+    EXPECT_NEAR(window.scene().declared.cavities[0].volume_m3, 0.06 * 0.01 * 0.005, 1e-15);
     EXPECT_TRUE(driver.has("chamber/chamber/volume"));
     // Another trial has its pressure in a file, which a chamber without this name would leave unread.
     driver.click("chamber/chamber/remove");
     EXPECT_THAT(driver.state().refused, HasSubstr("trial[1].actuation"));
-    EXPECT_EQ(window.scene().parts.chambers, std::vector<std::string>{"chamber"});
+    EXPECT_EQ(window.scene().declared.chambers, std::vector<std::string>{"chamber"});
     driver.click("chamber/chamber/pressure/kind");
     driver.click("chamber/chamber/pressure/kind/rest");
     EXPECT_EQ(window.scene().trials[0].commands.at("chamber").signal.value(0.1), 0.0) << driver.state().refused;
@@ -310,17 +310,17 @@ TEST(PlacingInWindow, TheWallOfACavityIsClickedInsideTheCutBody) {
                                "start = \"straight\"\n"));
     ASSERT_NO_FATAL_FAILURE(window.open(window.folder.path() / "finger"));
     Driver& driver = window.driver;
-    ASSERT_EQ(window.scene().parts.cavities.size(), 1u);
-    EXPECT_TRUE(window.scene().parts.cavities[0].chamber.empty());
+    ASSERT_EQ(window.scene().declared.cavities.size(), 1u);
+    EXPECT_TRUE(window.scene().declared.cavities[0].chamber.empty());
     window.show("chamber");
     driver.click("chamber/pick");
     EXPECT_TRUE(driver.state().view.clip.on);
     // A wall that the cut leaves in view: tried over the picture of the cavity.
-    for (double x = 0.01; x < 0.066 && window.scene().parts.chambers.empty(); x += 0.004)
-        for (double z = 0.010; z < 0.0151 && window.scene().parts.chambers.empty(); z += 0.001)
+    for (double x = 0.01; x < 0.066 && window.scene().declared.chambers.empty(); x += 0.004)
+        for (double z = 0.010; z < 0.0151 && window.scene().declared.chambers.empty(); z += 0.001)
             driver.click_at(pixel_of(driver, {x, 0.010, z}));
-    ASSERT_EQ(window.scene().parts.chambers, std::vector<std::string>{"chamber1"}) << driver.state().refused;
-    EXPECT_EQ(window.scene().parts.cavities[0].chamber, "chamber1");
+    ASSERT_EQ(window.scene().declared.chambers, std::vector<std::string>{"chamber1"}) << driver.state().refused;
+    EXPECT_EQ(window.scene().declared.cavities[0].chamber, "chamber1");
     ASSERT_EQ(driver.state().actuators.chambers.size(), 1u);
     driver.click("chamber/chamber1/pressure/kind");
     driver.click("chamber/chamber1/pressure/kind/step");
@@ -333,15 +333,15 @@ TEST(PlacingInWindow, TheWallOfACavityIsClickedInsideTheCutBody) {
     driver.key(ImGuiKey_End);
     driver.type("a");
     driver.key(ImGuiKey_Enter);
-    ASSERT_EQ(window.scene().parts.chambers, std::vector<std::string>{"chamber1a"}) << driver.state().refused;
+    ASSERT_EQ(window.scene().declared.chambers, std::vector<std::string>{"chamber1a"}) << driver.state().refused;
     EXPECT_EQ(window.scene().trials[0].commands.at("chamber1a").signal.value(0.1), 1e4) << "trials follow";
     driver.click("chamber/chamber1a/remove");
-    EXPECT_TRUE(window.scene().parts.chambers.empty()) << driver.state().refused;
+    EXPECT_TRUE(window.scene().declared.chambers.empty()) << driver.state().refused;
     EXPECT_TRUE(driver.state().actuators.empty());
     driver.click("chamber/add/0");
-    EXPECT_EQ(window.scene().parts.chambers, std::vector<std::string>{"chamber1"}) << driver.state().refused;
+    EXPECT_EQ(window.scene().declared.chambers, std::vector<std::string>{"chamber1"}) << driver.state().refused;
     for (int step = 0; step < 2; ++step) driver.workbench->execute(Undo{});
-    EXPECT_EQ(window.scene().parts.chambers, std::vector<std::string>{"chamber1a"});
+    EXPECT_EQ(window.scene().declared.chambers, std::vector<std::string>{"chamber1a"});
 }
 
 /// Choosing another tool, or another body, ends the tool; the camera stays where it is while places are set.

@@ -50,7 +50,10 @@ ui::commands::Project some_project(const fs::path& source) {
                     {"list", std::vector<std::string>{"a", "b"}}},
                    true},
                   "Wild effect",
-                  "1 ± 2"}};
+                  "1 ± 2",
+                  true},
+                 {{"calm_effect", {{"coefficient", 0.5}}, false}, "Calm effect", "0.5"}};
+    s.off = {{0, "linear_drag"}, {3, "point_mass"}};
     fibre::PaintedMask mask;
     mask.cell_size_m = 0.004;
     mask.centroids_m.resize(3, 2);

@@ -194,8 +194,8 @@ TEST_F(Person, GoesTheWholeWay) {
     // About the beam's own axis; about the others, half a degree more or less is not seen.
     EXPECT_NEAR(std::get<double>(parameters.at("tilt_deg")) * std::get<Eigen::VectorXd>(parameters.at("axis"))[0], -3.0,
                 0.5);
-    driver.click("task/material");
-    EXPECT_TRUE(driver.has("model/effect/gravity_tilt"));
+    driver.click("task/fit");
+    EXPECT_TRUE(driver.has("effect/added/0"));
 
     // Save and open again, in another window.
     driver.key(ui::platform::key_r, {.ctrl = true});

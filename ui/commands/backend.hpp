@@ -23,6 +23,7 @@
 #include "commands/recording_import.hpp"
 #include "commands/run_result.hpp"
 #include "commands/scene_marker.hpp"
+#include "commands/scene_setup.hpp"
 #include "commands/search_result.hpp"
 #include "commands/settings.hpp"
 #include "commands/shape_export.hpp"
@@ -92,10 +93,12 @@ struct ShownCommand {
 
 /// Load of a trial, as declared.
 struct SceneLoad {
-    bool is_mass = false;                               // otherwise a force
-    Box box_m;                                          // part of the surface that carries it
-    double mass_kg = 0.0;                               // of a mass
-    Eigen::Vector3d force_N = Eigen::Vector3d::Zero();  // of a force
+    bool is_mass = false;                                      // otherwise a force
+    Box box_m;                                                 // part of the surface that carries it
+    double mass_kg = 0.0;                                      // of a mass
+    Eigen::Vector3d force_N = Eigen::Vector3d::Zero();         // of a force
+    double from_s = -std::numeric_limits<double>::infinity();  // times in which a force acts
+    double until_s = std::numeric_limits<double>::infinity();
 };
 
 /// One trial of an experiment: measured markers in the mesh frame over time. t = 0 is the release.
@@ -141,9 +144,12 @@ struct Scene {
     double damping_ratio = std::numeric_limits<double>::quiet_NaN();
     // labels of the parameters that calibration changes; empty: nothing to calibrate
     std::vector<std::string> calibrated;
-    bool is_experiment = false;          // with a declaration that can be edited; otherwise a plain mesh
-    DeclaredParts parts;                 // of an experiment
-    std::vector<std::string> unknowns;   // material.calibrate: "youngs_modulus", "damping", ...
+    bool is_experiment = false;         // with a declaration that can be edited; otherwise a plain mesh
+    DeclaredParts declared;             // of an experiment: chambers, tendons, cavities
+    std::vector<std::string> unknowns;  // material.calibrate: "youngs_modulus", "damping", ...
+    SceneEffects effects;
+    std::vector<SceneObstacle> obstacles;
+    std::vector<ScenePart> parts;
     std::vector<std::string> warnings;   // from reading the files
     CheckRows checks;                    // of the experiment as declared; empty for a plain mesh
     std::shared_ptr<const void> source;  // owned by the backend, opaque to the workbench

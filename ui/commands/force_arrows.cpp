@@ -1,12 +1,10 @@
 #include "commands/force_arrows.hpp"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
-#include <limits>
 
 #include "base/letter_case.hpp"
 #include "commands/scene_at_time.hpp"
+#include "viewport/scene_lines.hpp"
 
 namespace myo::ui::commands {
 namespace {
@@ -25,21 +23,6 @@ Eigen::Matrix3Xd middles(const Eigen::Matrix3Xd& nodes, const Eigen::VectorXi& p
         count(patch_of_node(i)) += 1.0;
     }
     return sum * count.cwiseMax(1.0).cwiseInverse().asDiagonal();
-}
-
-/// Appends an arrow as one polyline: a shaft and four barbs, then a gap.
-void append_arrow(Eigen::Matrix3Xd& points, Eigen::Index& at, const Eigen::Vector3d& from,
-                  const Eigen::Vector3d& along) {
-    const Eigen::Vector3d tip = from + along, side = 0.09 * along.norm() * along.unitOrthogonal(),
-                          other = along.normalized().cross(side);
-    const Eigen::Vector3d neck = tip - 0.25 * along;
-    points.col(at++) = from;
-    for (const Eigen::Vector3d& barb : {Eigen::Vector3d(neck + side), Eigen::Vector3d(neck - side),
-                                        Eigen::Vector3d(neck + other), Eigen::Vector3d(neck - other)}) {
-        points.col(at++) = tip;
-        points.col(at++) = barb;
-    }
-    points.col(at++).setConstant(std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace
@@ -83,13 +66,13 @@ void add_force_arrows(viewport::DrawnScene& drawn, const WorkbenchState& state, 
     const double metres_per_N = longest_part * drawn.extent.size().norm() / forces->largest_N;
     // Arrows start at the drawn positions, so that they move with the body.
     const Eigen::Matrix3Xd from = middles(drawn.positions, state.diagnosis->patch_of_node, state.diagnosis->patches);
-    // append_arrow() writes 10 points per arrow; short arrows are left out.
+    // arrow_points() are 10 per arrow; short arrows are left out.
     Eigen::Matrix3Xd points(3, 10 * from.cols());
     Eigen::Index used = 0;
     for (Eigen::Index p = 0; p < from.cols(); ++p) {
         const Eigen::Vector3d force = now.col(p);
         if (force.norm() > shortest_part * forces->largest_N)
-            append_arrow(points, used, from.col(p), metres_per_N * force);
+            points.middleCols<10>(used) = viewport::arrow_points(from.col(p), metres_per_N * force), used += 10;
     }
     drawn.lines.push_back({points.leftCols(used), viewport::color_of(theme.force), 2.5});
     const DiagnosisRow& row = *state.diagnosis_row();

@@ -10,6 +10,7 @@
 #include "commands/import_drawing.hpp"
 #include "commands/muscle_drawing.hpp"
 #include "commands/rest_outline.hpp"
+#include "commands/setup_drawing.hpp"
 #include "viewport/color_map.hpp"
 #include "viewport/scene_lines.hpp"
 
@@ -237,6 +238,8 @@ MotionSummary summarize_motion(const WorkbenchState& state) {
         }
     }
     motion.reach = bounds.box;
+    motion.loaded = loaded_points(state);
+    motion.part_of_cell = part_of_cell(state);
     return motion;
 }
 
@@ -266,6 +269,7 @@ viewport::DrawnScene scene_at_time(const WorkbenchState& state, const platform::
         add_line(drawn, outline_of(state.view.clip, motion.rest), viewport::color_of(theme.accent, 0.9f), 1.5);
     add_muscles(drawn, state, theme, live);
     add_actuators(drawn, state, theme);
+    add_setup(drawn, state, theme, motion);
     if (drawn.field && !live) drawn.tints.resize(4, 0);  // a colour must have one meaning at a time
     add_force_arrows(drawn, state, theme);
     if (state.import)

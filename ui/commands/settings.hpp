@@ -6,6 +6,7 @@
 
 #include "commands/declaration.hpp"
 #include "commands/muscle.hpp"
+#include "commands/switched_off.hpp"
 #include "effect/effect_declaration.hpp"
 #include "mesh/volume_mesh.hpp"
 
@@ -13,9 +14,10 @@ namespace myo::ui::commands {
 
 /// An effect that the user added to the experiment's model.
 struct AddedEffect {
-    effect::EffectDeclaration declaration;  // with calibrate = true
-    std::string name;                       // "Quadratic drag"
-    std::string value;                      // as shown: "coefficient 903 ± 12 kg/m³"
+    effect::EffectDeclaration declaration;
+    std::string name;   // "Quadratic drag"
+    std::string value;  // as shown: "coefficient 903 ± 12 kg/m³"
+    bool off = false;   // runs leave it out
 
     bool operator==(const AddedEffect&) const = default;
 };
@@ -29,15 +31,16 @@ struct Settings {
     double youngs_modulus_Pa = 2.6e5;   // in small strains
     double poissons_ratio = 0.49;
     double density_kg_m3 = 1070.0;
-    double damping_s = 0.0;            // Kelvin-Voigt time
-    std::string integrator;            // id in WorkbenchState::integrators
-    double spectral_radius = 0.5;      // at infinite frequency, for time schemes in which it can be chosen
-    double time_step_s = 0.01;         // of the time scheme
-    bool own_step = false;             // the user set time_step_s; otherwise runs adapt it to the vibration
-    double velocity_force_1_s = 0.0;   // Lambda of f = Lambda M v
-    std::vector<AddedEffect> effects;  // in addition to those that the experiment declares
-    std::vector<Muscle> muscles;       // with unique names
-    Declaration declaration = {};      // of an experiment: support, gravity, loads, trials, unknown values
+    double damping_s = 0.0;             // Kelvin-Voigt time
+    std::string integrator;             // id in WorkbenchState::integrators
+    double spectral_radius = 0.5;       // at infinite frequency, for time schemes in which it can be chosen
+    double time_step_s = 0.01;          // of the time scheme
+    bool own_step = false;              // the user set time_step_s; otherwise runs adapt it to the vibration
+    double velocity_force_1_s = 0.0;    // Lambda of f = Lambda M v
+    std::vector<AddedEffect> effects;   // in addition to those that the experiment declares
+    std::vector<Muscle> muscles;        // with unique names
+    Declaration declaration = {};       // of an experiment: support, gravity, loads, trials, unknown values
+    std::vector<SwitchedOff> off = {};  // declared effects that runs leave out
 
     bool operator==(const Settings&) const = default;
 };

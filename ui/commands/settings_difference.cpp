@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 
+#include "effect/readable_quantity.hpp"
 #include "plot/number_text.hpp"
 
 namespace myo::ui::commands {
@@ -100,12 +101,27 @@ void add_effects(const std::vector<const Settings*>& of, Rows& rows) {
     for (const std::string& name : names_of(of, &Settings::effects, &AddedEffect::name)) {
         const auto effect = [name](const Settings& s) { return named(s.effects, &AddedEffect::name, name); };
         rows.add(
-            name, [=](const Settings& s) { return effect(s) ? effect(s)->value : std::string(none); },
+            name,
+            [=](const Settings& s) {
+                return effect(s) ? effect(s)->value + (effect(s)->off ? " (off)" : "") : std::string(none);
+            },
             // Equal if both have it with the same values, or neither has it.
             [=](const Settings& a, const Settings& b) {
                 return (effect(a) && effect(b) && *effect(a) == *effect(b)) || (!effect(a) && !effect(b));
             });
     }
+}
+
+/// Declared effects that are switched off.
+void add_switched_off(Rows& rows) {
+    rows.add(
+        "Effects switched off",
+        [](const Settings& s) {
+            std::string names;
+            for (const SwitchedOff& each : s.off) names += (names.empty() ? "" : ", ") + effect::effect_name(each.id);
+            return names.empty() ? std::string(none) : names;
+        },
+        [](const Settings& a, const Settings& b) { return a.off == b.off; });
 }
 
 std::string signal_text(const Muscle& muscle) {
@@ -167,6 +183,7 @@ std::vector<SettingDifference> all_rows(const std::vector<const Settings*>& of, 
     rows.add_number("Time step h", &Settings::time_step_s, 1e-3, "ms");
     rows.add_number("Velocity force \xce\x9b", &Settings::velocity_force_1_s, 1.0, "1/s");
     add_effects(of, rows);
+    add_switched_off(rows);
     add_muscles(of, rows);
     return rows.take();
 }

@@ -18,6 +18,8 @@ struct ViewOptions {
     bool errors = true;     // lines between measured and simulated markers
     bool labels = true;     // names of the markers
     bool clamp = true;      // box that holds the body
+    bool loads = true;      // gravity, and forces and masses of the trial
+    bool obstacles = true;  // obstacles, and parts of another material
     std::string field;      // id of the field that colours the body; empty: none
     std::string color_map;  // id of the colour map for unsigned fields; empty: the default
     // Ranges fixed by the user, by the field's id [SI]; other fields use the range of the trial.
@@ -29,6 +31,8 @@ struct ViewOptions {
     bool side_by_side = false;  // the newest compared run beside the shown one
     double opacity = 1.0;       // of the body, 0 to 1
     ClipPlane clip;
+    // Item of a panel that is open to be edited, highlighted in the view: "obstacle/0", "trial/load/1"; not saved.
+    std::string edited;
 
     bool operator==(const ViewOptions&) const = default;
 };

@@ -3,7 +3,7 @@
 
 #include "commands/workbench.hpp"
 
-// Edits of the experiment's declaration: support, gravity, loads, trials, unknown values.
+// Edits of the experiment's declaration: support, gravity, loads, trials, unknown values, effects, obstacles, parts.
 
 namespace myo::ui::commands {
 namespace {
@@ -29,6 +29,7 @@ void Workbench::on(const EditDeclaration& c) {
     }
     Settings settings = state_.settings;
     settings.declaration = std::move(*edited);
+    settings.off = moved_by(std::move(settings.off), c.edits);
     change_settings({std::move(settings), c.what, c.goes_on});
 }
 

@@ -19,7 +19,7 @@ toml::TomlPath command_path(const DeclaredActuator& actuator, std::size_t trial,
 
 /// The command of an actuator in a trial that a key of the declaration holds; null if there is none.
 const DeclaredCommand* declared_in(const commands::Scene& scene, const DeclaredActuator& actuator, std::size_t trial) {
-    const auto& declared = scene.parts.commands[trial];
+    const auto& declared = scene.declared.commands[trial];
     const auto found = declared.find(actuator.name);
     return found == declared.end() || found->second.kind == DeclaredCommand::Kind::file ? nullptr : &found->second;
 }
@@ -27,7 +27,7 @@ const DeclaredCommand* declared_in(const commands::Scene& scene, const DeclaredA
 /// Removes the commands of an actuator from all trials.
 void remove_commands(const commands::Scene& scene, const DeclaredActuator& actuator,
                      std::vector<DeclarationEdit>& edits) {
-    for (std::size_t t = 0; t < scene.parts.commands.size(); ++t)
+    for (std::size_t t = 0; t < scene.declared.commands.size(); ++t)
         if (const DeclaredCommand* const command = declared_in(scene, actuator, t))
             edits.push_back(commands::RemoveDeclared{command_path(actuator, t, command->kind, actuator.name)});
 }
@@ -45,17 +45,17 @@ std::string item_of(const DeclaredActuator& actuator, const char* edit) {
 }  // namespace
 
 DeclaredActuator declared_chamber(const commands::Scene& scene, std::size_t index) {
-    return {scene.parts.chambers[index], "chamber", index, "pressure_Pa"};
+    return {scene.declared.chambers[index], "chamber", index, "pressure_Pa"};
 }
 
 DeclaredActuator declared_tendon(const commands::Scene& scene, std::size_t index) {
-    const commands::DeclaredTendon& tendon = scene.parts.tendons[index];
+    const commands::DeclaredTendon& tendon = scene.declared.tendons[index];
     return {tendon.name, "tendon", index, tendon.by_shortening ? "shortening_m" : "tension_N"};
 }
 
 std::string free_actuator_name(const commands::WorkbenchState& state, const std::string& stem) {
-    std::vector<std::string> taken = state.scene->parts.chambers;
-    for (const commands::DeclaredTendon& tendon : state.scene->parts.tendons) taken.push_back(tendon.name);
+    std::vector<std::string> taken = state.scene->declared.chambers;
+    for (const commands::DeclaredTendon& tendon : state.scene->declared.tendons) taken.push_back(tendon.name);
     for (const commands::Muscle& muscle : state.settings.muscles) taken.push_back(muscle.name);
     for (int k = 1;; ++k)
         if (std::string name = stem + std::to_string(k); std::find(taken.begin(), taken.end(), name) == taken.end())
@@ -98,7 +98,7 @@ void rename_actuator(PanelContext& context, const DeclaredActuator& actuator, co
     const commands::Scene& scene = *context.state.scene;
     std::vector<DeclarationEdit> edits;
     remove_commands(scene, actuator, edits);
-    for (std::size_t t = 0; t < scene.parts.commands.size(); ++t)
+    for (std::size_t t = 0; t < scene.declared.commands.size(); ++t)
         if (const DeclaredCommand* const command = declared_in(scene, actuator, t))
             edits.push_back(commands::SetDeclared{command_path(actuator, t, command->kind, wanted),
                                                   toml::toml_number(command->value)});

@@ -2,6 +2,7 @@
 #include "panels/chamber_panel.hpp"
 #include "panels/checks_panel.hpp"
 #include "panels/diagnose_panel.hpp"
+#include "panels/effect_panel.hpp"
 #include "panels/fibre_panel.hpp"
 #include "panels/fit_panel.hpp"
 #include "panels/goal_panel.hpp"
@@ -13,7 +14,9 @@
 #include "panels/material_panel.hpp"
 #include "panels/measure_panel.hpp"
 #include "panels/mesh_panel.hpp"
+#include "panels/obstacle_panel.hpp"
 #include "panels/panel.hpp"
+#include "panels/part_panel.hpp"
 #include "panels/probe_panel.hpp"
 #include "panels/recording_panel.hpp"
 #include "panels/report_panel.hpp"
@@ -37,8 +40,10 @@ std::vector<std::unique_ptr<Panel>> all_panels() {
     // Panels at the side, in the order of the tasks.
     add(std::type_identity<BodyPanel>());
     add(std::type_identity<SupportPanel>());
+    add(std::type_identity<ObstaclePanel>());
     add(std::type_identity<MeshPanel>());
     add(std::type_identity<MaterialPanel>());
+    add(std::type_identity<PartPanel>());
     add(std::type_identity<FibrePanel>());
     add(std::type_identity<TendonPanel>());
     add(std::type_identity<ChamberPanel>());
@@ -50,6 +55,7 @@ std::vector<std::unique_ptr<Panel>> all_panels() {
     add(std::type_identity<MeasurePanel>());
     add(std::type_identity<ImportPanel>());
     add(std::type_identity<UnknownPanel>());
+    add(std::type_identity<EffectPanel>());
     add(std::type_identity<GoalPanel>());
     add(std::type_identity<FitPanel>());
     add(std::type_identity<VerdictPanel>());

@@ -18,14 +18,14 @@ std::string volume_text(const commands::SceneCavity& cavity) {
 
 /// Index of a cavity's chamber in the declaration.
 std::size_t index_of(const commands::Scene& scene, const std::string& chamber) {
-    const auto& names = scene.parts.chambers;
+    const auto& names = scene.declared.chambers;
     return static_cast<std::size_t>(std::find(names.begin(), names.end(), chamber) - names.begin());
 }
 
 }  // namespace
 
 void ChamberPanel::draw(PanelContext& context) {
-    const auto& cavities = context.state.scene->parts.cavities;
+    const auto& cavities = context.state.scene->declared.cavities;
     if (cavities.empty()) {
         muted_text(context.theme,
                    "The body has no closed cavity. An air chamber is a closed surface inside that of the body, in the "
@@ -38,7 +38,7 @@ void ChamberPanel::draw(PanelContext& context) {
 }
 
 void ChamberPanel::draw_pick(PanelContext& context) {
-    const auto& cavities = context.state.scene->parts.cavities;
+    const auto& cavities = context.state.scene->declared.cavities;
     const auto open = std::find_if(cavities.begin(), cavities.end(),
                                    [](const commands::SceneCavity& cavity) { return cavity.chamber.empty(); });
     if (open == cavities.end()) return;
@@ -64,7 +64,7 @@ void ChamberPanel::draw_pick(PanelContext& context) {
 
 void ChamberPanel::draw_cavity(PanelContext& context, std::size_t c) {
     const commands::Scene& scene = *context.state.scene;
-    const commands::SceneCavity& cavity = scene.parts.cavities[c];
+    const commands::SceneCavity& cavity = scene.declared.cavities[c];
     ImGui::PushID(static_cast<int>(c));
     if (cavity.chamber.empty()) {
         if (ImGui::Button(("Make a chamber of the cavity of " + volume_text(cavity)).c_str(), {-1.0f, 0.0f}))

@@ -24,9 +24,9 @@ void command_rows(PanelContext& context, const DeclaredActuator& actuator, const
                   const std::string& name, NumberEdits& edits) {
     const commands::Scene& scene = *context.state.scene;
     const auto trial = static_cast<std::size_t>(context.state.trial);
-    if (trial >= scene.parts.commands.size()) return;
-    const auto found = scene.parts.commands[trial].find(actuator.name);
-    const DeclaredCommand* const command = found == scene.parts.commands[trial].end() ? nullptr : &found->second;
+    if (trial >= scene.declared.commands.size()) return;
+    const auto found = scene.declared.commands[trial].find(actuator.name);
+    const DeclaredCommand* const command = found == scene.declared.commands[trial].end() ? nullptr : &found->second;
     std::vector<commands::Choice> choices{
         {rest_id, "None", "Zero in this trial."},
         {constant_id, "Constant", "Also before the start, so that an equilibrium includes it."},

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "mesh/surface_mesh.hpp"
 #include "toml/toml_text.hpp"
 
 namespace myo::ui::panels {
@@ -84,6 +85,18 @@ Box end_box(const Box& body, int axis, bool upper) {
     (upper ? box.lowest : box.highest)(axis) = upper ? body.highest(axis) - end_box_policy.depth * length
                                                      : body.lowest(axis) + end_box_policy.depth * length;
     return box;
+}
+
+BodyEnd free_end(const commands::Scene& scene) {
+    const Box body = mesh::bounding_box(scene.surface.vertices);
+    BodyEnd end;
+    body.size().maxCoeff(&end.axis);
+    if (!scene.clamp_m || (scene.clamp_m->lowest.array() > scene.clamp_m->highest.array()).any()) return end;
+    const Eigen::Vector3d middle = 0.5 * (body.lowest + body.highest);
+    const Eigen::Vector3d held = 0.5 * (scene.clamp_m->lowest + scene.clamp_m->highest) - middle;
+    held.cwiseAbs().maxCoeff(&end.axis);
+    end.upper = held(end.axis) < 0.0;
+    return end;
 }
 
 }  // namespace myo::ui::panels

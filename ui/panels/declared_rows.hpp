@@ -39,4 +39,12 @@ std::string box_text(const Box& box);
 /// @param upper  the end with the larger coordinate
 Box end_box(const Box& body, int axis, bool upper);
 
+/// An end of the body along an axis.
+struct BodyEnd {
+    int axis = 0;
+    bool upper = true;  // the one with the larger coordinate
+};
+/// The end that is farther from the support; without support the upper end of the longest axis.
+BodyEnd free_end(const commands::Scene& scene);
+
 }  // namespace myo::ui::panels

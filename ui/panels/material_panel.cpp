@@ -6,9 +6,6 @@
 
 #include "panels/preview_rows.hpp"
 #include "panels/setting_rows.hpp"
-#include "panels/wrapped_text.hpp"
-#include "platform/fonts.hpp"
-#include "plot/number_text.hpp"
 
 namespace myo::ui::panels {
 namespace {
@@ -54,7 +51,6 @@ void MaterialPanel::draw(PanelContext& context) {
     draw_law_numbers(context);
     setting_rows(context, material_fields(), edit_);
     draw_preview_rows(context, preview_edit_);
-    draw_effects(context);
 }
 
 void MaterialPanel::draw_law_numbers(PanelContext& context) {
@@ -71,32 +67,6 @@ void MaterialPanel::draw_law_numbers(PanelContext& context) {
         bool continues = false;
         if (number_row(context, field, edit_, value, continues))
             context.emit(commands::ChangeSettings{settings, field.name, continues});
-    }
-}
-
-void MaterialPanel::draw_effects(PanelContext& context) {
-    const commands::WorkbenchState& state = context.state;
-    if (state.settings.effects.empty()) return;
-    heading(context.theme, "Added effects");
-    for (std::size_t i = 0; i < state.settings.effects.size(); ++i) {
-        const commands::AddedEffect& effect = state.settings.effects[i];
-        ImGui::PushID(static_cast<int>(i));
-        // The text leaves room for the button that removes the effect, which is aligned at the right edge.
-        const float button = ImGui::GetFrameHeight();
-        row_label(context.theme, effect.name, "An effect that was added to the experiment's model.");
-        const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
-        wrapped_text(effect.value, right - button - ImGui::GetStyle().ItemSpacing.x);
-        context.items.mark("model/effect/" + effect.declaration.id);
-        ImGui::SameLine();
-        ImGui::SetCursorPosX(right - button);
-        if (ImGui::Button(platform::icon::remove, {button, 0.0f})) {
-            commands::Settings settings = state.settings;
-            settings.effects.erase(settings.effects.begin() + static_cast<std::ptrdiff_t>(i));
-            context.emit(commands::ChangeSettings{settings, "effects", false});
-        }
-        context.items.mark("model/remove/" + effect.declaration.id);
-        tooltip(context.theme, "Remove from the model");
-        ImGui::PopID();
     }
 }
 

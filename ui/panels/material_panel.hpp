@@ -4,10 +4,9 @@
 
 namespace myo::ui::panels {
 
-/// Task Material: edits the material of the body; shows its support, gravity, and the effects that the user added.
+/// Task Material: edits the material of the body.
 ///
-/// Emits ChangeSettings and ChangePreview. Support and gravity belong to the experiment and cannot be edited here. Item
-/// names begin with "model/".
+/// Emits ChangeSettings and ChangePreview. Item names begin with "model/".
 class MaterialPanel : public Panel {
 public:
     std::string name() const override { return "material"; }
@@ -19,8 +18,6 @@ public:
 private:
     /// Rows of the numbers that the chosen law has besides the moduli.
     void draw_law_numbers(PanelContext& context);
-    /// List of the added effects with a button to remove each. Draws nothing without any.
-    void draw_effects(PanelContext& context);
 
     NumberEdits edit_;          // edits in progress in the material fields
     NumberEdits preview_edit_;  // edit in progress in the preview length

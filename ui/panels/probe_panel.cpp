@@ -30,7 +30,7 @@ void ProbePanel::draw(PanelContext& context) {
         draw_list(context);
         draw_marker(context, scene.markers[static_cast<std::size_t>(context.state.marker)]);
     }
-    double standoff_m = scene.parts.max_standoff_m;
+    double standoff_m = scene.declared.max_standoff_m;
     bool goes_on = false;
     const NumberField field{
         "Stand-off up to",

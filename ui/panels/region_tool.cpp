@@ -14,7 +14,7 @@ namespace {
 /// The cavity that a triangle of the body's surface bounds; null: it is no inner wall.
 const commands::SceneCavity* cavity_at(const commands::Scene& scene, int triangle) {
     const Eigen::Vector3i corners = scene.surface.triangles.col(triangle);
-    for (const commands::SceneCavity& cavity : scene.parts.cavities)
+    for (const commands::SceneCavity& cavity : scene.declared.cavities)
         for (const auto& wall : cavity.wall.triangles.colwise())
             if (wall == corners) return &cavity;
     return nullptr;

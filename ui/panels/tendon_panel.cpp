@@ -33,7 +33,7 @@ Eigen::Matrix3Xd without_guide(const Eigen::Matrix3Xd& path_m, Eigen::Index guid
 }  // namespace
 
 void TendonPanel::draw(PanelContext& context) {
-    const auto& tendons = context.state.scene->parts.tendons;
+    const auto& tendons = context.state.scene->declared.tendons;
     draw_new(context);
     if (tendons.empty()) {
         muted_text(context.theme,
@@ -56,7 +56,7 @@ void TendonPanel::draw_new(PanelContext& context) {
     if (toggle_button(context.theme, drawing ? "Drawing a tendon\xe2\x80\xa6" : "Add by clicking##tendon", drawing)) {
         context.placing = {};
         if (!drawing) context.placing.kind = Placing::Kind::guides;
-        chosen_ = context.state.scene->parts.tendons.size();
+        chosen_ = context.state.scene->declared.tendons.size();
     }
     ImGui::EndDisabled();
     context.items.mark("tendon/add");
@@ -83,7 +83,7 @@ void TendonPanel::draw_tendon(PanelContext& context, std::size_t t) {
     if (names_.row(context, "Name", "tendon/name", "Heads its column in actuation files.", name))
         rename_actuator(context, tendon, name);
     draw_drive(context, t);
-    command_rows(context, tendon, scene.parts.tendons[t].by_shortening ? shortening : tension, "tendon/command",
+    command_rows(context, tendon, scene.declared.tendons[t].by_shortening ? shortening : tension, "tendon/command",
                  edits_);
     draw_guides(context, t);
     if (ImGui::Button("Remove the tendon", {-1.0f, 0.0f})) remove_actuator(context, tendon);
@@ -91,7 +91,7 @@ void TendonPanel::draw_tendon(PanelContext& context, std::size_t t) {
 }
 
 void TendonPanel::draw_drive(PanelContext& context, std::size_t t) {
-    const commands::DeclaredTendon& tendon = context.state.scene->parts.tendons[t];
+    const commands::DeclaredTendon& tendon = context.state.scene->declared.tendons[t];
     std::string drive = tendon.by_shortening ? "shortening" : "tension";
     const std::string before = drive;
     if (choice_row(context, "Motor prescribes", "tendon/drive", "What the command of a trial is.",
@@ -144,7 +144,7 @@ void TendonPanel::draw_drive(PanelContext& context, std::size_t t) {
 }
 
 void TendonPanel::draw_guides(PanelContext& context, std::size_t t) {
-    const Eigen::Matrix3Xd& path_m = context.state.scene->parts.tendons[t].path_m;
+    const Eigen::Matrix3Xd& path_m = context.state.scene->declared.tendons[t].path_m;
     heading(context.theme, "Guides x, y, z, motor's end first");
     const bool dragging = context.placing.sets(Placing::Kind::guides) && context.placing.tendon == static_cast<int>(t);
     ImGui::BeginDisabled(!context.state.body);
@@ -171,7 +171,7 @@ void TendonPanel::draw_guides(PanelContext& context, std::size_t t) {
                                     0.05};
             ImGui::SetNextItemWidth(width);
             if (number_field(context, field, edits_, changed(k, g), goes_on,
-                             context.state.scene->parts.tendons[t].name))
+                             context.state.scene->declared.tendons[t].name))
                 set_tendon_path(context, t, changed, field.name, goes_on);
             ImGui::SameLine();
         }

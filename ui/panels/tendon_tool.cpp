@@ -39,8 +39,8 @@ std::vector<Eigen::Vector3d> TendonTool::guides(const commands::WorkbenchState& 
     if (placing.tendon < 0) return begun_m_;
     std::vector<Eigen::Vector3d> places;
     const auto tendon = static_cast<std::size_t>(placing.tendon);
-    if (tendon < state.scene->parts.tendons.size())
-        for (const auto& guide : state.scene->parts.tendons[tendon].path_m.colwise()) places.emplace_back(guide);
+    if (tendon < state.scene->declared.tendons.size())
+        for (const auto& guide : state.scene->declared.tendons[tendon].path_m.colwise()) places.emplace_back(guide);
     return places;
 }
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "mesh/surface_mesh.hpp"
+#include "panels/declared_list.hpp"
 #include "panels/declared_rows.hpp"
-#include "platform/fonts.hpp"
 #include "toml/toml_text.hpp"
 
 namespace myo::ui::panels {
@@ -41,17 +41,8 @@ std::string free_name(const commands::Scene& scene, const std::string& wanted) {
 
 /// The end of the body that is farther from its support, where loads usually act.
 Box far_end(const commands::Scene& scene) {
-    const Box body = mesh::bounding_box(scene.surface.vertices);
-    int axis = 0;
-    body.size().maxCoeff(&axis);
-    bool upper = true;
-    if (scene.clamp_m) {
-        const Eigen::Vector3d middle = 0.5 * (body.lowest + body.highest);
-        const Eigen::Vector3d held = 0.5 * (scene.clamp_m->lowest + scene.clamp_m->highest) - middle;
-        held.cwiseAbs().maxCoeff(&axis);
-        upper = held(axis) < 0.0;
-    }
-    return end_box(body, axis, upper);
+    const BodyEnd end = free_end(scene);
+    return end_box(mesh::bounding_box(scene.surface.vertices), end.axis, end.upper);
 }
 
 }  // namespace
@@ -136,16 +127,12 @@ void TrialPanel::draw_loads(PanelContext& context) {
         const commands::SceneLoad& load = trial.loads[l];
         const std::string item = "trial/load/" + std::to_string(l);
         const toml::TomlPath path{"trial", index_of(context.state), "load", l};
-        ImGui::PushID(static_cast<int>(l));
-        const float button = ImGui::GetFrameHeight();
-        row_label(context.theme, load.is_mass ? "Mass" : "Force",
-                  load.is_mass ? "A mass glued to the surface: weight and inertia." : "A force of fixed direction.");
-        ImGui::TextUnformatted(("load " + std::to_string(l + 1)).c_str());
-        ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - button);
-        if (ImGui::Button(platform::icon::remove, {button, 0.0f}))
+        const std::string title = (load.is_mass ? "Mass " : "Force ") + std::to_string(l + 1);
+        const char* const tip = load.is_mass ? "A mass glued to the surface: weight and inertia."
+                                             : "A force of fixed direction.";
+        if (item_heading(context, {item, title, tip, "Remove the load"}) == ItemPress::removed)
             context.emit(commands::EditDeclaration{{commands::RemoveDeclared{path}}, item + "/remove"});
-        context.items.mark(item + "/remove");
-        tooltip(context.theme, "Remove the load");
+        if (!is_open(context, item)) continue;
         if (load.is_mass) {
             double mass_kg = load.mass_kg;
             bool goes_on = false;
@@ -161,24 +148,28 @@ void TrialPanel::draw_loads(PanelContext& context) {
         }
         box_rows(context, {inside(path, "box_m"), item + "/box"}, edits_, load.box_m);
         pick_box_button(context, {inside(path, "box_m"), item + "/box"}, "the face that carries the load");
-        ImGui::PopID();
     }
     const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2.0f;
     const toml::TomlPath array{"trial", index_of(context.state), "load"};
     const std::string box = "box_m = " + box_text(far_end(scene)) + "\n";
-    if (ImGui::Button("Add a force", {half, 0.0f}))
+    const std::string added = "trial/load/" + std::to_string(trial.loads.size());
+    if (ImGui::Button("Add a force", {half, 0.0f})) {
         context.emit(commands::EditDeclaration{
             {commands::AppendDeclared{array, "kind = \"force\"\n" + box + "force_N = " +
                                                  toml::toml_vector({0.0, 0.0, -new_trial_policy.force_N}) + "\n"}},
             "trial/add_force"});
+        open_item(context, added);
+    }
     context.items.mark("trial/add_force");
     tooltip(context.theme, "Spread by area over the surface in a box, at first the free end of the body.");
     ImGui::SameLine();
-    if (ImGui::Button("Add a mass", {half, 0.0f}))
+    if (ImGui::Button("Add a mass", {half, 0.0f})) {
         context.emit(commands::EditDeclaration{
             {commands::AppendDeclared{
                 array, "kind = \"mass\"\n" + box + "mass_kg = " + toml::toml_number(new_trial_policy.mass_kg) + "\n"}},
             "trial/add_mass"});
+        open_item(context, added);
+    }
     context.items.mark("trial/add_mass");
 }
 

@@ -172,6 +172,11 @@ constexpr ViewSwitch view_switches[] = {
      "The newest run that is ticked under Compare in Jobs at the right, the shown run at the left, with the same "
      "camera, "
      "time and colours"},
+    {"Loads and gravity", "view/loads", &commands::ViewOptions::loads,
+     "Forces as arrows, masses as weights, where they act on the body in the shown trial; and the direction of "
+     "gravity"},
+    {"Obstacles and parts", "view/obstacles", &commands::ViewOptions::obstacles,
+     "Rigid obstacles, and boxes of parts with a material of their own, whose elements are tinted"},
     {"Ground grid", "view/grid", &commands::ViewOptions::grid,
      "A grid below the body, in squares of 1, 2 or 5 times a power of ten of a metre"}};
 

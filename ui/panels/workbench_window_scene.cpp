@@ -51,12 +51,10 @@ WorkbenchWindow::SceneKey WorkbenchWindow::scene_key() {
 
 void WorkbenchWindow::follow_scene(const SceneKey& key) {
     const commands::WorkbenchState& state = workbench_->state();
-    // Another body begins with its first task; the same one, read again, keeps the task.
-    if (key.scene && scene_key_.scene && key.scene->path != scene_key_.scene->path) show_task(commands::Task::body);
-    // A new scene starts with the standard direction of view. An edit of the declaration leaves the view as it is.
-    const bool edited = key.scene && scene_key_.scene && key.body && key.body == scene_key_.body &&
-                        key.scene->path == scene_key_.scene->path;
-    if (key.scene != scene_key_.scene && !edited) {
+    // Another body begins with its first task and the standard direction of view; edits of the declaration leave both.
+    const bool opened = !key.scene || !scene_key_.scene || key.scene->path != scene_key_.scene->path;
+    if (opened && key.scene && scene_key_.scene) show_task(commands::Task::body);
+    if (opened && key.scene != scene_key_.scene) {
         viewport_.camera = viewport::turn_to(viewport_.camera, viewport::StandardView::oblique);
         viewport_.untouched = true;
     }

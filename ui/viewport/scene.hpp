@@ -29,6 +29,13 @@ struct DrawnMarker {
     int number = -1;    // index of the marker in the experiment; -1: cannot be picked
 };
 
+/// A text beside a point in the view.
+struct DrawnLabel {
+    Eigen::Vector3d position = Eigen::Vector3d::Zero();  // [m]
+    std::string text;
+    Color color = Color::Ones();
+};
+
 /// A polyline in the view.
 struct DrawnLine {
     Eigen::Matrix3Xd points;  // 3 x n [m]; a column that is not finite interrupts the line
@@ -76,6 +83,7 @@ struct DrawnScene {
     double marker_radius = 1e-3;  // [m]
     std::vector<DrawnMarker> markers;
     std::vector<DrawnLine> lines;
+    std::vector<DrawnLabel> labels;    // of loads, gravity and parts; markers have their own
     std::optional<ArrowScale> arrows;  // set if some of the lines are force arrows
     Box extent;                        // of the rest shape [m]: sets the grid
     Box reach;                         // of the whole motion [m]: shown by "zoom to data"

@@ -1,7 +1,10 @@
 #include "viewport/scene_lines.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "chart/ticks.hpp"
 
@@ -52,6 +55,16 @@ std::vector<float> grid_segments(const Box& extent, const Color& color) {
         }
     }
     return segments;
+}
+
+Eigen::Matrix<double, 3, 10> arrow_points(const Eigen::Vector3d& from, const Eigen::Vector3d& along) {
+    const Eigen::Vector3d tip = from + along, side = 0.09 * along.norm() * along.unitOrthogonal(),
+                          other = along.normalized().cross(side);
+    const Eigen::Vector3d neck = tip - 0.25 * along;
+    Eigen::Matrix<double, 3, 10> points;
+    points << from, tip, neck + side, tip, neck - side, tip, neck + other, tip, neck - other,
+        Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+    return points;
 }
 
 std::vector<DrawnLine> box_lines(const Box& box, const Color& color, double width) {

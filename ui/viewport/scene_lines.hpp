@@ -14,6 +14,9 @@ void append_segments(std::vector<float>& segments, const DrawnLine& line);
 /// if the box has no extent.
 std::vector<float> grid_segments(const Box& extent, const Color& color);
 
+/// An arrow as one polyline: a shaft and four barbs, then a gap.
+Eigen::Matrix<double, 3, 10> arrow_points(const Eigen::Vector3d& from, const Eigen::Vector3d& along);
+
 /// The 12 edges of a box [m] as lines of `width` pixels.
 std::vector<DrawnLine> box_lines(const Box& box, const Color& color, double width);
 

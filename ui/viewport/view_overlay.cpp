@@ -167,6 +167,21 @@ void draw_marker_labels(ImDrawList& list, const platform::Rectangle& view, const
     }
 }
 
+/// Texts of loads, gravity and parts, right of their points.
+void draw_labels(ImDrawList& list, const platform::Rectangle& view, const Camera& camera, const DrawnScene& scene,
+                 const platform::Theme& theme) {
+    const float gap = 6.0f * theme.scale;
+    for (const DrawnLabel& label : scene.labels) {
+        const auto place = project(camera, size_of(view), label.position);
+        if (!place) continue;
+        const ImVec2 p{view.lowest.x + static_cast<float>(place->x()), view.lowest.y + static_cast<float>(place->y())};
+        if (!view.contains(p)) continue;
+        outlined(list, theme, {p.x + gap, p.y - 0.5f * theme.small->FontSize},
+                 platform::packed({label.color[0], label.color[1], label.color[2], label.color[3]}),
+                 platform::packed(theme.view_bottom, 0.8f), label.text.c_str());
+    }
+}
+
 /// Colours of the field from `corner` to the right edge, the highest value at the top.
 void draw_color_bar(ImDrawList& list, const DrawnField& field, const ImVec2& corner, float right, float height) {
     const float left = corner.x, top = corner.y;
@@ -236,6 +251,7 @@ ScaleBar make_scale_bar(double per_pixel, double longest, const std::string& uni
 void draw_view_overlay(ImDrawList& list, const platform::Rectangle& view, const Camera& camera, const DrawnScene& scene,
                        const platform::Theme& theme, bool names) {
     if (names) draw_marker_labels(list, view, camera, scene, theme);
+    draw_labels(list, view, camera, scene, theme);
     draw_axes(list, view, camera, theme);
     draw_scale_bar(list, view, camera, theme);
     if (scene.arrows) draw_arrow_scale(list, view, camera, *scene.arrows, theme);

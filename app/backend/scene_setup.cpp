@@ -1,0 +1,64 @@
+#include "backend/scene_setup.hpp"
+
+#include "effect/catalogue.hpp"
+#include "experiment/actuators.hpp"
+#include "experiment/new_effect.hpp"
+#include "mesh/surface_mesh.hpp"
+
+namespace myo::backend {
+namespace {
+
+ui::commands::SceneEffects shown_effects(const experiment::Experiment& experiment, const Box& body, double time_s) {
+    ui::commands::SceneEffects shown;
+    shown.declared = experiment.effects;
+    for (const effect::Effect& entry : effect::effect_catalogue()) {
+        shown.offered.push_back(experiment::new_effect(entry, experiment, {body, time_s}));
+        shown.lacking.push_back(experiment::lacking_for(entry, experiment));
+    }
+    for (const experiment::Actuator& actuator : experiment::actuators(experiment))
+        shown.actuators.push_back(actuator.name);
+    return shown;
+}
+
+ui::commands::SceneObstacle shown_obstacle(const experiment::ObstacleDeclaration& declared) {
+    using Declared = experiment::ObstacleDeclaration;
+    ui::commands::SceneObstacle shown;
+    shown.friction = declared.friction;
+    if (const auto* plane = std::get_if<Declared::Plane>(&declared.shape))
+        shown.shape = ui::commands::ScenePlane{plane->point_m, plane->normal};
+    else if (const auto* sphere = std::get_if<Declared::Sphere>(&declared.shape))
+        shown.shape = ui::commands::SceneSphere{sphere->centre_m, sphere->radius_m};
+    else
+        shown.shape = std::get<Box>(declared.shape);
+    return shown;
+}
+
+ui::commands::ScenePart shown_part(const experiment::PartDeclaration& declared) {
+    ui::commands::ScenePart shown;
+    shown.name = declared.name;
+    if (const Box* box = std::get_if<Box>(&declared.place)) shown.box_m = *box;
+    if (const auto* file = std::get_if<std::filesystem::path>(&declared.place)) shown.place = file->filename().string();
+    if (const auto* region = std::get_if<experiment::PartDeclaration::Region>(&declared.place))
+        shown.place = "cells of region " + std::to_string(region->number);
+    shown.youngs_modulus_Pa = declared.youngs_modulus_Pa;
+    shown.youngs_modulus_tolerance = declared.youngs_modulus_tolerance;
+    shown.poissons_ratio = declared.poissons_ratio;
+    shown.density_kg_m3 = declared.density_kg_m3;
+    shown.damping_s = declared.damping_s;
+    shown.calibrated = declared.calibrate;
+    return shown;
+}
+
+}  // namespace
+
+void show_declared(const experiment::Experiment& experiment, const mesh::SurfaceMesh& surface, double time_s,
+                   ui::commands::Scene& scene) {
+    scene.effects = shown_effects(experiment, mesh::bounding_box(surface.vertices), time_s);
+    scene.obstacles.clear();
+    for (const experiment::ObstacleDeclaration& obstacle : experiment.obstacles)
+        scene.obstacles.push_back(shown_obstacle(obstacle));
+    scene.parts.clear();
+    for (const experiment::PartDeclaration& part : experiment.parts) scene.parts.push_back(shown_part(part));
+}
+
+}  // namespace myo::backend

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "effect/effect_declaration.hpp"
+
+namespace myo::ui::commands {
+
+/// Values of an effect as they are shown: "coefficient 903 kg/m³; position 1, 2, 3 mm".
+std::string effect_words(const effect::EffectParameters& parameters);
+
+/// TOML text of one value.
+std::string declared_text(const effect::EffectParameter& value);
+
+/// Lines of a new [[effect]] with the parameters that it needs; asserts that it is in the catalogue.
+std::string new_effect_text(const effect::EffectDeclaration& effect);
+
+}  // namespace myo::ui::commands

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+
+#include "panels/number_field.hpp"
+
+namespace myo::ui::panels {
+
+/// Task Material: parts of the body with a material of their own.
+///
+/// Emits EditDeclaration and ChangeView. Item names begin with "part/".
+class PartPanel : public Panel {
+public:
+    std::string name() const override { return "part"; }
+    std::string title() const override { return "Parts"; }
+    PanelPlace place() const override { return PanelPlace::side; }
+    std::optional<commands::Task> task() const override { return commands::Task::material; }
+    bool offered(const commands::WorkbenchState& state) const override {
+        return state.scene && state.scene->is_experiment;
+    }
+    void draw(PanelContext& context) override;
+
+private:
+    void draw_part(PanelContext& context, std::size_t index);
+    void draw_name(PanelContext& context, std::size_t index);
+    void draw_material(PanelContext& context, std::size_t index);
+
+    std::string typed_name_;          // of the open part, while it is typed
+    std::ptrdiff_t named_part_ = -1;  // part to which the typed name belongs
+    NumberEdits edits_;               // edits in progress in the fields of the open part
+};
+
+}  // namespace myo::ui::panels
