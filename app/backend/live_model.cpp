@@ -203,10 +203,9 @@ Result<std::unique_ptr<ui::commands::LiveModel>> make_live_model(
     Result<std::unique_ptr<dynamics::LiveRun>> run = dynamics::LiveRun::begin(live->model, live->options, controls,
                                                                               progress);
     if (!run) return run.error();
-    return std::unique_ptr<ui::commands::LiveModel>(
-        std::make_unique<CoreLiveModel>(std::move(*run), std::move(*live),
-                                        with_settings(source_of(scene).experiment, settings), trial,
-                                        scene.trials.size()));
+    return std::unique_ptr<ui::commands::LiveModel>(std::make_unique<CoreLiveModel>(
+        std::move(*run), std::move(*live), with_settings(source_of(scene).experiment, settings), trial,
+        scene.trials.size()));
 }
 
 }  // namespace myo::backend

@@ -123,8 +123,8 @@ void add_markers(viewport::DrawnScene& drawn, const WorkbenchState& state, const
 void add_live_markers(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme) {
     const std::vector<Eigen::Vector3d>& places = state.live->frame->markers_m;
     for (std::size_t m = 0; m < std::min(places.size(), state.scene->markers.size()); ++m)
-        drawn.markers.push_back({places[m], viewport::color_of(theme.simulated), true, state.scene->markers[m].name,
-                                 static_cast<int>(m)});
+        drawn.markers.push_back(
+            {places[m], viewport::color_of(theme.simulated), true, state.scene->markers[m].name, static_cast<int>(m)});
 }
 
 /// Adds the markers of compared runs at the shown time as rings. They cannot be picked (number -1).
