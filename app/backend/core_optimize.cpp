@@ -10,6 +10,7 @@
 #include "backend/shown_run.hpp"
 #include "base/stopwatch.hpp"
 #include "calibration/optimize.hpp"
+#include "calibration/sought_signals.hpp"
 #include "check/catalogue.hpp"
 #include "experiment/actuators.hpp"
 #include "prediction/trial_goals.hpp"
@@ -86,7 +87,7 @@ public:
                                 ? ui::commands::SearchPoint{1e6 * line.loss_m2, line.rms_m, 1e6 * line.gradient_norm_m2}
                                 : ui::commands::SearchPoint{});
         if (fit.usable()) {
-            const std::vector<fibre::Signal> activation = inverse::commands_of(problem_.sought, fit.values);
+            const std::vector<fibre::Signal> activation = calibration::found_commands(problem_.sought, fit.values);
             view_.parameters = signal_rows(setup_, problem_, start_, fit.values);
             view_.settings = with_found_signals(settings_, activation);
             // Only an evaluation that is the best so far changes the picture.
@@ -115,7 +116,8 @@ private:
     setup::Setup with_signals_of(const Eigen::MatrixXd& found) const {
         setup::Setup setup = setup_;
         for (setup::PreparedTrial& trial : setup.trials)
-            trial.model = inverse::driven_model(std::move(trial.model), inverse::commands_of(problem_.sought, found));
+            trial.model = inverse::driven_model(std::move(trial.model),
+                                                calibration::found_commands(problem_.sought, found));
         return setup;
     }
 
@@ -166,7 +168,7 @@ ui::commands::SearchResult optimized(const setup::Setup& setup, const inverse::A
                                      const std::string& trial, double h_s) {
     ui::commands::SearchResult result;
     result.title = "Optimised";
-    result.settings = with_found_signals(settings, inverse::commands_of(problem.sought, found.fit.values));
+    result.settings = with_found_signals(settings, calibration::found_commands(problem.sought, found.fit.values));
     if (!settings.own_step) result.settings.time_step_s = h_s;
     result.evaluations = static_cast<int>(found.fit.log.size());
     result.stopped = found.stopped;

@@ -1,6 +1,7 @@
 #include <utility>
 
 #include "calibration/optimize.hpp"
+#include "calibration/sought_signals.hpp"
 #include "prediction/shorter_steps.hpp"
 #include "prediction/time_step.hpp"
 #include "prediction/trial_target.hpp"
@@ -11,7 +12,7 @@ namespace {
 // The signals replace the recorded activation, so that set_step() treats their jumps.
 setup::Setup with_signals(setup::Setup setup, const inverse::SoughtSignals& sought, const Eigen::MatrixXd& values) {
     setup::PreparedTrial& trial = setup.trials.front();
-    const std::vector<fibre::Signal> commands = inverse::commands_of(sought, values);
+    const std::vector<fibre::Signal> commands = found_commands(sought, values);
     const auto first_command = commands.begin() + static_cast<std::ptrdiff_t>(trial.recorded_activation.size());
     trial.recorded_activation.assign(commands.begin(), first_command);
     trial.recorded_commands.assign(first_command, commands.end());

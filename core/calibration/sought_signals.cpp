@@ -111,6 +111,19 @@ Eigen::MatrixXd first_values(const setup::Setup& setup, const inverse::SoughtSig
     return values;
 }
 
+std::vector<fibre::Signal> found_commands(const inverse::SoughtSignals& sought, const Eigen::MatrixXd& values) {
+    std::vector<fibre::Signal> commands = inverse::commands_of(sought, values);
+    if (sought.constant || sought.hold) return commands;
+    for (fibre::Signal& signal : commands) {
+        const std::size_t count = signal.times_s.size();
+        if (count < 2 || !(signal.times_s[count - 2] < sought.end_s && sought.end_s < signal.times_s[count - 1]))
+            continue;
+        signal.values.back() = signal.value(sought.end_s);
+        signal.times_s.back() = sought.end_s;
+    }
+    return commands;
+}
+
 setup::LevelBounds command_bounds(const setup::Setup& setup, std::size_t actuator) {
     const ActuatorKind kind = experiment::actuators(setup.experiment)[actuator].kind;
     assert(kind != ActuatorKind::muscle);

@@ -26,6 +26,12 @@ inverse::SoughtSignals sought_signals(const setup::Setup& setup, const OptimizeS
 /// further in: a slack thread has no derivative by its shortening, and a search would end where it starts.
 Eigen::MatrixXd first_values(const setup::Setup& setup, const inverse::SoughtSignals& sought);
 
+/// Signals of the actuators for these values, as results: after the last sample of the target they hold the value that
+/// they have there. The last knot of a linear signal may lie beyond it, where nothing determines the slope.
+///
+/// @param values  signals x knots
+std::vector<fibre::Signal> found_commands(const inverse::SoughtSignals& sought, const Eigen::MatrixXd& values);
+
 /// Range and scale of the signal of a chamber or tendon.
 ///
 /// A command of one sign in all trials keeps this sign, as the device may not be able to do otherwise; a tension is

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "calibration/sought_signals.hpp"
 #include "experiment/actuators.hpp"
 #include "measurement/actuation_csv.hpp"
 #include "measurement/trace_csv.hpp"
@@ -34,7 +35,7 @@ measurement::ActuationTable actuation_table(const setup::Setup& setup, const inv
     inverse::SoughtSignals alone = sought;  // each signal as its own group, without followers
     alone.groups.clear();
     for (std::size_t s = 0; s < sought.signals.size(); ++s) alone.groups.push_back({s, 1.0});
-    const std::vector<fibre::Signal> signals = inverse::commands_of(alone, values);
+    const std::vector<fibre::Signal> signals = calibration::found_commands(alone, values);
     for (std::size_t k = 0; k < signals.front().times_s.size(); ++k) {
         const double t = signals.front().times_s[k];
         if (t < 0.0) continue;  // the level before the start equals that at the start

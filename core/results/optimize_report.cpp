@@ -5,6 +5,7 @@
 #include "base/markup.hpp"
 #include "base/text.hpp"
 #include "calibration/calibrate.hpp"
+#include "calibration/sought_signals.hpp"
 #include "chart/svg.hpp"
 #include "experiment/actuators.hpp"
 #include "report/length.hpp"
@@ -133,7 +134,7 @@ chart::Series signal_series(const std::string& name, const inverse::SoughtSignal
 /// Signals of all actuators over time, with bands of one standard deviation; one panel per quantity.
 chart::Chart signal_chart(const setup::Setup& setup, const calibration::Optimization& optimization) {
     const inverse::SoughtSignals& sought = optimization.problem.sought;
-    const std::vector<fibre::Signal> signals = inverse::commands_of(sought, optimization.fit.values);
+    const std::vector<fibre::Signal> signals = calibration::found_commands(sought, optimization.fit.values);
     const std::vector<fibre::Signal> widths = band_of(optimization);
     const std::vector<experiment::Actuator> actuators = experiment::actuators(setup.experiment);
     std::vector<chart::Panel> panels;

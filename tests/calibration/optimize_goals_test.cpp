@@ -87,11 +87,32 @@ TEST(OptimizeGoals, ReachesWhatAKnownSignalReaches) {
     EXPECT_THAT(found.deviations.reason, testing::HasSubstr("goals"));
     test::record("rms_m", std::vector<double>{found.before.fit_rms_m, found.after.fit_rms_m});
     // After the last goal the signal keeps its last value.
-    const std::vector<fibre::Signal> signals = inverse::commands_of(problem->sought, found.fit.values);
-    EXPECT_EQ(signals[0].value(10.0), signals[0].values.back());
+    const std::vector<fibre::Signal> signals = found_commands(problem->sought, found.fit.values);
+    EXPECT_EQ(signals[0].value(10.0), signals[0].value(0.28));
     EXPECT_LT(signals[0].values.back(), 0.97) << "it does not return to rest";
     const std::vector<double>& values = signals[0].values;
     test::record("last_values", std::vector<double>(values.end() - 3, values.end()));
+}
+
+/// The last goal lies between two knots: what the last knot says after it is of no one's making.
+TEST(OptimizeGoals, LeaveSignalsAtTheValueOfTheLastGoal) {
+    const test::Folder folder("goals_end");
+    const setup::Setup setup = beam_with_goals(folder);
+    OptimizeSettings how = settings();
+    const auto sought_until = [&](double end_s) { return sought_signals(setup, how, end_s); };
+    const inverse::SoughtSignals sought = sought_until(0.28);
+    MatrixXd values = inverse::unmoved_values(sought);
+    for (Index k = 0; k < values.cols(); ++k) values(0, k) = 1.0 - 0.02 * static_cast<double>(k * k);
+    const fibre::Signal free = inverse::commands_of(sought, values)[0], held = found_commands(sought, values)[0];
+    for (const double t : {0.0, 0.13, 0.26, 0.28}) EXPECT_NEAR(held.value(t), free.value(t), 1e-15) << t;
+    EXPECT_NE(free.value(0.3), free.value(0.28));
+    for (const double t : {0.29, 0.3, 5.0}) EXPECT_EQ(held.value(t), held.value(0.28)) << t;
+    const inverse::SoughtSignals whole = sought_until(0.3);
+    EXPECT_EQ(found_commands(whole, values)[0], inverse::commands_of(whole, values)[0]) << "the end is a knot";
+    how.hold = true;
+    const inverse::SoughtSignals steps = sought_until(0.28);
+    const MatrixXd levels = inverse::unmoved_values(steps);
+    EXPECT_EQ(found_commands(steps, levels)[0], inverse::commands_of(steps, levels)[0]);
 }
 
 TEST(OptimizeGoals, HaveTheGradientOfTheirWeightedDistance) {
