@@ -18,7 +18,8 @@ struct TrialRecording {
 };
 
 /// Reads the trace of a trial and orders its tracks: markers on the body in the order of declaration, then the fixed
-/// ones. Times and positions stay in the file's clock and camera frame [s, m].
+/// ones. Probes are not in the trace and seen in no sample. Times and positions stay in the file's clock and camera
+/// frame [s, m].
 ///
 /// A recording may name a marker by its label or by its declared name, both also as "subject:name" where that is
 /// unique. Undeclared markers are an error, except in files of camera systems, which contain everything in view: there
