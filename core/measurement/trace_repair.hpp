@@ -32,8 +32,8 @@ struct TraceRepairPolicy {
     double edge_intervals = 0.01;
     /// Degree of the polynomials that fill and smooth. Cubic: the least that follows a value and a slope on both sides.
     int degree = 3;
-    /// Seen samples on each side of a gap that the filling polynomial follows; more average the noise, but a motion of
-    /// ten samples per period is still cubic over that many.
+    /// Seen samples on each side of a gap that the filling polynomial follows. More average the noise, fewer follow
+    /// fast motions: gap and neighbours together should last less than a period.
     Eigen::Index neighbours = 5;
 };
 inline constexpr TraceRepairPolicy trace_repair_policy;

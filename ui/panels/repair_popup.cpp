@@ -77,8 +77,12 @@ void RepairPopup::draw(PanelContext& context, const char* label, std::optional<c
 
 void RepairPopup::draw_span(PanelContext& context, const commands::SceneTrial& trial,
                             std::optional<chart::Range>& span) {
-    if (!span) muted_text(context.theme, "Shift and drag in a plot selects the time, or type it here.");
     const double first = trial.time_s[0], last = trial.time_s[trial.time_s.size() - 1];
+    if (!span) {
+        muted_text(context.theme, "Shift and drag in a plot selects the time, or type it here.");
+        if (ImGui::Button("The whole trial", {-1.0f, 0.0f})) span = chart::Range{first, last};
+        context.items.mark("repair/whole");
+    }
     chart::Range edited = span.value_or(chart::Range{first, last});
     bool goes_on = false, changed = false;
     changed |= number_row(context,

@@ -202,7 +202,10 @@ void WorkbenchWindow::draw_view(PanelContext& context) {
                paint_.takes(context.state, scene_, viewport_, pixel) ||
                goals_.takes(context.state, context.theme, viewport_, pixel);
     };
+    const int width_before = viewport_.size().width;
     viewport::draw_viewport(scene_, context.theme, context.items, viewport_, context.state.view.labels, takes);
+    // Until the user moves the camera, the whole motion stays visible, also in half the width.
+    if (viewport_.untouched && viewport_.size().width != width_before) viewport_.zoom_to_data_requested = true;
     const bool placing = placing_tools_.update(context, scene_, viewport_);
     if (!placing) paint_.update(context, scene_, viewport_);
     live_.update(context, scene_, viewport_);
