@@ -37,7 +37,7 @@ struct MotionSummary {
     std::shared_ptr<const viewport::DrawnSurface> surface;
     std::shared_ptr<const viewport::DrawnBody> body;  // null: not meshed
     std::shared_ptr<const Eigen::Matrix3Xd>
-        outline;  // of the meshed body at rest, see rest_outline(); null: not meshed
+        outline;                           // of the meshed body at rest, see rest_outline(); null: not meshed
     std::vector<std::vector<int>> loaded;  // per load of the trial: indices of the points that positions_at_time() has
     std::vector<int> part_of_cell;         // of the scene's parts, -1: none; empty without boxes of parts or a body
 };

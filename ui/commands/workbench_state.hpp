@@ -170,9 +170,7 @@ struct WorkbenchState {
                                                                             : run;
     }
     /// Run that the view draws: the model that plays live, otherwise the shown run. Null if there is none.
-    std::shared_ptr<const RunResult> drawn_run() const {
-        return live && live->frame ? live->frame->run : shown_run();
-    }
+    std::shared_ptr<const RunResult> drawn_run() const { return live && live->frame ? live->frame->run : shown_run(); }
     /// The shown trial in the drawn run; null if it has none.
     const SimulatedTrial* drawn_trial() const { return trial_of(drawn_run().get()); }
     /// The shown run is a preview.
