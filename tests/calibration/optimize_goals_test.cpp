@@ -54,7 +54,7 @@ std::vector<experiment::GoalDeclaration> goals_of_run(const setup::Setup& setup,
     return goals;
 }
 
-OptimizeSettings settings() {
+OptimizeSettings goal_settings() {
     OptimizeSettings settings;
     settings.frequency_Hz = 20.0;
     settings.smoothness_m_s = 1e-8;
@@ -74,10 +74,10 @@ setup::Setup beam_with_goals(const test::Folder& folder) {
 TEST(OptimizeGoals, ReachesWhatAKnownSignalReaches) {
     const test::Folder folder("goals_reached");
     setup::Setup setup = beam_with_goals(folder);
-    const Result<inverse::ActuationProblem> problem = actuation_problem(setup, settings());
+    const Result<inverse::ActuationProblem> problem = actuation_problem(setup, goal_settings());
     ASSERT_TRUE(problem) << problem.error().text();
     EXPECT_NEAR(problem->options.end_s, 0.28, 1e-9) << "signals after the last goal are not determined";
-    Optimization found = search_signals(setup, *problem, settings(), first_values(setup, problem->sought));
+    Optimization found = search_signals(setup, *problem, goal_settings(), first_values(setup, problem->sought));
     ASSERT_TRUE(found.usable()) << found.fit.message;
     judge_signals(setup, found);
     EXPECT_GT(found.before.fit_rms_m, 1e-3);
@@ -98,7 +98,7 @@ TEST(OptimizeGoals, ReachesWhatAKnownSignalReaches) {
 TEST(OptimizeGoals, LeaveSignalsAtTheValueOfTheLastGoal) {
     const test::Folder folder("goals_end");
     const setup::Setup setup = beam_with_goals(folder);
-    OptimizeSettings how = settings();
+    OptimizeSettings how = goal_settings();
     const auto sought_until = [&](double end_s) { return sought_signals(setup, how, end_s); };
     const inverse::SoughtSignals sought = sought_until(0.28);
     MatrixXd values = inverse::unmoved_values(sought);
@@ -127,7 +127,7 @@ TEST(OptimizeGoals, HaveTheGradientOfTheirWeightedDistance) {
     planned.experiment.trials[0].goals = {path, goal_at("middle", {0.05, 0.015, 0.031}, 0.213)};
     const Result<setup::Setup> setup = prediction::with_goals(std::move(planned));
     ASSERT_TRUE(setup) << setup.error().text();
-    Result<inverse::ActuationProblem> problem = actuation_problem(*setup, settings());
+    Result<inverse::ActuationProblem> problem = actuation_problem(*setup, goal_settings());
     ASSERT_TRUE(problem) << problem.error().text();
     problem->options.solver.tolerance = problem->options.solver.tangent_tolerance = 1e-11;
     problem->smoothness_m_s = 1e-4;
@@ -164,7 +164,7 @@ TEST(OptimizeGoals, CountEachGoalByItsWeight) {
     planned.experiment.trials[0].goals = {near, far};
     const Result<setup::Setup> setup = prediction::with_goals(std::move(planned));
     ASSERT_TRUE(setup);
-    const Result<inverse::ActuationProblem> problem = actuation_problem(*setup, settings());
+    const Result<inverse::ActuationProblem> problem = actuation_problem(*setup, goal_settings());
     ASSERT_TRUE(problem);
     const inverse::ActuationEvaluation here = inverse::evaluate_actuation(*problem,
                                                                           inverse::unmoved_values(problem->sought));
@@ -191,7 +191,7 @@ TEST(OptimizeGoals, PassTheGradientCheck) {
 
 TEST(OptimizeGoals, AreReachedByTheTensionOfAHold) {
     const test::Folder folder("goals_hold");
-    const auto beam = [&](double tension_N) {
+    const auto beam = [&](double pull_N) {
         setup::Setup whole = test::chambered_beam(folder, 0.1, [&](experiment::Experiment& e) {
             e.chambers.clear();
             e.tendons.push_back(test::upper_tendon());
@@ -201,7 +201,7 @@ TEST(OptimizeGoals, AreReachedByTheTensionOfAHold) {
             trial.trace.clear();
             trial.hold = true;
             trial.start = experiment::StartState::equilibrium;
-            if (tension_N > 0.0) trial.constant_commands = {{"upper", tension_N}};
+            if (pull_N > 0.0) trial.constant_commands = {{"upper", pull_N}};
         });
         return prediction::with_one_trial(std::move(whole), 0);
     };
@@ -209,10 +209,10 @@ TEST(OptimizeGoals, AreReachedByTheTensionOfAHold) {
     planned.experiment.trials[0].goals = goals_of_run(beam(1.2), 0);
     Result<setup::Setup> setup = prediction::with_goals(std::move(planned));
     ASSERT_TRUE(setup) << setup.error().text();
-    const Result<inverse::ActuationProblem> problem = actuation_problem(*setup, settings());
+    const Result<inverse::ActuationProblem> problem = actuation_problem(*setup, goal_settings());
     ASSERT_TRUE(problem) << problem.error().text();
     ASSERT_TRUE(problem->sought.constant);
-    const Optimization found = optimize_with_chosen_steps(*setup, *problem, settings(),
+    const Optimization found = optimize_with_chosen_steps(*setup, *problem, goal_settings(),
                                                           first_values(*setup, problem->sought));
     ASSERT_TRUE(found.usable()) << found.fit.message;
     EXPECT_NEAR(found.fit.values(0), 1.2, 0.02);
@@ -222,13 +222,13 @@ TEST(OptimizeGoals, AreReachedByTheTensionOfAHold) {
 TEST(OptimizeGoals, NeedAGoalAfterTheStart) {
     const test::Folder folder("goals_start");
     setup::Setup planned = muscle_beam(folder, "time_s,up\n0,1\n");
-    const Result<inverse::ActuationProblem> none = actuation_problem(planned, settings());
+    const Result<inverse::ActuationProblem> none = actuation_problem(planned, goal_settings());
     ASSERT_FALSE(none);
     EXPECT_THAT(none.error().what, testing::HasSubstr("neither a recording nor a [[trial.goal]]"));
     planned.experiment.trials[0].goals = {goal_at("middle", {0.05, 0.015, 0.031}, 0.0)};
     const Result<setup::Setup> setup = prediction::with_goals(std::move(planned));
     ASSERT_TRUE(setup);
-    const Result<inverse::ActuationProblem> problem = actuation_problem(*setup, settings());
+    const Result<inverse::ActuationProblem> problem = actuation_problem(*setup, goal_settings());
     ASSERT_FALSE(problem);
     EXPECT_THAT(problem.error().what, testing::HasSubstr("lies after its start"));
 }

@@ -17,7 +17,7 @@ using namespace testing_support;
 const std::string planned = good_toml +
                             "\n[[trial]]\nname = \"planned\"\nrole = \"simulate\"\nduration_s = 1.0\nstart = "
                             "\"straight\"\n";
-const std::string held = good_toml + "\n[[trial]]\nname = \"held\"\nrole = \"simulate\"\nhold = true\n";
+const std::string held_toml = good_toml + "\n[[trial]]\nname = \"held\"\nrole = \"simulate\"\nhold = true\n";
 
 /// Writes the experiment with goals of its last trial, and the path of the tip.
 void write_goals(const Folder& folder, const std::string& toml) {
@@ -73,7 +73,7 @@ TEST(TrialGoals, ArePathsFromAFileOrFromLists) {
 TEST(TrialGoals, StandBesideARecordingAndInAHold) {
     const std::string goal = "[[trial.goal]]\nmarker = \"tip\"\nplace_m = [0.1, 0.0, 0.0]\n";
     EXPECT_EQ(goals_of(good_toml + goal + "time_s = 3.0\n").size(), 1u);
-    const std::vector<GoalDeclaration> goals = goals_of(held + goal);
+    const std::vector<GoalDeclaration> goals = goals_of(held_toml + goal);
     ASSERT_EQ(goals.size(), 1u);
     EXPECT_EQ(goals[0].times_s, Eigen::VectorXd::Zero(1));
 }
@@ -141,8 +141,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadGoal{planned, tip + "times_s = [0.2]\nplaces_m = [[0, 0, 0]]\n", "times_s = ", "0.times_s", "less than two"},
         BadGoal{planned, tip + here + "time_s = 0.5\nuntil_s = 0.8\n[[trial.goal]]\n" + tip + here + "time_s = 0.6\n",
                 "marker = \"tip\"\nplace_m = [0.1, 0.0, 0.0]\ntime_s = 0.6", "1.marker", "another goal"},
-        BadGoal{held, tip + here + "time_s = 0.0\n", "time_s = 0.0\n", "0.time_s", "hold"},
-        BadGoal{held, tip + "path = \"goal.csv\"\n", "[[trial.goal]]", "0.place_m", "one pose"}));
+        BadGoal{held_toml, tip + here + "time_s = 0.0\n", "time_s = 0.0\n", "0.time_s", "hold"},
+        BadGoal{held_toml, tip + "path = \"goal.csv\"\n", "[[trial.goal]]", "0.place_m", "one pose"}));
 
 }  // namespace
 }  // namespace myo::experiment

@@ -36,14 +36,14 @@ public:
         return scene;
     }
     Result<commands::Declaration> edited(const commands::Scene& scene, const commands::Declaration& declaration,
-                                         const std::vector<commands::DeclarationEdit>& edits) const override {
-        all_edits.insert(all_edits.end(), edits.begin(), edits.end());
-        if (const auto* appended = std::get_if<commands::AppendDeclared>(&edits.front())) {
+                                         const std::vector<commands::DeclarationEdit>& asked) const override {
+        all_edits.insert(all_edits.end(), asked.begin(), asked.end());
+        if (const auto* appended = std::get_if<commands::AppendDeclared>(&asked.front())) {
             commands::Declaration result = declaration;
             result.text = std::make_shared<const std::string>(appended->body);
             return result;
         }
-        return SwingingBeam::edited(scene, declaration, edits);
+        return SwingingBeam::edited(scene, declaration, asked);
     }
 
     const Eigen::Vector3d first_place_m{0.1, 0.015, 0.05};
