@@ -106,7 +106,7 @@ public:
             frame.markers_m.push_back(measurement::marker_position(marker, x(Eigen::all, marker.nodes)));
         if (controls.grip) {
             frame.force_N = run_->grip_force().norm();
-            frame.pulled_m = x(Eigen::all, controls.grip->nodes) * controls.grip->shares;
+            frame.pulled_m = (x(Eigen::all, controls.grip->nodes) - controls.grip->offsets_m) * controls.grip->shares;
         }
         frame.run = shown_run(std::move(x));
         return frame;
@@ -114,11 +114,11 @@ public:
 
 private:
     model::MountPose mount_pose() const { return trial_.observed.mount->at(run_->time_s()); }
-    /// A place of the laboratory in the frame of the model, which moves with the mount.
-    Vector3d in_model(const Vector3d& place_m) const {
-        if (!trial_.observed.mount) return place_m;
+    /// Places of the laboratory in the frame of the model, which moves with the mount.
+    Eigen::Matrix3Xd held_places(const Eigen::Matrix3Xd& places_m) const {
+        if (!trial_.observed.mount) return places_m;
         const model::MountPose pose = mount_pose();
-        return pose.rotation.transpose() * (place_m - pose.place_m) + pose.pivot_m;
+        return (pose.rotation.transpose() * (places_m.colwise() - pose.place_m)).colwise() + pose.pivot_m;
     }
 
     static LiveActuator slider_of_muscle(const std::string& name, double level) {
@@ -163,8 +163,9 @@ private:
         for (std::size_t c = 0; c < core.commands.size() && level < controls.levels.size(); ++c)
             core.commands[c] = controls.levels[level++];
         if (controls.grip)
-            core.grip = dynamics::Grip{controls.grip->cell, controls.grip->nodes, controls.grip->shares,
-                                       in_model(controls.grip->place_m), controls.spring_N_m};
+            core.grip = dynamics::Grip{controls.grip->nodes, controls.grip->shares,
+                                       held_places(controls.grip->offsets_m.colwise() + controls.grip->place_m),
+                                       controls.spring_N_m};
         return core;
     }
 

@@ -9,15 +9,15 @@ namespace {
 
 constexpr double live_tolerance = 1e-5;  // residual of the stages in the window
 
-/// A hand at a corner of the free end, `stiffness` [N/m].
+/// A hand that holds the end face, `stiffness` [N/m].
 dynamics::Grip hand_at_tip(const model::Body& body, double stiffness) {
-    Eigen::Index node = 0;
-    (body.mesh.nodes.row(0) + body.mesh.nodes.row(2)).maxCoeff(&node);
     dynamics::Grip grip;
-    for (int c = 0; c < body.mesh.cell_count(); ++c)
-        if ((body.mesh.cells.col(c).array() == static_cast<int>(node)).any()) grip.cell = c;
-    grip.nodes = {static_cast<int>(node)};
-    grip.shares = Eigen::VectorXd::Ones(1);
+    const double end_m = body.mesh.nodes.row(0).maxCoeff() - 1e-9;
+    for (int node = 0; node < body.node_count(); ++node)
+        if (body.mesh.nodes(0, node) > end_m) grip.nodes.push_back(node);
+    const auto count = static_cast<Eigen::Index>(grip.nodes.size());
+    grip.shares = Eigen::VectorXd::Constant(count, 1.0 / static_cast<double>(count));
+    grip.places_m = body.mesh.nodes(Eigen::all, grip.nodes);
     grip.stiffness_N_m = stiffness;
     return grip;
 }
@@ -30,13 +30,13 @@ Result<BenchFigures> pulled(const BenchBeam& beam, double h_s, int steps, double
     dynamics::LiveControls controls = dynamics::controls_of(model, 0.0);
     controls.h_s = h_s;
     controls.grip = hand_at_tip(*model.body, 60.0);
-    const Eigen::Vector3d middle = model.body->mesh.nodes.col(controls.grip->nodes.front());
+    const Eigen::Matrix3Xd held = controls.grip->places_m;
     const Result<std::unique_ptr<dynamics::LiveRun>> run = dynamics::LiveRun::begin(model, options, controls, {});
     if (!run) return run.error();
     const double start = thread_time_s();
     for (int k = 0; k < steps; ++k) {
         const double angle = 4.0 * M_PI * k * h_s;
-        controls.grip->place_m = middle + 0.03 * Eigen::Vector3d(0.0, std::cos(angle), std::sin(angle));
+        controls.grip->places_m = held.colwise() + 0.03 * Eigen::Vector3d(0.0, std::cos(angle), std::sin(angle));
         if (const Result<void> stepped = (*run)->advance(controls, {}); !stepped) return stepped.error();
     }
     BenchFigures figures;

@@ -19,7 +19,7 @@ constexpr LiveRunPolicy live_run_policy;
 
 bool same_grip(const std::optional<Grip>& a, const std::optional<Grip>& b) {
     if (!a || !b) return !a && !b;
-    return a->cell == b->cell && a->nodes == b->nodes && a->shares == b->shares && a->place_m == b->place_m &&
+    return a->nodes == b->nodes && a->shares == b->shares && a->places_m == b->places_m &&
            a->stiffness_N_m == b->stiffness_N_m;
 }
 
@@ -83,9 +83,8 @@ void LiveRun::apply(const LiveControls& controls) {
     model_.force_elements.resize(own_elements_);
     set_signals(controls, model_);
     if (controls.grip)
-        model_.force_elements.push_back(model::point_pull(*model_.body, controls.grip->cell, controls.grip->nodes,
-                                                          controls.grip->shares, controls.grip->place_m,
-                                                          controls.grip->stiffness_N_m));
+        model_.force_elements.push_back(model::point_pull(*model_.body, controls.grip->nodes, controls.grip->shares,
+                                                          controls.grip->places_m, controls.grip->stiffness_N_m));
     controls_ = controls;
 }
 
@@ -153,7 +152,7 @@ void LiveRun::accept(SolvedStep& step) {
 Eigen::Vector3d LiveRun::grip_force() const {
     if (!controls_.grip) return Eigen::Vector3d::Zero();
     const Grip& grip = *controls_.grip;
-    return grip.stiffness_N_m * (grip.place_m - point_.state.x(Eigen::all, grip.nodes) * grip.shares);
+    return grip.stiffness_N_m * (grip.places_m - point_.state.x(Eigen::all, grip.nodes)) * grip.shares;
 }
 
 }  // namespace myo::dynamics

@@ -10,13 +10,13 @@
 
 namespace myo::dynamics {
 
-/// A point of the body in a hand, which pulls it by a spring.
+/// A patch of the body in a hand, which pulls it by springs. A single node would be torn out of the body before the
+/// body follows.
 struct Grip {
-    int cell = 0;                                       // contains the nodes
-    std::vector<int> nodes;                             // of the point
-    Eigen::VectorXd shares;                             // per node, sum to 1
-    Eigen::Vector3d place_m = Eigen::Vector3d::Zero();  // of the hand, world frame
-    double stiffness_N_m = 0.0;                         // of the spring, >= 0
+    std::vector<int> nodes;      // of the patch
+    Eigen::VectorXd shares;      // per node, sum to 1
+    Eigen::Matrix3Xd places_m;   // where the hand has them, 3 x nodes, world frame
+    double stiffness_N_m = 0.0;  // of all springs together, >= 0
 };
 
 /// What a person changes while the body moves.

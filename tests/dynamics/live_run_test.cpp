@@ -67,11 +67,9 @@ Grip hand_at_tip(const model::Model& model, const Vector3d& offset_m, double sti
     Eigen::Index node = 0;
     mesh.nodes.row(0).maxCoeff(&node);
     Grip grip;
-    for (int c = 0; c < mesh.cell_count(); ++c)
-        if ((mesh.cells.col(c).array() == static_cast<int>(node)).any()) grip.cell = c;
     grip.nodes = {static_cast<int>(node)};
     grip.shares = Eigen::VectorXd::Ones(1);
-    grip.place_m = mesh.nodes.col(node) + offset_m;
+    grip.places_m = mesh.nodes.col(node) + offset_m;
     grip.stiffness_N_m = stiffness_N_m;
     return grip;
 }

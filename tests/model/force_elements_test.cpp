@@ -61,7 +61,8 @@ Model model_with(const ForceCase& c) {
         const std::vector<int> nodes = nodes_of_tip(body);
         const VectorXd shares = VectorXd::Constant(static_cast<Eigen::Index>(nodes.size()),
                                                    1.0 / static_cast<double>(nodes.size()));
-        model.force_elements = {point_pull(body, tip_cell(body), nodes, shares, Vector3d(0.1, 0.05, -0.02), 30.0)};
+        const Matrix3Xd places = Vector3d(0.1, 0.05, -0.02).replicate(1, shares.size());
+        model.force_elements = {point_pull(body, nodes, shares, places, 30.0)};
     }
     if (element == "stop") {
         const std::vector<int> nodes = nodes_of_tip(body);

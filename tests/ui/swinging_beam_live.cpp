@@ -30,7 +30,7 @@ public:
         for (const ui::commands::SceneMarker& marker : scene_.markers)
             frame.markers_m.push_back(beam_point(marker.rest_m, modulus_, time_s_) + lift);
         if (controls.grip) {
-            frame.pulled_m = x(Eigen::all, controls.grip->nodes) * controls.grip->shares;
+            frame.pulled_m = (x(Eigen::all, controls.grip->nodes) - controls.grip->offsets_m) * controls.grip->shares;
             frame.force_N = controls.spring_N_m * (controls.grip->place_m - frame.pulled_m).norm();
         }
         auto run = std::make_shared<ui::commands::RunResult>();

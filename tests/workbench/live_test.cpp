@@ -53,14 +53,13 @@ struct LiveExample {
     }
 };
 
-/// Node at the end of the body farthest from its support, with a cell of it.
-ui::commands::LiveGrip grip_of(const ui::commands::MeshedBody& body, Eigen::Index node, const Eigen::Vector3d& place) {
+/// A hand on one node.
+ui::commands::LiveGrip grip_of(Eigen::Index node, const Eigen::Vector3d& place) {
     ui::commands::LiveGrip grip;
     grip.nodes = {static_cast<int>(node)};
     grip.shares = Eigen::VectorXd::Ones(1);
+    grip.offsets_m = Eigen::Matrix3Xd::Zero(3, 1);
     grip.place_m = place;
-    for (int c = 0; c < body.mesh.cell_count(); ++c)
-        if ((body.mesh.cells.col(c).array() == static_cast<int>(node)).any()) grip.cell = c;
     return grip;
 }
 
@@ -90,7 +89,7 @@ TEST(LiveCore, AHandPullsTheEndTowardsItAndAnotherModulusGoesOnFromThere) {
     body.mesh.nodes.row(0).maxCoeff(&tip);
     LiveControls told = beam.controls(0.01);
     const Eigen::Vector3d hand = body.mesh.nodes.col(tip) + Eigen::Vector3d(0.0, 0.04, 0.0);
-    told.grip = grip_of(body, tip, hand);
+    told.grip = grip_of(tip, hand);
     const LiveFrame frame = beam.after(told, 200);
     EXPECT_GT(frame.pulled_m.y() - body.mesh.nodes(1, tip), 0.005);
     EXPECT_NEAR(frame.force_N, told.spring_N_m * (hand - frame.pulled_m).norm(), 1e-9 + 1e-6 * frame.force_N);

@@ -15,15 +15,16 @@
 
 namespace myo::ui::commands {
 
-/// Point of the body that the mouse holds.
+/// Patch of the body that the mouse holds.
 struct LiveGrip {
-    int cell = 0;                                       // of the mesh; contains the nodes
     std::vector<int> nodes;                             // of the mesh
     Eigen::VectorXd shares;                             // per node, sum to 1
+    Eigen::Matrix3Xd offsets_m;                         // of the nodes from the held point when it was taken, 3 x nodes
     Eigen::Vector3d place_m = Eigen::Vector3d::Zero();  // of the mouse, world frame
 
     bool operator==(const LiveGrip& other) const {
-        return cell == other.cell && nodes == other.nodes && shares == other.shares && place_m == other.place_m;
+        return nodes == other.nodes && shares == other.shares && offsets_m == other.offsets_m &&
+               place_m == other.place_m;
     }
 };
 
@@ -57,7 +58,7 @@ struct LiveFrame {
     double time_s = 0.0;                      // since the beginning
     double step_s = 0.0;                      // length of the step
     double force_N = 0.0;                     // with which the mouse pulls
-    Eigen::Vector3d pulled_m{0.0, 0.0, 0.0};  // point of the body that is held; unset without a grip
+    Eigen::Vector3d pulled_m{0.0, 0.0, 0.0};  // where the held patch is, without its offsets; unset without a grip
 };
 
 /// A model that moves. Used by one thread.

@@ -2,8 +2,8 @@
 
 #include <imgui.h>
 
-#include <array>
-#include <cmath>
+#include <algorithm>
+#include <vector>
 
 #include "base/markup.hpp"
 #include "panels/view_points.hpp"
@@ -11,6 +11,9 @@
 
 namespace myo::ui::panels {
 namespace {
+
+/// Reach of the hand over the diagonal of the body at rest: a patch that carries the pull without tearing.
+constexpr double hand_share = 0.08;
 
 std::optional<viewport::SurfaceHit> body_hit(const commands::WorkbenchState& state, const viewport::DrawnScene& scene,
                                              const viewport::ViewportState& view, const Eigen::Vector2d& pixel) {
@@ -28,13 +31,29 @@ Eigen::Vector3d mouse_in_plane(const viewport::ViewportState& view, const Eigen:
     return ray.origin_m + (point_m - ray.origin_m).dot(normal) / ray.direction.dot(normal) * ray.direction;
 }
 
-/// The material point that was hit.
-commands::LiveGrip grip_at(const viewport::DrawnScene& scene, const viewport::SurfaceHit& hit) {
+/// The nodes of the surface around the point that was hit, nearer ones with larger shares.
+commands::LiveGrip grip_at(const viewport::DrawnScene& scene, const viewport::SurfaceHit& hit,
+                           const Eigen::Vector3d& point_m) {
     commands::LiveGrip grip;
-    grip.cell = scene.body->faces.cell(hit.triangle / scene.surface->triangles_per_face());
-    grip.shares = hit.weights;
-    for (int k = 0; k < 3; ++k)
-        grip.nodes.push_back(scene.surface->corners[static_cast<std::size_t>(3 * hit.triangle + k)]);
+    const double reach = hand_share * scene.extent.size().norm();
+    std::vector<int> nodes = scene.surface->corners;
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    std::vector<double> shares;
+    const auto take = [&](int node, double share) {
+        grip.nodes.push_back(node);
+        shares.push_back(share);
+    };
+    for (const int node : nodes) {
+        const double distance = (scene.positions.col(node) - point_m).norm() / reach;
+        if (distance < 1.0) take(node, 1.0 - distance * distance);
+    }
+    // On a coarse mesh no node may be near.
+    for (int k = 0; k < 3 && grip.nodes.size() < 3; ++k)
+        take(scene.surface->corners[static_cast<std::size_t>(3 * hit.triangle + k)], 1e-3 + hit.weights[k]);
+    grip.shares = Eigen::Map<const Eigen::VectorXd>(shares.data(), static_cast<Eigen::Index>(shares.size()));
+    grip.shares /= grip.shares.sum();
+    grip.offsets_m = scene.positions(Eigen::all, grip.nodes).colwise() - point_m;
     return grip;
 }
 
@@ -79,8 +98,8 @@ void LiveTool::pull(PanelContext& context, const viewport::DrawnScene& scene, co
     if (!grip_) {
         const auto hit = body_hit(context.state, scene, view, view.mouse);
         if (!hit) return;
-        grip_ = grip_at(scene, *hit);
         plane_point_m_ = hit->place(*scene.surface, scene.positions);
+        grip_ = grip_at(scene, *hit, plane_point_m_);
     }
     grip_->place_m = mouse_in_plane(view, plane_point_m_);
     commands::LiveControls controls = context.state.live->controls;

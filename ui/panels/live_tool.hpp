@@ -8,7 +8,7 @@
 
 namespace myo::ui::panels {
 
-/// The hand in the 3D view while a model plays live: a drag that begins on the body pulls the point under the mouse by
+/// The hand in the 3D view while a model plays live: a drag that begins on the body pulls the patch under the mouse by
 /// a spring, within the plane through it that faces the camera. Shift leaves the drag to the camera. Also says in the
 /// view how fast the model plays and with which force it is pulled.
 class LiveTool {
