@@ -244,7 +244,7 @@ TEST(Menu, PerformsWhatItsEntriesSayAndKeysDoTheSame) {
     driver.click("menu/view.theme");
     EXPECT_EQ(driver.state().preferences.theme, platform::ThemeName::light);
     driver.key(ui::platform::key_plus, {.ctrl = true, .shift = true});
-    EXPECT_FLOAT_EQ(driver.state().scale(), 1.25f);
+    EXPECT_FLOAT_EQ(driver.state().scale(), 1.1f);
     driver.key(ui::platform::key_minus, {.ctrl = true});
     EXPECT_FLOAT_EQ(driver.state().scale(), 1.0f);
     driver.key(ui::platform::key_4);
