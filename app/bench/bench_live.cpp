@@ -22,7 +22,7 @@ dynamics::Grip hand_at_tip(const model::Body& body, double stiffness) {
     return grip;
 }
 
-/// The beam played live while a hand leads its end around a circle of 60 mm twice a second.
+/// The beam played live while a hand leads its end around a circle of 60 mm in two seconds.
 Result<BenchFigures> pulled(const BenchBeam& beam, double h_s, int steps, double least_rate) {
     const double begin = thread_time_s();
     const model::Model model = bench_beam(beam);
@@ -35,8 +35,8 @@ Result<BenchFigures> pulled(const BenchBeam& beam, double h_s, int steps, double
     if (!run) return run.error();
     const double start = thread_time_s();
     for (int k = 0; k < steps; ++k) {
-        const double angle = 4.0 * M_PI * k * h_s;
-        controls.grip->places_m = held.colwise() + 0.03 * Eigen::Vector3d(0.0, std::cos(angle), std::sin(angle));
+        const double angle = M_PI * k * h_s;
+        controls.grip->places_m = held.colwise() + 0.03 * Eigen::Vector3d(0.0, std::sin(angle), 1.0 - std::cos(angle));
         if (const Result<void> stepped = (*run)->advance(controls, {}); !stepped) return stepped.error();
     }
     BenchFigures figures;

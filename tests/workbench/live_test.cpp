@@ -100,7 +100,8 @@ TEST(LiveCore, AHandPullsTheEndTowardsItAndAnotherModulusGoesOnFromThere) {
     LiveControls shortly = told;
     shortly.time_step_s = 0.001;
     const LiveFrame next = beam.after(shortly, 1);
-    EXPECT_LT((next.pulled_m - frame.pulled_m).norm(), 0.0003) << "it begins where the softer one was";
+    EXPECT_LT((next.pulled_m - frame.pulled_m).norm(), 0.2 * (frame.pulled_m - body.mesh.nodes.col(tip)).norm())
+        << "it begins where the softer one was";
     EXPECT_LT(beam.after(told, 200).pulled_m.y(), frame.pulled_m.y() - 0.001);
 }
 

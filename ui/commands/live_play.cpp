@@ -38,27 +38,35 @@ private:
     std::deque<Step> steps_;
 };
 
-/// Length of the steps: as set, or longer where a step takes longer than the time it covers.
+/// Length of the steps: as set, or longer where a step takes longer than the time it covers and a longer one is worth
+/// its cost.
 class StepLength {
 public:
     double next(const LiveControls& controls) {
         if (controls.own_step || controls.time_step_s != set_s_) {
             set_s_ = length_s_ = controls.time_step_s;
-            steps_ = 0, cost_s_ = 0.0;
+            steps_ = 0, cost_s_ = 0.0, shorter_s_ = 0.0, settled_ = false;
         }
         return length_s_;
     }
     void took(double seconds) {
         cost_s_ += seconds;
         if (++steps_ < live_play_policy.steps_before) return;
-        const double mean_s = cost_s_ / steps_;
+        const double load = cost_s_ / steps_ / length_s_;  // real time over simulated time
         steps_ = 0, cost_s_ = 0.0;
-        if (mean_s > live_play_policy.lengthen_at * length_s_ && length_s_ < live_play_policy.longest_step_s)
+        if (!settled_ && shorter_s_ > 0.0 && load > shorter_load_) {
+            length_s_ = shorter_s_;
+            settled_ = true;
+        } else if (!settled_ && load > live_play_policy.lengthen_at && length_s_ < live_play_policy.longest_step_s) {
+            shorter_s_ = length_s_, shorter_load_ = load;
             length_s_ = std::min(2.0 * length_s_, live_play_policy.longest_step_s);
+        }
     }
 
 private:
     double set_s_ = 0.0, length_s_ = 0.0, cost_s_ = 0.0;
+    double shorter_s_ = 0.0, shorter_load_ = 0.0;  // before the last lengthening; 0: none
+    bool settled_ = false;                         // a longer step was not worth its cost
     int steps_ = 0;
 };
 
