@@ -18,7 +18,6 @@
 namespace myo::backend {
 namespace {
 
-using Eigen::Vector3d;
 using ui::commands::LiveActuator;
 using ui::commands::LiveControls;
 using ui::commands::LiveFrame;
