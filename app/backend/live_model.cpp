@@ -175,7 +175,8 @@ private:
         result->trials[shown_].frame_time_s = Eigen::VectorXd::Constant(1, run_->time_s());
         result->trials[shown_].frames.push_back(std::move(x));
         auto models = std::make_shared<RunModels>();
-        models->trials.assign(trials_, run_->model());
+        models->trials.resize(trials_);  // the others have no frames
+        models->trials[shown_] = run_->model();
         result->source = std::move(models);
         return result;
     }

@@ -1,6 +1,7 @@
 #include "dynamics/live_run.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "dynamics/energy_gain.hpp"
@@ -113,7 +114,7 @@ Result<void> LiveRun::advance(const LiveControls& controls, const Progress& prog
 
 Result<void> LiveRun::step_to(double end_s, bool jump_at_end, const Progress& progress) {
     Trace counts;
-    const RunPoint before = point_;
+    std::optional<RunPoint> before;  // once a part of the step is taken
     const double least = (end_s - point_.time_s) / live_run_policy.max_parts;
     for (double goal = end_s; point_.time_s < end_s;) {
         const double h = goal - point_.time_s;
@@ -126,10 +127,12 @@ Result<void> LiveRun::step_to(double end_s, bool jump_at_end, const Progress& pr
             goal = point_.time_s + 0.5 * h;
             stepper_->restart(point_.time_s, point_.state.x);
         } else if (step.taken) {
+            if (!before && goal != end_s) before = point_;
             accept(step);
             goal = end_s;
         } else {
-            point_ = before;
+            if (before) point_ = std::move(*before);
+            stepper_->restart(point_.time_s, point_.state.x);
             if (progress.cancelled()) return Error{"stopped", ""};
             return Error{step.last.ok() ? "the motion is no longer finite" : step.last.message, ""};
         }

@@ -115,10 +115,12 @@ struct LivePlay::Content {
         shown.rate = rate;
     }
 
+    static Clock::duration duration_of(double seconds) {
+        return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+    }
+    static Clock::duration pause() { return duration_of(live_play_policy.longest_pause_s); }
     void wait_until(Clock::time_point due) const {
-        const auto pause = std::chrono::duration_cast<Clock::duration>(
-            std::chrono::duration<double>(live_play_policy.longest_pause_s));
-        while (!stop && Clock::now() < due) std::this_thread::sleep_until(std::min(due, Clock::now() + pause));
+        while (!stop && Clock::now() < due) std::this_thread::sleep_until(std::min(due, Clock::now() + pause()));
     }
 
     void play() {
@@ -129,7 +131,7 @@ struct LivePlay::Content {
         Clock::time_point due = Clock::now();
         while (!stop) {
             if (!make_asked(model, progress)) {
-                wait_until(Clock::now() + std::chrono::milliseconds(5));
+                wait_until(Clock::now() + pause());
                 continue;
             }
             LiveControls now;
@@ -143,7 +145,7 @@ struct LivePlay::Content {
             if (stop) return;
             length.took(seconds_between(before, Clock::now()));
             show(frame, frame ? rate.after(frame->time_s) : 0.0);
-            due += std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(now.time_step_s));
+            due += duration_of(now.time_step_s);
             // What is lost cannot be made up for: the model goes on from now.
             if (Clock::now() > due) due = Clock::now();
             wait_until(due);
@@ -171,7 +173,11 @@ LivePlay::~LivePlay() {
 
 void LivePlay::steer(const LiveControls& controls) {
     const std::lock_guard lock(content_->mutex);
-    content_->controls = controls;
+    // Who steers may not have seen yet what the model began with.
+    LiveControls told = controls;
+    if (told.levels.empty()) told.levels = content_->controls.levels;
+    if (!(told.spring_N_m > 0.0)) told.spring_N_m = content_->controls.spring_N_m;
+    content_->controls = std::move(told);
 }
 
 void LivePlay::replace(Make make) {
