@@ -26,7 +26,7 @@ struct FrameTimes {
 struct FrameBench {
     int triangles = 0;      // surface triangles of the body that is rotated and simulated
     int painted_cells = 0;  // cells of the body that is painted
-    // Of the model that plays live while it is pulled and drawn, at the end.
+    // Playing live while the model is pulled and drawn, at the end.
     double live_rate = 0.0;    // simulated time over real time
     double live_step_s = 0.0;  // length of its steps
     int live_dofs = 0;

@@ -24,7 +24,8 @@ struct MarkerTarget {
     std::vector<Eigen::Matrix3Xd> positions_m;  // per marker 3 x T; NaN: not compared
     bool from_start = false;                    // positions are displacements from the marker position at t = 0
     MarkerPlacement placement;
-    /// Of the squared coordinates in mean_square(), like positions_m; empty: 1 each. best_placement() takes no notice.
+    /// Weights of the squared coordinates in mean_square(), like positions_m; empty: 1 each. best_placement() takes no
+    /// notice.
     std::vector<Eigen::Matrix3Xd> weights{};
 
     /// Number of compared (finite) coordinates.

@@ -76,7 +76,8 @@ struct PreparedTrial {
     std::vector<double> occluded_fraction;  // per marker, 0 ... 1
     std::vector<SensorSeries> sensors;      // readings beside the markers
     double rounding_m = 0.0;                // increment of the numbers in the file [m], 0 if none is detected
-    /// Of the coordinates of `measured` where that holds goals, per marker 3 x samples; empty: a recording, 1 each.
+    /// Weights of the coordinates of `measured` where that holds goals, per marker 3 x samples; empty: a recording, 1
+    /// each.
     std::vector<Eigen::Matrix3Xd> goal_weights{};
 };
 

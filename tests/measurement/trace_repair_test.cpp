@@ -102,7 +102,7 @@ TEST(TraceRepair, FillFollowsASwingAndLeavesGapsAtTheEnds) {
     EXPECT_FALSE(is_seen(part.tracks[4], 73));
 }
 
-/// Of n samples a cubic keeps the noise times sqrt(9 / (4 n)) in the middle of the window (Savitzky & Golay).
+/// A cubic through n samples keeps the noise times sqrt(9 / (4 n)) in the middle of the window (Savitzky & Golay).
 TEST(TraceRepair, SmoothTakesNoiseAwayAsTheFormulaSays) {
     Recording recording = beam(0.0);
     Recording noisy = beam(3e-4, 2);
