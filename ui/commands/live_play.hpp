@@ -24,6 +24,7 @@ struct LivePlayPolicy {
     int steps_before = 8;            // after which the length is judged: the first steps factor the matrix
     double rate_over_s = 1.0;        // real time over which the rate is measured
     double behind_below = 0.95;      // rate below which the model is said to be behind real time
+    double hand_share = 0.08;        // reach of the hand over the diagonal of the body: a patch that does not tear
     double longest_pause_s = 0.005;  // between two looks at the controls while a step waits for its time
 };
 inline constexpr LivePlayPolicy live_play_policy;

@@ -139,14 +139,18 @@ std::optional<std::size_t> pick_one(const std::vector<Vector3d>& places_m, const
     return seen ? seen : hidden;
 }
 
+std::optional<viewport::SurfaceHit> hit_on_body(const WorkbenchState& state, const viewport::DrawnScene& scene,
+                                                const viewport::Camera& camera, const viewport::ViewSize& size,
+                                                const Eigen::Vector2d& pixel) {
+    if (!state.body || !scene.body || !scene.surface || scene.positions.cols() != state.body->mesh.node_count())
+        return std::nullopt;
+    return viewport::pick_surface(*scene.surface, scene.positions, viewport::ray_through(camera, size, pixel));
+}
+
 std::optional<PickedPlace> pick_place(const WorkbenchState& state, const viewport::DrawnScene& scene,
                                       const viewport::Camera& camera, const viewport::ViewSize& size,
                                       const Eigen::Vector2d& pixel, double reach) {
-    // While a new mesh replaces the old one, the drawn positions do not match the state for a frame.
-    const bool body = state.body && scene.body && scene.surface &&
-                      scene.positions.cols() == state.body->mesh.node_count();
-    const viewport::Ray ray = viewport::ray_through(camera, size, pixel);
-    const auto hit = body ? viewport::pick_surface(*scene.surface, scene.positions, ray) : std::nullopt;
+    const std::optional<viewport::SurfaceHit> hit = hit_on_body(state, scene, camera, size, pixel);
     const std::optional<PickedPlace> picked = marker_at(scene, camera, size, pixel, reach, hit);
     // A place on the body is stored by the nodes of its triangle, so that it moves with them.
     if (picked || !hit) return picked;

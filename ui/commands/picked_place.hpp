@@ -10,6 +10,7 @@
 #include "commands/marker_errors.hpp"
 #include "commands/workbench_state.hpp"
 #include "viewport/camera.hpp"
+#include "viewport/picking.hpp"
 #include "viewport/scene.hpp"
 
 namespace myo::ui::commands {
@@ -29,6 +30,12 @@ struct PickedPlace {
 std::optional<PickedPlace> pick_place(const WorkbenchState& state, const viewport::DrawnScene& scene,
                                       const viewport::Camera& camera, const viewport::ViewSize& size,
                                       const Eigen::Vector2d& pixel, double reach);
+
+/// Where the ray through a pixel meets the drawn body. Empty outside of it, without a mesh, and for the frame in which
+/// a new mesh replaces the drawn one.
+std::optional<viewport::SurfaceHit> hit_on_body(const WorkbenchState& state, const viewport::DrawnScene& scene,
+                                                const viewport::Camera& camera, const viewport::ViewSize& size,
+                                                const Eigen::Vector2d& pixel);
 
 /// Finds the point nearest to a pixel within `reach` pixels. Points that the body hides are considered only if no other
 /// point is in reach. Empty if none is.

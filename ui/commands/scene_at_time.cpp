@@ -248,6 +248,7 @@ WorkbenchState at_rest(WorkbenchState state) {
     state.run.reset();
     state.search.reset();
     state.preview.run.reset();
+    state.live.reset();
     state.diagnosis.reset();
     return state;
 }

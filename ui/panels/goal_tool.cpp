@@ -14,14 +14,6 @@
 namespace myo::ui::panels {
 namespace {
 
-/// The point under a pixel in the plane of the image through a place [m].
-Eigen::Vector3d in_image_plane(const viewport::ViewportState& view, const Eigen::Vector2d& pixel,
-                               const Eigen::Vector3d& place_m) {
-    const viewport::Ray ray = viewport::ray_through(view.camera, view.size(), pixel);
-    const Eigen::Vector3d back = viewport::camera_axes(view.camera).back;
-    return ray.origin_m + back.dot(place_m - ray.origin_m) / back.dot(ray.direction) * ray.direction;
-}
-
 /// Where the marker of a goal is at a time in the shown run [m]; not finite if there is no run.
 Eigen::Vector3d simulated_place(const commands::WorkbenchState& state, const commands::SceneGoal& goal, double time_s) {
     const commands::SimulatedTrial* const run = state.simulated_trial();
@@ -69,8 +61,8 @@ std::optional<GoalTool::Handle> GoalTool::handle_at(const commands::WorkbenchSta
 
 bool GoalTool::takes(const commands::WorkbenchState& state, const platform::Theme& theme,
                      const viewport::ViewportState& view, const Eigen::Vector2d& pixel) const {
-    return state.brush.tool == commands::BrushTool::none && !view.measuring && !ImGui::GetIO().KeyShift &&
-           handle_at(state, theme, view, pixel).has_value();
+    return !state.live && state.brush.tool == commands::BrushTool::none && !view.measuring &&
+           !ImGui::GetIO().KeyShift && handle_at(state, theme, view, pixel).has_value();
 }
 
 Eigen::Matrix3Xd GoalTool::places(const commands::SceneGoal& goal, std::size_t index) const {
@@ -88,7 +80,7 @@ void GoalTool::press(const commands::WorkbenchState& state, const platform::Them
     if (!takes(state, theme, view, view.mouse)) return;
     const Handle handle = *handle_at(state, theme, view, view.mouse);
     const Eigen::Vector3d place = state.scene_trial()->goals[handle.goal].place_m.col(handle.point);
-    drag_ = Drag{handle, place - in_image_plane(view, view.mouse, place), place};
+    drag_ = Drag{handle, place - viewport::in_image_plane(view.camera, view.size(), view.mouse, place), place};
 }
 
 void GoalTool::release(PanelContext& context) {
@@ -116,7 +108,8 @@ void GoalTool::update(PanelContext& context, const viewport::ViewportState& view
     }
     if (pressed) press(state, context.theme, view);
     if (drag_ && held && !pressed) {
-        const Eigen::Vector3d place = in_image_plane(view, view.mouse, drag_->place_m) + drag_->offset_m;
+        const Eigen::Vector3d place = viewport::in_image_plane(view.camera, view.size(), view.mouse, drag_->place_m) +
+                                      drag_->offset_m;
         drag_->moved = drag_->moved || place != drag_->place_m;
         drag_->place_m = place;
     }

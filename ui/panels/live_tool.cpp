@@ -6,36 +6,18 @@
 #include <vector>
 
 #include "base/markup.hpp"
+#include "commands/picked_place.hpp"
 #include "panels/view_points.hpp"
 #include "plot/number_text.hpp"
 
 namespace myo::ui::panels {
 namespace {
 
-/// Reach of the hand over the diagonal of the body at rest: a patch that carries the pull without tearing.
-constexpr double hand_share = 0.08;
-
-std::optional<viewport::SurfaceHit> body_hit(const commands::WorkbenchState& state, const viewport::DrawnScene& scene,
-                                             const viewport::ViewportState& view, const Eigen::Vector2d& pixel) {
-    // While a new mesh replaces the old one, the drawn body is still the old one for a frame.
-    if (!state.body || !scene.body || !scene.surface || scene.positions.cols() != state.body->mesh.node_count())
-        return std::nullopt;
-    return viewport::pick_surface(*scene.surface, scene.positions,
-                                  viewport::ray_through(view.camera, view.size(), pixel));
-}
-
-/// The point under the mouse in the plane through a point that faces the camera.
-Eigen::Vector3d mouse_in_plane(const viewport::ViewportState& view, const Eigen::Vector3d& point_m) {
-    const viewport::Ray ray = viewport::ray_through(view.camera, view.size(), view.mouse);
-    const Eigen::Vector3d normal = viewport::camera_axes(view.camera).back;
-    return ray.origin_m + (point_m - ray.origin_m).dot(normal) / ray.direction.dot(normal) * ray.direction;
-}
-
 /// The nodes of the surface around the point that was hit, nearer ones with larger shares.
 commands::LiveGrip grip_at(const viewport::DrawnScene& scene, const viewport::SurfaceHit& hit,
                            const Eigen::Vector3d& point_m) {
     commands::LiveGrip grip;
-    const double reach = hand_share * scene.extent.size().norm();
+    const double reach = commands::live_play_policy.hand_share * scene.extent.size().norm();
     std::vector<int> nodes = scene.surface->corners;
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
@@ -91,17 +73,18 @@ void draw_spring(PanelContext& context, const viewport::ViewportState& view, con
 
 bool LiveTool::takes(const commands::WorkbenchState& state, const viewport::DrawnScene& scene,
                      const viewport::ViewportState& view, const Eigen::Vector2d& pixel) const {
-    return state.live && state.live->ready && !ImGui::GetIO().KeyShift && body_hit(state, scene, view, pixel);
+    return state.live && state.live->ready && !ImGui::GetIO().KeyShift &&
+           commands::hit_on_body(state, scene, view.camera, view.size(), pixel);
 }
 
 void LiveTool::pull(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view) {
     if (!grip_) {
-        const auto hit = body_hit(context.state, scene, view, view.mouse);
+        const auto hit = commands::hit_on_body(context.state, scene, view.camera, view.size(), view.mouse);
         if (!hit) return;
         plane_point_m_ = hit->place(*scene.surface, scene.positions);
         grip_ = grip_at(scene, *hit, plane_point_m_);
     }
-    grip_->place_m = mouse_in_plane(view, plane_point_m_);
+    grip_->place_m = viewport::in_image_plane(view.camera, view.size(), view.mouse, plane_point_m_);
     commands::LiveControls controls = context.state.live->controls;
     controls.grip = grip_;
     context.emit(commands::SteerLive{controls});
@@ -115,15 +98,16 @@ void LiveTool::release(PanelContext& context) {
     context.emit(commands::SteerLive{controls});
 }
 
-void LiveTool::update(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view) {
+void LiveTool::update(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view,
+                      bool placing) {
     const commands::WorkbenchState& state = context.state;
-    const bool held = view.tool_held && state.live && state.live->ready;
+    const bool held = view.tool_held && !placing && state.live && state.live->ready;
     if (held && (grip_ || !was_held_))
         pull(context, scene, view);
     else if (!held && grip_)
         release(context);
     was_held_ = held;
-    if (!state.live) return;
+    if (!state.live || placing) return;
     draw_hint(context, view,
               rate_text(*state.live) + (state.live->ready && !grip_ ? "  \xc2\xb7  drag the body to pull it" : ""),
               "view/live");

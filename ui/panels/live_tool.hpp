@@ -19,7 +19,10 @@ public:
 
     /// Begins, continues and ends the pull; draws spring, force and rate. Call it after draw_viewport(), within the
     /// view's window.
-    void update(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view);
+    ///
+    /// @param placing  the view shows the body at rest, and another tool has the mouse
+    void update(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view,
+                bool placing);
 
 private:
     void pull(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view);

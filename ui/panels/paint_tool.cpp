@@ -7,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "commands/picked_place.hpp"
+
 namespace myo::ui::panels {
 namespace {
 
@@ -53,20 +55,10 @@ void draw_outline(const PanelContext& context, const std::vector<ImVec2>& pixels
 
 }  // namespace
 
-std::optional<viewport::SurfaceHit> PaintTool::hit_at(const commands::WorkbenchState& state,
-                                                      const viewport::DrawnScene& scene,
-                                                      const viewport::ViewportState& view,
-                                                      const Eigen::Vector2d& pixel) {
-    // While a new mesh replaces the old one, the drawn body is still the old one for a frame.
-    if (!state.body || !scene.body || !scene.surface || scene.positions.cols() != state.body->mesh.node_count())
-        return std::nullopt;
-    return viewport::pick_surface(*scene.surface, scene.positions,
-                                  viewport::ray_through(view.camera, view.size(), pixel));
-}
-
 bool PaintTool::takes(const commands::WorkbenchState& state, const viewport::DrawnScene& scene,
                       const viewport::ViewportState& view, const Eigen::Vector2d& pixel) const {
-    return can_paint(state) && !ImGui::GetIO().KeyShift && hit_at(state, scene, view, pixel).has_value();
+    return can_paint(state) && !ImGui::GetIO().KeyShift &&
+           commands::hit_on_body(state, scene, view.camera, view.size(), pixel).has_value();
 }
 
 /// The revision changes only if something was shown, so that the view is not rendered without need.
@@ -117,7 +109,7 @@ void PaintTool::update(PanelContext& context, const viewport::DrawnScene& scene,
     was_held_ = held;
     std::optional<Touch> touch;
     if (can_paint(state) && (view.hovered || held))
-        if (const auto hit = hit_at(state, scene, view, view.mouse)) {
+        if (const auto hit = commands::hit_on_body(state, scene, view.camera, view.size(), view.mouse)) {
             const Eigen::Vector3d rest = hit->place(*scene.surface, state.body->mesh.nodes);
             touch = Touch{*hit, hit->triangle / scene.surface->triangles_per_face(), rest,
                           commands::outward_at(*state.ground, rest)};

@@ -37,12 +37,6 @@ private:
         Eigen::Vector3d rest_m;    // position at rest [m]
         Eigen::Vector3d outward;   // outward unit normal at rest
     };
-    /// The drawn triangle under a pixel; empty outside of the body or without a mesh.
-    static std::optional<viewport::SurfaceHit> hit_at(const commands::WorkbenchState& state,
-                                                      const viewport::DrawnScene& scene,
-                                                      const viewport::ViewportState& view,
-                                                      const Eigen::Vector2d& pixel);
-
     /// The left button went down on the body.
     void press(PanelContext& context, const viewport::DrawnScene& scene, const Touch& touch);
     /// The left button is held with the mouse on the body.

@@ -38,12 +38,6 @@ std::optional<mesh::SurfaceDistance::Nearest> surface_under_mouse(const ToolView
     return tool.surface.nearest(commands::place_at_rest(*place, tool.context.state));
 }
 
-Eigen::Vector3d moved_in_view(const viewport::ViewportState& view, const Eigen::Vector3d& place_m) {
-    const viewport::Ray ray = viewport::ray_through(view.camera, view.size(), view.mouse);
-    const Eigen::Vector3d back = viewport::camera_axes(view.camera).back;
-    return ray.origin_m + back.dot(place_m - ray.origin_m) / back.dot(ray.direction) * ray.direction;
-}
-
 PointDrag::End PointDrag::follow(const viewport::ViewportState& view, const std::optional<std::size_t>& under_mouse,
                                  const std::function<std::optional<Eigen::Vector3d>(std::size_t)>& place) {
     if (!view.tool_held) refused_ = false;

@@ -38,8 +38,6 @@ private:
 /// Point of the declared surface under the mouse, with its triangle; empty outside of the body. The body is drawn at
 /// rest.
 std::optional<mesh::SurfaceDistance::Nearest> surface_under_mouse(const ToolView& tool);
-/// The point at the mouse whose distance from the viewer is that of `place_m`.
-Eigen::Vector3d moved_in_view(const viewport::ViewportState& view, const Eigen::Vector3d& place_m);
 
 /// Drag of one of several points, from the press that the tool takes to the release.
 class PointDrag {

@@ -5,6 +5,7 @@
 #include "commands/picked_place.hpp"
 #include "panels/actuator_edits.hpp"
 #include "panels/view_points.hpp"
+#include "viewport/picking.hpp"
 
 namespace myo::ui::panels {
 namespace {
@@ -54,7 +55,7 @@ bool TendonTool::drag_guides(const ToolView& tool, const Placing& placing, std::
                                           tool.reach());
     const PointDrag::End end = drag_.follow(tool.view, under, [&](std::size_t guide) -> std::optional<Eigen::Vector3d> {
         if (guide >= places.size()) return std::nullopt;
-        return moved_in_view(tool.view, places[guide]);
+        return viewport::in_image_plane(tool.view.camera, tool.view.size(), tool.view.mouse, places[guide]);
     });
     const auto held = static_cast<std::size_t>(std::max(0, drag_.point()));
     if ((drag_.held() || end == PointDrag::End::drop) && drag_.place_m() && held < places.size())

@@ -208,7 +208,7 @@ void WorkbenchWindow::draw_view(PanelContext& context) {
     if (viewport_.untouched && viewport_.size().width != width_before) viewport_.zoom_to_data_requested = true;
     const bool placing = placing_tools_.update(context, scene_, viewport_);
     if (!placing) paint_.update(context, scene_, viewport_);
-    live_.update(context, scene_, viewport_);
+    live_.update(context, scene_, viewport_, placing);
     context.live_paint = paint_.live();
     goals_.update(context, viewport_);
     distances_.update(context, scene_, viewport_);

@@ -51,4 +51,11 @@ std::optional<SurfaceHit> pick_surface(const DrawnSurface& surface, const Eigen:
     return best;
 }
 
+Vector3d in_image_plane(const Camera& camera, const ViewSize& size, const Eigen::Vector2d& pixel,
+                        const Vector3d& place_m) {
+    const Ray ray = ray_through(camera, size, pixel);
+    const Vector3d back = camera_axes(camera).back;
+    return ray.origin_m + back.dot(place_m - ray.origin_m) / back.dot(ray.direction) * ray.direction;
+}
+
 }  // namespace myo::ui::viewport

@@ -17,6 +17,10 @@ struct Ray {
 /// The ray through a pixel, counted from the upper left corner of the view.
 Ray ray_through(const Camera& camera, const ViewSize& size, const Eigen::Vector2d& pixel);
 
+/// The point under a pixel in the plane through a place that faces the camera [m]: where a drag of that place leads.
+Eigen::Vector3d in_image_plane(const Camera& camera, const ViewSize& size, const Eigen::Vector2d& pixel,
+                               const Eigen::Vector3d& place_m);
+
 /// The first intersection of a ray with a drawn surface.
 struct SurfaceHit {
     int triangle = 0;         // index in DrawnSurface
