@@ -122,18 +122,25 @@ Progress in_task(const Progress& progress, const std::string& task) {
 
 }  // namespace
 
-Result<inverse::ActuationProblem> actuation_problem(const setup::Setup& setup, const OptimizeSettings& settings) {
+bool seeks_signals(const OptimizeSettings& settings) {
+    return std::find(settings.seek.begin(), settings.seek.end(), SoughtItem{SoughtKind::signals}) !=
+           settings.seek.end();
+}
+
+Result<inverse::ActuationProblem> actuation_problem(const setup::Setup& setup, const OptimizeSettings& settings,
+                                                    inverse::Design design) {
     assert(setup.trials.size() == 1);
     const setup::PreparedTrial& trial = setup.trials.front();
-    if (setup::actuator_names(setup.experiment).empty())
+    const bool signals = seeks_signals(settings);
+    if (signals && setup::actuator_names(setup.experiment).empty())
         return experiment::declaration_error(
             setup.experiment, "muscle",
             "no muscle, chamber or tendon is declared, so there is no actuation to be found");
     if (trial.role == experiment::TrialRole::simulate)
         return experiment::declaration_error(setup.experiment, "trial[0].role",
                                              "trial " + trial.name +
-                                                 " has neither a recording nor a [[trial.goal]] that signals could "
-                                                 "follow");
+                                                 " has neither a recording nor a [[trial.goal]] that the "
+                                                 "markers could follow");
     const double lowest = lowest_activation(setup.experiment, settings);
     if (!(lowest < settings.highest)) return Error{"is not below --highest", "--lowest"};
     if (!(lowest > 0.0) && !setup.settings.as_published)
@@ -162,7 +169,7 @@ Result<inverse::ActuationProblem> actuation_problem(const setup::Setup& setup, c
         return Error{"trial " + trial.name + ": no marker was seen after the start",
                      setup.experiment.trials.front().trace.string()};
     // More than one knot per time step cannot be distinguished by the simulation.
-    if (!trial.hold && settings.frequency_Hz * trial.options.h_s > 1.0 + 1e-9)
+    if (signals && !trial.hold && settings.frequency_Hz * trial.options.h_s > 1.0 + 1e-9)
         return Error{format_number(settings.frequency_Hz) + " Hz asks for more than one knot per step of " +
                          format_number(1e3 * trial.options.h_s, 4) + " ms; choose a lower one or a smaller --dt",
                      "--frequency"};
@@ -188,11 +195,14 @@ Result<inverse::ActuationProblem> actuation_problem(const setup::Setup& setup, c
                                                  "from a mount that turns");
     }
     problem.smoothness_m_s = settings.smoothness_m_s.value_or(setup::mean_noise(setup));
+    problem.design = std::move(design);
+    problem.design_smoothness_m = setup::mean_noise(setup);
     return problem;
 }
 
 Optimization search_signals(const setup::Setup& setup, const inverse::ActuationProblem& problem,
-                            const OptimizeSettings& settings, const MatrixXd& start, const Progress& progress) {
+                            const OptimizeSettings& settings, const inverse::ActuationStart& start,
+                            const Progress& progress) {
     const Stopwatch watch;
     Optimization result;
     result.settings = settings;
@@ -213,7 +223,7 @@ Optimization search_signals(const setup::Setup& setup, const inverse::ActuationP
         options.evaluated = settings.evaluated;
         options.met_rms_m = TargetRule{}.met * setup::mean_noise(setup);
         inverse::ActuationFit fit = inverse::fit_actuation(
-            problem, s == 0 ? start : random_values(problem.sought, random), options, inner);
+            problem, s == 0 ? start : inverse::ActuationStart(random_values(problem.sought, random)), options, inner);
         done += static_cast<double>(fit.log.size());
         result.starts.push_back(
             {fit.status, fit.message, fit.first.loss_m2, fit.best.loss_m2, static_cast<int>(fit.log.size())});
@@ -239,6 +249,8 @@ void judge_signals(const setup::Setup& setup, Optimization& result, const Progre
     result.warnings = warnings_of(setup, result);
     if (result.stopped)
         result.deviations.reason = "not looked for: the search was stopped";
+    else if (!result.problem.design.empty())
+        result.deviations.reason = "none: not computed where the body is sought, too";
     else if (prediction::follows_goals(setup))
         result.deviations.reason = "none: goals are no measurements";
     else

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "calibration/body_design.hpp"
+#include "calibration/sought_items.hpp"
 #include "calibration/target_miss.hpp"
 #include "inverse/actuation_deviations.hpp"
 #include "inverse/actuation_fit.hpp"
@@ -14,10 +16,11 @@
 
 namespace myo::calibration {
 
-/// How the actuation of a trial is searched for.
+/// How the actuation of a trial, and the design of its body, is searched for.
 struct OptimizeSettings {
-    double frequency_Hz = 20.0;            // of the knots of the signals
-    bool hold = false;                     // piecewise constant instead of linear
+    std::vector<SoughtItem> seek = {{SoughtKind::signals}};  // what may change; not empty
+    double frequency_Hz = 20.0;                              // of the knots of the signals
+    bool hold = false;                                       // piecewise constant instead of linear
     std::optional<double> smoothness_m_s;  // see ActuationProblem; default: noise of the markers times one second
     std::optional<double> lowest;          // bounds of every muscle's activation, followers included;
     double highest = 2.0;                  // lowest: see lowest_activation()
@@ -28,6 +31,9 @@ struct OptimizeSettings {
     std::function<void(const inverse::ActuationFit&)> evaluated = {};
 };
 
+/// Whether the signals of the actuators are sought.
+bool seeks_signals(const OptimizeSettings& settings);
+
 /// Optimal-control problem of a setup with a single trial (with_one_trial()): one signal per muscle that follows none,
 /// per chamber and per tendon, from t = 0 to the last sample; of a hold one value each, see sought_signals().
 ///
@@ -35,7 +41,9 @@ struct OptimizeSettings {
 /// registration.
 /// Errors: no actuators, neither recording nor goals (see with_goals()), no samples after the start, knots closer than
 /// steps, no values between the bounds, a lowest activation <= 0 unless as_published.
-Result<inverse::ActuationProblem> actuation_problem(const setup::Setup& setup, const OptimizeSettings& settings);
+/// @param design  what is sought of the body besides, see body_design()
+Result<inverse::ActuationProblem> actuation_problem(const setup::Setup& setup, const OptimizeSettings& settings,
+                                                    inverse::Design design = {});
 
 /// Outcome of one start.
 struct StartEnding {
@@ -54,6 +62,7 @@ struct Optimization {
     std::vector<StartEnding> starts;
     prediction::SetupRun before, after;  // with the values of the first start and with those found; markers only
     TargetMiss miss;                     // remaining distance to the target
+    std::vector<FoundItem> found;        // what the values of the design mean; of the caller, see found_items()
     int earlier_evaluations = 0;         // of searches that this one continues
     double seconds = 0.0;
     bool stopped = false;  // cancelled by the user
@@ -64,11 +73,10 @@ struct Optimization {
 
 /// Minimises the loss from `start` and from random levels.
 ///
-/// @param start  signals x knots
 /// @return       fit.first is the evaluation of the first start that could be run; cancelled, the best values so far
 /// Errors: none; see Optimization::fit for the status.
 Optimization search_signals(const setup::Setup& setup, const inverse::ActuationProblem& problem,
-                            const OptimizeSettings& settings, const Eigen::MatrixXd& start,
+                            const OptimizeSettings& settings, const inverse::ActuationStart& start,
                             const Progress& progress = {});
 
 /// Completes a search result: runs before and after, distance to the target, standard deviations (not after
@@ -80,12 +88,11 @@ void judge_signals(const setup::Setup& setup, Optimization& found, const Progres
 /// Steps that are not choosable() are kept. Evaluations of all searches but the last count as earlier ones.
 ///
 /// @param setup  receives the final time step
-/// @param start  signals x knots
 Optimization optimize_with_chosen_steps(setup::Setup& setup, const inverse::ActuationProblem& problem,
-                                        const OptimizeSettings& settings, const Eigen::MatrixXd& start,
+                                        const OptimizeSettings& settings, const inverse::ActuationStart& start,
                                         const Progress& progress = {});
 
-/// Simulates the trial with the signals found, with complete output as `simulate` gives it. Cancelled: not run.
+/// Simulates the trial with signals and design found, with complete output as `simulate` gives it. Cancelled: not run.
 prediction::SetupRun run_with_found_signals(const setup::Setup& setup, const Optimization& found,
                                             const Progress& progress = {});
 

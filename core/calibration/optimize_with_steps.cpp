@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "calibration/body_design.hpp"
 #include "calibration/optimize.hpp"
 #include "calibration/sought_signals.hpp"
 #include "prediction/shorter_steps.hpp"
@@ -9,10 +10,13 @@
 namespace myo::calibration {
 namespace {
 
-// The signals replace the recorded activation, so that set_step() treats their jumps.
-setup::Setup with_signals(setup::Setup setup, const inverse::SoughtSignals& sought, const Eigen::MatrixXd& values) {
+/// The setup with what a search found. Signals replace the recorded activation, so that set_step() treats their jumps.
+setup::Setup with_found(setup::Setup setup, const inverse::ActuationProblem& problem,
+                        const inverse::ActuationFit& fit) {
+    setup = with_design(std::move(setup), problem.design, fit.design);
+    if (problem.sought.signals.empty()) return setup;
     setup::PreparedTrial& trial = setup.trials.front();
-    const std::vector<fibre::Signal> commands = found_commands(sought, values);
+    const std::vector<fibre::Signal> commands = found_commands(problem.sought, fit.values);
     const auto first_command = commands.begin() + static_cast<std::ptrdiff_t>(trial.recorded_activation.size());
     trial.recorded_activation.assign(commands.begin(), first_command);
     trial.recorded_commands.assign(first_command, commands.end());
@@ -22,13 +26,13 @@ setup::Setup with_signals(setup::Setup setup, const inverse::SoughtSignals& soug
 
 /// Search, repeated with shorter steps as long as its signals require them.
 Optimization search_with_chosen_steps(setup::Setup& setup, const inverse::ActuationProblem& problem,
-                                      const OptimizeSettings& settings, const Eigen::MatrixXd& start,
+                                      const OptimizeSettings& settings, const inverse::ActuationStart& start,
                                       const Progress& progress) {
     Optimization found = search_signals(setup, problem, settings, start, progress);
     if (!prediction::choosable(setup.settings) || setup.trials.front().hold) return found;
     for (int search = 1; search < prediction::shorter_steps_policy.max_fits; ++search) {
         if (!found.fit.converged() || progress.cancelled()) break;
-        const setup::Setup moved = with_signals(setup, problem.sought, found.fit.values);
+        const setup::Setup moved = with_found(setup, problem, found.fit);
         std::vector<setup::TrialStep> steps = prediction::choose_steps(
             moved, prediction::placed_values(moved, found.fit.best.placement), progress);
         const bool shorter = prediction::much_shorter(setup, steps);
@@ -38,7 +42,7 @@ Optimization search_with_chosen_steps(setup::Setup& setup, const inverse::Actuat
         finer.options.h_s = setup.trials.front().options.h_s;
         OptimizeSettings once = settings;
         once.starts = 1;
-        Optimization next = search_signals(setup, finer, once, found.fit.values, progress);
+        Optimization next = search_signals(setup, finer, once, {found.fit.values, found.fit.design}, progress);
         if (!next.usable()) break;  // cancelled at once: keep the signals found with longer steps
         next.earlier_evaluations = found.earlier_evaluations + static_cast<int>(found.fit.log.size());
         next.fit.first = std::move(found.fit.first);
@@ -53,7 +57,7 @@ Optimization search_with_chosen_steps(setup::Setup& setup, const inverse::Actuat
 }  // namespace
 
 Optimization optimize_with_chosen_steps(setup::Setup& setup, const inverse::ActuationProblem& problem,
-                                        const OptimizeSettings& settings, const Eigen::MatrixXd& start,
+                                        const OptimizeSettings& settings, const inverse::ActuationStart& start,
                                         const Progress& progress) {
     Optimization found = search_with_chosen_steps(setup, problem, settings, start, progress);
     judge_signals(setup, found, progress);
@@ -62,7 +66,7 @@ Optimization optimize_with_chosen_steps(setup::Setup& setup, const inverse::Actu
 
 prediction::SetupRun run_with_found_signals(const setup::Setup& setup, const Optimization& found,
                                             const Progress& progress) {
-    const setup::Setup moved = with_signals(setup, found.problem.sought, found.fit.values);
+    const setup::Setup moved = with_found(setup, found.problem, found.fit);
     return prediction::run_trials(moved, prediction::placed_values(moved, found.fit.best.placement), progress);
 }
 

@@ -147,6 +147,11 @@ inverse::SoughtSignals sought_signals(const setup::Setup& setup, const OptimizeS
     sought.end_s = end_s;
     sought.hold = settings.hold;
     sought.constant = trial.hold;
+    if (!seeks_signals(settings)) {
+        for (std::size_t i = 0; i < setup::actuator_names(setup.experiment).size(); ++i)
+            sought.groups.push_back({.own = setup::actuator_signal(setup.experiment, trial.model, i)});
+        return sought;
+    }
     sought.from_before = trial.options.start == dynamics::StartKind::equilibrium && !trial.hold;
     add_muscles(setup, settings, sought);
     add_commands(setup, sought);

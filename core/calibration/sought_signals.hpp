@@ -16,7 +16,8 @@ double lowest_activation(const experiment::Experiment& experiment, const Optimiz
 
 /// One signal per muscle that follows none, per chamber and per tendon. The bounds of muscles keep their followers
 /// within the limits as well; those of chambers and tendons are declared in [limits] or 1.5 times the largest of the
-/// experiment's commands, see command_bounds(). A hold has one value of each signal.
+/// experiment's commands, see command_bounds(). A hold has one value of each signal. If no signals are sought, the
+/// actuators keep those of the trial.
 ///
 /// @param end_s  last time that the signals reach
 /// Errors: none; a signal without a value between its bounds has lower >= upper.

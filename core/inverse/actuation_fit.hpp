@@ -5,18 +5,20 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/progress.hpp"
 #include "inverse/acting_signals.hpp"
 #include "inverse/actuation_signals.hpp"
 #include "inverse/best_placement.hpp"
+#include "inverse/design.hpp"
 #include "inverse/least_squares.hpp"
 #include "inverse/marker_target.hpp"
 
 namespace myo::inverse {
 
-/// Inverse problem: find signals such that the markers of a model follow a target.
+/// Inverse problem: find signals, and values of design variables, such that the markers of a model follow a target.
 struct ActuationProblem {
     model::Model model;  // its activation and the commands of its first force elements are replaced
     dynamics::SimulationOptions options;
@@ -29,6 +31,9 @@ struct ActuationProblem {
     /// If set, the placement of the target (camera frame) is optimised for every motion within these bounds. Otherwise
     /// the placement of the target is used.
     std::optional<PlacementBounds> placement_bounds;
+    Design design{};  // what is sought of the body; may be empty, as may be the sought signals
+    /// Weight of the roughness of the design: loss gains (design_smoothness)^2 times design_roughness().
+    double design_smoothness_m = 1e-4;
 };
 
 /// Loss and gradient at given values.
@@ -36,16 +41,23 @@ struct ActuationEvaluation {
     dynamics::RunStatus status = dynamics::RunStatus::not_run;
     std::string message;
     double loss_m2 = 0.0;
-    double rms_m = 0.0;              // root mean square of the residuals, without smoothness
-    MarkerPlacement placement;       // of the target: given or optimised
-    Eigen::MatrixXd gradient;        // signals x knots [m2 per unit of the signal]
-    sensitivity::NodeMotion motion;  // of the marker nodes
-    int steps = 0;                   // of the run
+    double rms_m = 0.0;               // root mean square of the residuals, without smoothness
+    MarkerPlacement placement;        // of the target: given or optimised
+    Eigen::MatrixXd gradient;         // signals x knots [m2 per unit of the signal]
+    Eigen::VectorXd design_gradient;  // per value of the design [m2]
+    sensitivity::NodeMotion motion;   // of the marker nodes
+    int steps = 0;                    // of the run
 
     /// Whether the run completed and loss and gradient are finite.
     bool ok() const { return status == dynamics::RunStatus::complete; }
 };
-/// Runs the model forwards and backwards. `values`: signals x knots.
+/// Runs the model forwards and backwards.
+///
+/// @param values  signals x knots
+/// @param design  values of problem.design
+ActuationEvaluation evaluate_actuation(const ActuationProblem& problem, const Eigen::MatrixXd& values,
+                                       const Eigen::VectorXd& design, const Progress& progress = {});
+/// The same with the declared design.
 ActuationEvaluation evaluate_actuation(const ActuationProblem& problem, const Eigen::MatrixXd& values,
                                        const Progress& progress = {});
 
@@ -78,6 +90,7 @@ struct ActuationFit {
     FitStatus status = FitStatus::not_run;
     std::string message;
     Eigen::MatrixXd start, values;      // signals x knots; `values` has the least loss
+    Eigen::VectorXd design;             // values of problem.design with the least loss
     ActuationEvaluation first, best;    // evaluations at the start and at `values`
     double gradient_norm_m2 = 0.0;      // projected, at `values`
     std::vector<ActuationIterate> log;  // every evaluation, in order
@@ -89,16 +102,25 @@ struct ActuationFit {
     bool usable() const { return first.ok(); }
 };
 
+/// Values at which a search starts.
+struct ActuationStart {
+    Eigen::MatrixXd values;       // signals x knots
+    Eigen::VectorXd design = {};  // values of the design; empty: as declared
+
+    ActuationStart(Eigen::MatrixXd signals, Eigen::VectorXd body = {})
+        : values(std::move(signals)), design(std::move(body)) {}
+};
+
 /// Minimises the loss within the bounds.
 ///
 /// Uses the limited-memory quasi-Newton method of NLopt (Luksan's variable metric; Liu & Nocedal 1989) with the exact
 /// gradient; each evaluation is one run forwards and backwards. It needed 34 evaluations where MMA needed more than 100
 /// (two antagonists, 80 values). If the model cannot be run at some values, the search retreats.
 ///
-/// @param start  signals x knots; moved into the bounds
+/// @param start  moved into the bounds
 /// Errors: cancelled or not_converged with the best values so far; failed if the run fails at the start. Asserts that
 /// the problem has values and a target. Progress counts evaluations, the running one as a fraction.
-ActuationFit fit_actuation(const ActuationProblem& problem, const Eigen::MatrixXd& start,
+ActuationFit fit_actuation(const ActuationProblem& problem, const ActuationStart& start,
                            const ActuationFitOptions& options = {}, const Progress& progress = {});
 
 }  // namespace myo::inverse

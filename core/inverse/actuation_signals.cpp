@@ -58,6 +58,10 @@ std::vector<fibre::Signal> commands_of(const SoughtSignals& sought, const Matrix
     if (fixed) times.insert(times.begin(), first_knot(sought) / sought.frequency_Hz);
     std::vector<fibre::Signal> commands;
     for (const SignalShare& group : sought.groups) {
+        if (group.own) {
+            commands.push_back(*group.own);
+            continue;
+        }
         const SoughtSignal& signal = sought.signals[group.signal];
         const auto of_group = [&](double s) { return signal.passive + group.factor * (s - signal.passive); };
         std::vector<double> knots;
@@ -73,6 +77,7 @@ MatrixXd value_gradient(const SoughtSignals& sought, const std::vector<std::vect
     MatrixXd gradient = MatrixXd::Zero(static_cast<Index>(sought.signals.size()),
                                        static_cast<Index>(knot_times(sought).size()));
     for (std::size_t g = 0; g < command.size(); ++g) {
+        if (sought.groups[g].own) continue;
         const std::vector<double> knots = is_held(sought) ? fibre::held_sample_gradient(command[g]) : command[g];
         const Index first = static_cast<Index>(knots.size()) - gradient.cols();  // earlier knots are not free
         for (Index k = 0; k < gradient.cols(); ++k)

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ namespace myo::inverse {
 struct SignalShare {
     std::size_t signal = 0;  // index of the signal
     double factor = 1.0;
+    std::optional<fibre::Signal> own{};  // a command that is not sought; the members above are then without meaning
 };
 
 /// A signal to be determined, with its bounds: activation of muscles [-], pressure [Pa], tension [N] or shortening [m].

@@ -87,12 +87,13 @@ void add_moduli_work(const Model& model, const Matrix3Xd& x, const Matrix3Xd& p,
         model.body->cells);
 }
 
-FibreWork no_fibre_work(const Model& model, bool with_shapes) {
+FibreWork no_fibre_work(const Model& model, bool at_points) {
     FibreWork work;
     work.by_activation.assign(model.fibres->size(), 0.0);
     work.by_stiffness.assign(model.fibres->size(), 0.0);
-    if (!with_shapes) return work;
+    if (!at_points) return work;
     for (const fibre::FibreGroup& group : *model.fibres) {
+        work.by_volume.emplace_back(group.points.size(), 0.0);
         work.by_shape.emplace_back();
         for (const fibre::FibrePoint& point : group.points)
             work.by_shape.back().push_back(Eigen::VectorXd::Zero(point.shape.size()));
@@ -113,12 +114,13 @@ void add_fibre_work(const Model& model, const Matrix3Xd& x, const Matrix3Xd& p, 
             const auto shape = shape_of<N>(point);
             const Eigen::Vector3d s = xe.transpose() * shape, ds = pe.transpose() * shape;
             // Virtual elongation of the fibre times its volume.
-            const double length = s.norm(), along = s.dot(ds) / length * point.volume;
+            const double length = s.norm(), elongation = s.dot(ds) / length, along = elongation * point.volume;
             work.by_activation[g] -= group.stiffness_Pa * along;
             work.by_stiffness[g] += (length - activation[g]) * along;
             if (work.by_shape.empty()) continue;
             const fibre::FibreResponse response = fibre::fibre_response(s, activation[g], group.stiffness_Pa);
             // Derivative of (psi'(s) . ds) with respect to the shape: s = x shape and ds = p shape.
+            work.by_volume[g][k] += group.stiffness_Pa * (length - activation[g]) * elongation;
             work.by_shape[g][k] += point.volume * (xe * (response.hessian * ds) + pe * response.gradient);
         }
     });

@@ -29,14 +29,15 @@ struct FibreWork {
     std::vector<double> by_stiffness;   // per group: derivative by stiffness w [m3]
     // per group and point: derivative by FibrePoint::shape; empty unless requested
     std::vector<std::vector<Eigen::VectorXd>> by_shape;
+    std::vector<std::vector<double>> by_volume;  // likewise by FibrePoint::volume [J/m3]
 };
 /// Zero work for all fibre groups.
-/// @param with_shapes  also allocate by_shape
-FibreWork no_fibre_work(const Model& model, bool with_shapes);
+/// @param at_points  also allocate by_shape and by_volume
+FibreWork no_fibre_work(const Model& model, bool at_points);
 
 /// Adds the work of the fibres.
 ///
-/// by_shape is computed only if `work` has it allocated.
+/// by_shape and by_volume are computed only if `work` has them allocated.
 ///
 /// @param x, p        node positions [m] and motions, 3 x n
 /// @param activation  per group

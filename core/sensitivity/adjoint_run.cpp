@@ -24,7 +24,7 @@ public:
           loss_(loss),
           progress_(progress),
           with_strains_(model::is_viscous(model) || model.creep || adjoint.damping_of_undamped),
-          follower_(model, with_strains_, adjoint.fibre_shapes) {
+          follower_(model, with_strains_, adjoint.fibre_points) {
         options_.solver.tangent_tolerance = adjoint.tolerance;
     }
 

@@ -43,7 +43,7 @@ struct AdjointOptions {
     double memory_bytes = 256e6;
     /// Also compute the derivative with respect to damping for an undamped body; one pass over the strains per stage.
     bool damping_of_undamped = false;
-    bool fibre_shapes = false;  // also the derivatives with respect to the fibre shapes, hence directions
+    bool fibre_points = false;  // also the derivatives with respect to shape, hence direction, and volume of each fibre
 };
 
 /// Result of simulate_with_gradient().

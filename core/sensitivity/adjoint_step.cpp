@@ -83,8 +83,8 @@ void AdjointFollower::Guess::add(const VectorXd& solution) {
     last_ = std::move(next);
 }
 
-AdjointFollower::AdjointFollower(const model::Model& model, bool with_strains, bool fibre_shapes)
-    : model_(model), with_strains_(with_strains), gradient_(model, fibre_shapes) {}
+AdjointFollower::AdjointFollower(const model::Model& model, bool with_strains, bool fibre_points)
+    : model_(model), with_strains_(with_strains), gradient_(model, fibre_points) {}
 
 const AdjointFollower::Known& AdjointFollower::coefficients(const dynamics::TimeScheme& scheme, double h,
                                                             double step_before) {

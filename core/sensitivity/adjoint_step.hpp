@@ -35,8 +35,8 @@ struct KinematicsAdjoint {
 class AdjointFollower {
 public:
     /// @param with_strains  whether the records contain strain rates
-    /// @param fibre_shapes  whether derivatives with respect to fibre shapes are accumulated
-    AdjointFollower(const model::Model& model, bool with_strains, bool fibre_shapes);
+    /// @param fibre_points  whether derivatives with respect to shapes and volumes of the fibres are accumulated
+    AdjointFollower(const model::Model& model, bool with_strains, bool fibre_points);
 
     /// Adjoint at the present time. The caller adds the derivatives of the loss to it.
     KinematicsAdjoint& state() { return state_; }

@@ -126,6 +126,17 @@ void add_fibres(const model::Model& model, const dynamics::SimulationOptions& op
                         [&model, g](const ModelGradient& d) {
                             return direction.dot(fibre_direction_gradient(model, d, g).rowwise().sum());
                         }});
+        list.push_back({"amount of " + name, 1e-3,
+                        [g](model::Model& m, dynamics::SimulationOptions&, double by) {
+                            for (fibre::FibrePoint& point : own_fibres(m)[g].points) point.volume *= 1.0 + by;
+                        },
+                        [&model, g](const ModelGradient& d) {
+                            const std::vector<fibre::FibrePoint>& points = (*model.fibres)[g].points;
+                            double sum = 0.0;
+                            for (std::size_t k = 0; k < points.size(); ++k)
+                                sum += points[k].volume * d.fibre_volume_m3[g][k];
+                            return sum;
+                        }});
         const fibre::Signal& signal = model.activation[g];
         for (std::size_t k = 0; k < signal.values.size(); ++k) {
             if (acts(signal, k, options.end_s))

@@ -56,7 +56,7 @@ GradientCheck check_gradient(const model::Model& model, dynamics::SimulationOpti
     // The noise of a difference quotient is the solver tolerance over the relative step.
     options.solver.tolerance = 1e-10;
     adjoint.tolerance = 1e-10;
-    adjoint.fibre_shapes = !model.fibres->empty();
+    adjoint.fibre_points = !model.fibres->empty();
     GradientCheck check;
     const GradientRun run = simulate_with_gradient(model, options, loss, adjoint, progress);
     check.status = run.status;

@@ -50,11 +50,11 @@ Matrix3Xd fibre_direction_gradient(const model::Model& model, const ModelGradien
     return result;
 }
 
-GradientSum::GradientSum(const model::Model& model, bool fibre_shapes)
+GradientSum::GradientSum(const model::Model& model, bool fibre_points)
     : model_(model),
       masses_(model::mass_spans(model)),
       moduli_(model::no_moduli_work(model)),
-      fibres_(model::no_fibre_work(model, fibre_shapes)) {
+      fibres_(model::no_fibre_work(model, fibre_points)) {
     if (model.creep) damping_ = model::no_moduli_work(model);
     if (model.softening) softened_ = model;
     for (std::size_t k = 0; k < model.material->parameters().size(); ++k)
@@ -182,6 +182,9 @@ ModelGradient GradientSum::take() {
     for (auto& group : fibres_.by_shape)
         for (Eigen::VectorXd& shape : group) shape = -shape;
     gradient_.fibre_shape = std::move(fibres_.by_shape);
+    for (auto& group : fibres_.by_volume)
+        for (double& volume : group) volume = -volume;
+    gradient_.fibre_volume_m3 = std::move(fibres_.by_volume);
     double attached = 0.0;
     for (std::size_t k = 0; k < model_.masses.size(); ++k)
         attached += model_.masses[k].mass_kg * gradient_.attached_masses_kg[k];

@@ -21,9 +21,10 @@ struct ModelGradient {
     std::vector<std::vector<double>> activation;  // per fibre group and knot of its signal
     std::vector<double> fibre_stiffness_Pa;       // per fibre group
     std::vector<std::vector<Eigen::VectorXd>>
-        fibre_shape;                              // per group and point, see FibrePoint::shape; only on request
-    std::vector<Eigen::Vector3d> forces_N;        // per dead force
-    std::vector<double> attached_masses_kg;       // per attached mass
+        fibre_shape;                                   // per group and point, see FibrePoint::shape; only on request
+    std::vector<std::vector<double>> fibre_volume_m3;  // per group and point; only on request
+    std::vector<Eigen::Vector3d> forces_N;             // per dead force
+    std::vector<double> attached_masses_kg;            // per attached mass
     std::vector<double> directional_masses;       // per directional mass: derivative with respect to a factor on it
     std::vector<Eigen::VectorXd> force_elements;  // per element, one entry per parameter
     Eigen::Matrix3Xd initial_positions;           // 3 x n; zero on clamped nodes, and for a start at equilibrium
@@ -47,7 +48,7 @@ Eigen::Matrix3Xd fibre_direction_gradient(const model::Model& model, const Model
 /// Accumulates the gradient from the equilibria of a run (stages, jumps, start), each with its adjoint.
 class GradientSum {
 public:
-    GradientSum(const model::Model& model, bool fibre_shapes);
+    GradientSum(const model::Model& model, bool fibre_points);
 
     /// Equilibrium inertia M x + dW/dx = ... of a stage, a jump or the start, at the solution x.
     struct Balance {

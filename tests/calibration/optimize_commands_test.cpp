@@ -154,7 +154,7 @@ TEST(OptimizeCommands, FindsTheTensionOfAHold) {
     ASSERT_TRUE(problem) << problem.error().text();
     ASSERT_TRUE(problem->sought.constant);
     const Optimization found = optimize_with_chosen_steps(setup, *problem, slow_signals(),
-                                                          MatrixXd::Constant(1, 1, 0.0));
+                                                          MatrixXd(MatrixXd::Zero(1, 1)));
     ASSERT_TRUE(found.usable()) << found.fit.message;
     EXPECT_TRUE(found.fit.converged()) << found.fit.message;
     ASSERT_EQ(found.fit.values.size(), 1);

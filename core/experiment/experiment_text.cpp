@@ -1,0 +1,53 @@
+#include "experiment/experiment_text.hpp"
+
+#include <regex>
+#include <string_view>
+
+#include "base/files.hpp"
+#include "toml/toml_text.hpp"
+
+namespace myo::experiment {
+namespace {
+
+/// Path relative to `folder` of a file that is given relative to `home`.
+std::string seen_from(const std::filesystem::path& file, const std::filesystem::path& home,
+                      const std::filesystem::path& folder) {
+    if (file.is_absolute()) return file.string();
+    std::error_code error;
+    const std::filesystem::path there = std::filesystem::weakly_canonical(home / file, error),
+                                from = std::filesystem::weakly_canonical(folder, error);
+    const std::filesystem::path relative = there.lexically_relative(from);
+    return relative.empty() ? there.string() : relative.string();
+}
+
+/// Whether a key before `place` names a file: `signal` does in a table [[muscle]], not in an [[effect]].
+bool names_a_file(const std::string& key, const std::string& text, std::size_t place) {
+    if (key != "signal") return true;
+    const std::size_t header = text.rfind("\n[", place);
+    const std::string_view line = std::string_view(text).substr(header == std::string::npos ? 0 : header + 1);
+    return !line.starts_with("[[effect]]");
+}
+
+}  // namespace
+
+Result<std::string> experiment_text_for(const std::filesystem::path& folder, const std::filesystem::path& written) {
+    const Result<std::string> text = read_file(written);
+    if (!text) return text.error();
+    static const std::regex named(
+        R"(\b(file|trace|actuation|mask|signal|sensors|path)(\s*=\s*)(\"[^\"\n]*\"|'[^'\n]*'))");
+    std::string result;
+    auto from = text->cbegin();
+    for (std::sregex_iterator match(text->begin(), text->end(), named), end; match != end; ++match) {
+        if (!names_a_file((*match)[1].str(), *text, static_cast<std::size_t>(match->position()))) continue;
+        result.append(from, (*match)[0].first);
+        const std::string name = (*match)[3].str();
+        result += (*match)[1].str() + (*match)[2].str() +
+                  toml::toml_text(seen_from(name.substr(1, name.size() - 2), written.parent_path(), folder));
+        from = (*match)[0].second;
+    }
+    result.append(from, text->cend());
+    if (!result.empty() && result.back() != '\n') result += '\n';
+    return result;
+}
+
+}  // namespace myo::experiment
