@@ -116,15 +116,13 @@ std::string cost_lines(const diagnosis::Diagnosis& d) {
 Result<void> write_results(const DiagnoseCall& call, const experiment::Experiment& experiment,
                            const setup::Setup& setup, const diagnosis::Diagnosis& d, const results::RunFacts& facts) {
     // The augmented experiment is an edited copy of the declaration, which keeps its comments.
-    const std::filesystem::path written = std::filesystem::is_directory(call.experiment)
-                                              ? call.experiment / "experiment.toml"
-                                              : call.experiment;
     const std::string name = report_name(experiment);
     report::Json report = diagnosis::diagnosis_json(setup, d, name);
     report["checks"] = results::findings_json(facts.findings);
     for (const std::string& file : {std::string("report.json"), name + ".json"})
         if (const Result<void> json = report::write_json(call.out / file, report); !json) return json.error();
-    const Result<std::string> augmented = diagnosis::augmented_experiment(written, d.verdict.effects, call.out);
+    const Result<std::string> augmented = diagnosis::augmented_experiment(declaration_of(call), d.verdict.effects,
+                                                                          call.out);
     if (!augmented) return augmented.error();
     if (const Result<void> file = write_file(call.out / augmented_file, *augmented); !file) return file.error();
     if (const Result<void> traces = results::write_traces(call.out, setup, d.after); !traces) return traces.error();

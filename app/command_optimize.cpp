@@ -5,7 +5,9 @@
 #include <numbers>
 #include <optional>
 
+#include "base/files.hpp"
 #include "base/text.hpp"
+#include "calibration/body_design.hpp"
 #include "calibration/sought_signals.hpp"
 #include "check/catalogue.hpp"
 #include "commands.hpp"
@@ -13,7 +15,9 @@
 #include "experiment/actuators.hpp"
 #include "experiment_command.hpp"
 #include "prediction/trial_goals.hpp"
+#include "prediction/trial_target.hpp"
 #include "results/optimize_output.hpp"
+#include "results/optimized_experiment.hpp"
 
 namespace myo::app {
 namespace {
@@ -23,11 +27,14 @@ struct OptimizeCall : ExperimentCall {
     std::optional<double> frequency_Hz, smoothness_mm_s, lowest, highest;
     bool hold = false;
     bool resume = false;
+    std::vector<std::string> seek;  // words of calibration::to_string(); empty: signals
     int max_evaluations = calibration::OptimizeSettings{}.max_evaluations;
     int starts = 1;
 };
 
-/// Settings of the search from the options of the call.
+constexpr const char* optimized_file = "experiment_optimized.toml";
+
+/// Settings of the search from the options of the call; what is sought is read with the experiment.
 calibration::OptimizeSettings settings_of(const OptimizeCall& call) {
     calibration::OptimizeSettings settings;
     settings.frequency_Hz = call.frequency_Hz.value_or(settings.frequency_Hz);
@@ -92,6 +99,8 @@ std::string placement_line(const calibration::Optimization& result) {
 /// rms per marker, ranges of the signals, registration, remaining distance, cost.
 std::string result_lines(const setup::Setup& setup, const calibration::Optimization& result) {
     std::string text = marker_lines(result);
+    for (const calibration::FoundItem& found : result.found)
+        text += "\n" + calibration::readable(found.item) + ": " + found.change;
     for (std::size_t s = 0; s < result.problem.sought.signals.size(); ++s) {
         const auto row = result.fit.values.row(static_cast<Eigen::Index>(s));
         const inverse::SoughtSignal& signal = result.problem.sought.signals[s];
@@ -118,12 +127,32 @@ std::string result_lines(const setup::Setup& setup, const calibration::Optimizat
            format_number(setup.trials.front().options.h_s, 4) + ")";
 }
 
-Result<void> write_results(const OptimizeCall& call, const setup::Setup& setup, const calibration::Optimization& result,
-                           const results::RunFacts& facts) {
+/// Writes the experiment with what was found of the body, and its masks.
+Result<void> write_design(const OptimizeCall& call, const experiment::Experiment& experiment, const setup::Setup& setup,
+                          const calibration::Optimization& result, Console& console) {
+    if (result.found.empty()) return {};
+    if (const Result<void> masks = results::write_masks(call.out, experiment, result.found); !masks)
+        return masks.error();
+    const std::size_t trial = *prediction::find_trial(experiment, setup.trials.front().name);
+    std::string skipped;
+    const Result<std::string> text = results::optimized_experiment(declaration_of(call), call.out, setup, result, trial,
+                                                                   &skipped);
+    if (!text) return text.error();
+    if (!skipped.empty()) console.warn(skipped);
+    if (const Result<void> written = write_file(call.out / optimized_file, *text); !written) return written.error();
+    console.print("experiment with this body: " + (call.out / optimized_file).string());
+    return {};
+}
+
+Result<void> write_results(const OptimizeCall& call, const experiment::Experiment& experiment,
+                           const setup::Setup& setup, const calibration::Optimization& result,
+                           const results::RunFacts& facts, Console& console) {
     const report::Json json = results::optimize_json(setup, result, facts);
     if (const Result<void> written = report::write_json(call.out / "optimize.json", json); !written)
         return written.error();
     if (const Result<void> files = results::write_actuation(call.out, setup, result); !files) return files.error();
+    if (const Result<void> design = write_design(call, experiment, setup, result, console); !design)
+        return design.error();
     return report::write_html(call.out / "report.html", results::optimize_report(setup, result, facts));
 }
 
@@ -144,7 +173,7 @@ int end_status(const OptimizeCall& call, const calibration::Optimization& result
 Result<results::EarlierOptimization> first_signals(const OptimizeCall& call, const setup::Setup& setup,
                                                    const inverse::ActuationProblem& problem) {
     if (call.resume) return results::read_optimization(call.out, setup, problem);
-    return results::EarlierOptimization{calibration::first_values(setup, problem.sought)};
+    return results::EarlierOptimization{.values = calibration::first_values(setup, problem.sought)};
 }
 
 /// What is sought, in one line, and the size of the model.
@@ -155,9 +184,15 @@ std::string search_lines(const setup::Setup& setup, const inverse::ActuationProb
     const std::size_t goals = setup.experiment.trials.front().goals.size();
     const std::string towards = goals == 0 ? ""
                                            : ", towards " + std::to_string(goals) + (goals == 1 ? " goal" : " goals");
-    return setup.experiment.name + ", trial " + setup.trials.front().name + towards + ": " + std::to_string(values) +
-           " values of " + join(names) +
-           (problem.sought.constant ? ", held at rest" : " at " + format_number(frequency_Hz) + " Hz") + "\n" +
+    std::vector<std::string> parts;
+    if (!names.empty())
+        parts.push_back(std::to_string(values) + " values of " + join(names) +
+                        (problem.sought.constant ? ", held at rest" : " at " + format_number(frequency_Hz) + " Hz"));
+    for (const inverse::DesignVariablePointer& variable : problem.design) {
+        const Eigen::Index count = variable->declared().size();
+        parts.push_back(variable->name() + " (" + std::to_string(count) + (count == 1 ? " value)" : " values)"));
+    }
+    return setup.experiment.name + ", trial " + setup.trials.front().name + towards + ": " + join(parts, "; ") + "\n" +
            size_line(setup);
 }
 
@@ -192,8 +227,16 @@ int optimize_command(const OptimizeCall& call) {
     Result<setup::Setup> target = prediction::with_goals(*std::move(opening.setup));
     if (!target) return console.refuse(target.error());
     setup::Setup& setup = *target;
-    const calibration::OptimizeSettings settings = settings_of(call);
-    const Result<inverse::ActuationProblem> problem = calibration::actuation_problem(setup, settings);
+    calibration::OptimizeSettings settings = settings_of(call);
+    if (!call.seek.empty()) {
+        Result<std::vector<calibration::SoughtItem>> seek = calibration::sought_items(call.seek, setup.experiment);
+        if (!seek) return console.refuse({seek.error().what, "--seek"});
+        settings.seek = *std::move(seek);
+    }
+    const Result<calibration::BodyDesign> design = calibration::body_design(setup, settings.seek);
+    if (!design) return console.refuse(design.error());
+    const Result<inverse::ActuationProblem> problem = calibration::actuation_problem(setup, settings,
+                                                                                     design->variables);
     if (!problem) return console.refuse(problem.error());
     const Result<results::EarlierOptimization> from = first_signals(call, setup, *problem);
     if (!from) return console.refuse(from.error());
@@ -204,15 +247,16 @@ int optimize_command(const OptimizeCall& call) {
     tell_findings(before, opening.told, console);
     console.print(search_lines(setup, *problem, from->values.size(), settings.frequency_Hz));
     const double setup_s = opening.stopwatch.seconds();
-    calibration::Optimization result = calibration::optimize_with_chosen_steps(setup, *problem, settings, from->values,
-                                                                               progress);
+    calibration::Optimization result = calibration::optimize_with_chosen_steps(setup, *problem, settings,
+                                                                               {from->values, from->design}, progress);
     result.earlier_evaluations += from->evaluations;
     if (!result.usable()) return end_without_signals(result, console);
+    result.found = calibration::found_items(setup, *design, result.fit.design);
     for (const std::string& warning : result.warnings) console.warn(warning);
     results::RunFacts facts = run_facts(call, setup_s);
     facts.findings = checks_of_signals(setup, result, before, console, progress);
     console.print("\n" + result_lines(setup, result));
-    if (const Result<void> written = write_results(call, setup, result, facts); !written)
+    if (const Result<void> written = write_results(call, opening.experiment, setup, result, facts, console); !written)
         return console.fail(written.error());
     console.print("report: " + (call.out / "report.html").string());
     return end_status(call, result, console);
@@ -223,6 +267,12 @@ std::vector<std::filesystem::path> optimize_files(const OptimizeCall& call, cons
     std::vector<std::filesystem::path> files = trace_files_and(call, experiment, {"optimize.json", "report.html"});
     const std::vector<std::filesystem::path> signals = results::actuation_files(call.out, experiment);
     files.insert(files.end(), signals.begin(), signals.end());
+    // Words that name nothing are refused before anything is written.
+    if (const auto seek = calibration::sought_items(call.seek, experiment)) {
+        for (const std::filesystem::path& mask : results::mask_files(experiment, *seek))
+            files.push_back(call.out / mask);
+        if (!seek->empty()) files.push_back(call.out / optimized_file);
+    }
     return files;
 }
 
@@ -246,6 +296,11 @@ std::function<int()> declare_optimize(CLI::App& app) {
     app.add_option("--trial", call->trial,
                    "trial whose goals, or else trace, are the target (default: the first with role fit)")
         ->type_name("NAME");
+    app.add_option("--seek", call->seek,
+                   "what may change, separated by commas: signals, direction:MUSCLE (its fibres), weights:MUSCLE (its "
+                   "paint), modulus, modulus:PART (default: signals)")
+        ->delimiter(',')
+        ->type_name("LIST");
     add_positive_number(app, "--frequency", call->frequency_Hz, "values of each signal per second (default: 20)")
         ->type_name("HZ");
     app.add_flag("--hold", call->hold, "hold each value until the next instead of going there in a straight line");

@@ -155,6 +155,11 @@ std::vector<std::filesystem::path> trace_files_and(const ExperimentCall& call, c
     return files;
 }
 
+std::filesystem::path declaration_of(const ExperimentCall& call) {
+    std::error_code code;
+    return std::filesystem::is_directory(call.experiment, code) ? call.experiment / "experiment.toml" : call.experiment;
+}
+
 OpenedExperiment open_command(const ExperimentCall& call, TrialChoice choice, const std::string& first_result,
                               Console& console, const Progress& progress) {
     OpenedExperiment opening;

@@ -67,6 +67,9 @@ struct OpenedExperiment {
     std::vector<check::Finding> told = {};
 };
 
+/// The TOML file of the experiment of a call.
+std::filesystem::path declaration_of(const ExperimentCall& call);
+
 /// Reads and prepares the experiment of a command, reduced to one trial (with_one_trial) for TrialChoice::one. An
 /// unknown call.trial is rejected in both cases. The integration is checked as well.
 ///

@@ -56,8 +56,20 @@ measurement::ActuationTable actuation_table(const setup::Setup& setup, const inv
 
 constexpr const char* actuation_ending = "_actuation.csv";
 
-fs::path actuation_file(const setup::Setup& setup) {
-    return trial_file_names(setup.experiment).front() + actuation_ending;
+/// What was sought: words of the items, and what became of the body.
+report::Json sought_json(const std::vector<calibration::SoughtItem>& seek) {
+    report::Json words = report::Json::array();
+    for (const calibration::SoughtItem& item : seek) words.push_back(calibration::to_string(item));
+    return words;
+}
+report::Json design_json(const calibration::Optimization& optimization) {
+    report::Json items = report::Json::array();
+    for (const calibration::FoundItem& found : optimization.found) {
+        items.push_back({{"item", calibration::to_string(found.item)}, {"change", found.change}});
+        if (found.youngs_modulus_Pa > 0.0) items.back()["youngs_modulus_Pa"] = found.youngs_modulus_Pa;
+        if (found.fibre) items.back()["fibre"] = report::json_array(Eigen::VectorXd(*found.fibre));
+    }
+    return {{"items", items}, {"values", report::json_array(optimization.fit.design)}};
 }
 
 /// Bounds, values and standard deviations per signal; "from_markers" is the part of the deviation due to the markers.
@@ -87,7 +99,7 @@ report::Json signals_json(const setup::Setup& setup, const inverse::SoughtSignal
 /// Signal and factor of each muscle, so that followers can be reconstructed.
 report::Json muscles_json(const setup::Setup& setup, const inverse::SoughtSignals& sought) {
     report::Json muscles = report::Json::array();
-    for (std::size_t g = 0; g < setup.experiment.muscles.size(); ++g)
+    for (std::size_t g = 0; g < setup.experiment.muscles.size() && !sought.signals.empty(); ++g)
         muscles.push_back({{"name", setup.experiment.muscles[g].name},
                            {"signal", sought.signals[sought.groups[g].signal].name},
                            {"factor", sought.groups[g].factor}});
@@ -177,6 +189,7 @@ report::Json search_json(const setup::Setup& setup, const calibration::Optimizat
     return {{"schema", "optimize/1"},
             {"trial", setup.trials.front().name},
             {"target", optimization.miss.goals ? "goals" : "recording"},
+            {"seek", sought_json(optimization.settings.seek)},
             {"frequency_Hz", sought.frequency_Hz},
             {"interpolation", interpolation(sought.hold)},
             {"smoothness_m_s", optimization.problem.smoothness_m_s},
@@ -194,8 +207,8 @@ report::Json search_json(const setup::Setup& setup, const calibration::Optimizat
             {"noise_levels", report::json_number(optimization.miss.noise_levels)},
             {"stopped", optimization.stopped},
             {"message", fit.message},
-            {"actuation", actuation_file(setup).string()},
-            {"knot_times_s", report::json_array(inverse::knot_times(sought))},
+            {"knot_times_s",
+             sought.signals.empty() ? report::Json::array() : report::json_array(inverse::knot_times(sought))},
             {"signals", signals_json(setup, sought, fit.values, optimization.deviations)},
             {"muscles", muscles_json(setup, sought)},
             {"starts", starts_json(optimization.starts)},
@@ -203,8 +216,10 @@ report::Json search_json(const setup::Setup& setup, const calibration::Optimizat
 }
 
 /// What was sought and found besides the signals: placement, misses and deviations.
-void add_outcome(const calibration::Optimization& optimization, report::Json& json) {
+void add_outcome(const setup::Setup& setup, const calibration::Optimization& optimization, report::Json& json) {
     const inverse::ActuationFit& fit = optimization.fit;
+    if (!optimization.problem.sought.signals.empty()) json["actuation"] = actuation_file_name(setup).string();
+    if (!optimization.found.empty()) json["design"] = design_json(optimization);
     if (optimization.problem.placement_bounds) {
         const inverse::MarkerPlacement& placement = fit.best.placement;
         json["registration"] = {{"translation_m", report::json_array(Eigen::VectorXd(placement.translation_m))},
@@ -261,6 +276,17 @@ Result<EarlierOptimization> read_optimization(const fs::path& folder, const setu
             earlier.values(static_cast<Index>(s), k) = value.get<double>();
         }
     }
+    earlier.design = inverse::declared_design(problem.design);
+    if (earlier.design.size() > 0) {
+        const report::Json* const values = json->contains("design") && json->at("design").contains("values")
+                                               ? &json->at("design").at("values")
+                                               : nullptr;
+        if (!values || !values->is_array() || static_cast<Index>(values->size()) != earlier.design.size() ||
+            !std::all_of(values->begin(), values->end(), [](const report::Json& value) { return value.is_number(); }))
+            return refuse("sought other quantities of the body");
+        for (Index k = 0; k < earlier.design.size(); ++k)
+            earlier.design(k) = values->at(static_cast<std::size_t>(k)).get<double>();
+    }
     if (json->contains("evaluations_in_all") && json->at("evaluations_in_all").is_number_integer())
         earlier.evaluations = json->at("evaluations_in_all").get<int>();
     return earlier;
@@ -271,7 +297,7 @@ report::Json optimize_json(const setup::Setup& setup, const calibration::Optimiz
     // Stable keys: scripts read this file, and --resume does as well.
     assert(optimization.usable());
     report::Json json = search_json(setup, optimization);
-    add_outcome(optimization, json);
+    add_outcome(setup, optimization, json);
     std::vector<std::string> warnings = setup.warnings;
     warnings.insert(warnings.end(), optimization.warnings.begin(), optimization.warnings.end());
     json["warnings"] = warnings;
@@ -292,10 +318,15 @@ report::Json optimize_json(const setup::Setup& setup, const calibration::Optimiz
     return json;
 }
 
+fs::path actuation_file_name(const setup::Setup& setup) {
+    return trial_file_names(setup.experiment).front() + actuation_ending;
+}
+
 Result<void> write_actuation(const fs::path& folder, const setup::Setup& setup,
                              const calibration::Optimization& optimization) {
+    if (optimization.problem.sought.signals.empty()) return write_traces(folder, setup, optimization.after);
     if (const Result<void> written = measurement::write_actuation_csv(
-            folder / actuation_file(setup),
+            folder / actuation_file_name(setup),
             actuation_table(setup, optimization.problem.sought, optimization.fit.values));
         !written)
         return written.error();

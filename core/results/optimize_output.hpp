@@ -16,13 +16,14 @@ namespace myo::results {
 /// State of an earlier search, read from its optimize.json.
 struct EarlierOptimization {
     Eigen::MatrixXd values;               // signals x knots
+    Eigen::VectorXd design = {};          // values of the design; empty: none is sought
     int evaluations = 0;                  // in all
     std::vector<std::string> notes = {};  // what was written by an earlier version and read differently
 };
 /// Reads the state of an earlier search from optimize.json.
 ///
 /// @param folder  output folder of the earlier call
-/// Errors: the file is missing or has another form; another trial, other signals or other knots.
+/// Errors: the file is missing or has another form; another trial, other signals, knots or quantities of the body.
 Result<EarlierOptimization> read_optimization(const std::filesystem::path& folder, const setup::Setup& setup,
                                               const inverse::ActuationProblem& problem);
 
@@ -32,8 +33,12 @@ Result<EarlierOptimization> read_optimization(const std::filesystem::path& folde
 report::Json optimize_json(const setup::Setup& setup, const calibration::Optimization& optimization,
                            const RunFacts& facts);
 
+/// Name of the file of the signals found for the trial of a setup, `<trial>_actuation.csv`.
+std::filesystem::path actuation_file_name(const setup::Setup& setup);
+
 /// Writes `<trial>_actuation.csv` in the schema's format, one column per muscle that follows none, chamber and tendon,
 /// and `<trial>.csv` with the simulated markers. A held signal has two rows per knot, so `simulate` reproduces the run.
+/// Without sought signals only the markers are written.
 ///
 /// Errors: a file cannot be written.
 Result<void> write_actuation(const std::filesystem::path& folder, const setup::Setup& setup,

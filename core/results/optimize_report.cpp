@@ -175,6 +175,33 @@ chart::Chart loss_chart(const calibration::Optimization& optimization) {
     return {"Loss", {.label = "evaluation"}, {loss, gradient}};
 }
 
+/// What became of the quantities of the body.
+report::Section body_section(const calibration::Optimization& optimization) {
+    report::Table table{"", {{"quantity"}, {"change"}}, {}};
+    for (const calibration::FoundItem& found : optimization.found)
+        table.rows.push_back({{calibration::readable(found.item)}, {found.change}});
+    return {"Body",
+            {std::move(table),
+             report::Paragraph{"experiment_optimized.toml holds these in place of the declared ones. Uneven changes of "
+                               "fibres cost: a turn by one radian over the length of a muscle as much as an error of " +
+                               report::in_mm(optimization.problem.design_smoothness_m) + " mm."}}};
+}
+
+std::string summary_sentence(const setup::Setup& setup, const calibration::Optimization& optimization) {
+    const inverse::SoughtSignals& sought = optimization.problem.sought;
+    const bool signals = !sought.signals.empty(), body = !optimization.found.empty();
+    std::string words = signals && body ? "Signals and a body that make the markers "
+                        : signals       ? "The actuation that makes the markers "
+                                        : "The body that makes the markers ";
+    words += (optimization.miss.goals ? "reach the goals of trial " : "follow trial ") + setup.trials.front().name;
+    if (signals)
+        words += sought.constant
+                     ? ": one value of each signal, as the body is at rest"
+                     : ": signals with values " + readable_number(1e3 / sought.frequency_Hz, 3) + " ms apart";
+    return words + ", found by " + std::to_string(evaluations_of(optimization)) + " runs with their gradients in " +
+           readable_number(optimization.seconds, 3) + " s.";
+}
+
 /// The runs as a Calibration, so that the sections of a fit can display the trial.
 calibration::Calibration shown_as_fit(const calibration::Optimization& optimization) {
     calibration::Calibration shown;
@@ -192,21 +219,17 @@ report::HtmlReport optimize_report(const setup::Setup& setup, const calibration:
     report::HtmlReport report;
     report.title = setup.experiment.name;
     const inverse::SoughtSignals& sought = optimization.problem.sought;
-    report.summary = {
-        std::string("The actuation that makes the markers ") +
-        (optimization.miss.goals ? "reach the goals of" : "follow") + " trial " + setup.trials.front().name +
-        (sought.constant ? ": one value of each signal, as the body is at rest"
-                         : ": signals with values " + readable_number(1e3 / sought.frequency_Hz, 3) + " ms apart") +
-        ", found by " + std::to_string(evaluations_of(optimization)) + " runs with their gradients in " +
-        readable_number(optimization.seconds, 3) + " s."};
+    report.summary = {summary_sentence(setup, optimization)};
     report.key_figures = key_figures(setup, optimization);
     report.warnings.lines = optimization.warnings;
     report.warnings.lines.insert(report.warnings.lines.end(), setup.warnings.begin(), setup.warnings.end());
     if (const std::string end = ending(optimization); !end.empty())
         report.warnings.lines.insert(report.warnings.lines.begin(), end);
-    report.sections.push_back({"Signals",
-                               {report::Figure{chart::svg(signal_chart(setup, optimization)),
-                                               passive_words(setup) + band_words(optimization)}}});
+    if (!optimization.found.empty()) report.sections.push_back(body_section(optimization));
+    if (!sought.groups.empty())
+        report.sections.push_back({"Signals",
+                                   {report::Figure{chart::svg(signal_chart(setup, optimization)),
+                                                   passive_words(setup) + band_words(optimization)}}});
     report.sections.push_back(trial_section(setup, shown, 0));
     report.sections.push_back(
         {"Search",
