@@ -6,6 +6,7 @@
 #include "backend/check_rows.hpp"
 #include "backend/core_scene.hpp"
 #include "backend/core_search.hpp"
+#include "backend/found_design.hpp"
 #include "backend/search_pace.hpp"
 #include "backend/shown_run.hpp"
 #include "base/stopwatch.hpp"
@@ -66,11 +67,13 @@ std::vector<ui::commands::ParameterRow> signal_rows(const setup::Setup& setup, c
 class LiveOptimization {
 public:
     LiveOptimization(const setup::Setup& setup, std::size_t trial, const inverse::ActuationProblem& problem,
-                     Eigen::MatrixXd start, const ui::commands::Settings& settings, const Progress& progress,
+                     const calibration::BodyDesign& design, Eigen::MatrixXd start,
+                     const ui::commands::Settings& settings, const Progress& progress,
                      const ui::commands::Backend::LiveSearch& live)
         : setup_(setup),
           trial_(trial),
           problem_(problem),
+          design_(design),
           start_(std::move(start)),
           settings_(settings),
           progress_(progress),
@@ -89,12 +92,16 @@ public:
         if (fit.usable()) {
             const std::vector<fibre::Signal> activation = calibration::found_commands(problem_.sought, fit.values);
             view_.parameters = signal_rows(setup_, problem_, start_, fit.values);
-            view_.settings = with_found_signals(settings_, activation);
+            for (ui::commands::ParameterRow& row : design_rows(calibration::found_items(setup_, design_, fit.design)))
+                view_.parameters.push_back(std::move(row));
+            view_.settings = settings_;
+            if (!problem_.sought.signals.empty()) view_.settings = with_found_signals(settings_, activation);
             // Only an evaluation that is the best so far changes the picture.
             if (line.ok && line.loss_m2 == fit.best.loss_m2 && pace_.due()) {
                 const Stopwatch watch;
-                if (auto run = run_with(fit.values, fit.best.placement))
-                    view_.best = std::make_shared<const ui::commands::RunResult>(std::move(*run)), shown_ = fit.values;
+                if (auto run = run_with(fit))
+                    view_.best = std::make_shared<const ui::commands::RunResult>(std::move(*run)), shown_ = fit.values,
+                    shown_design_ = fit.design;
                 pace_.took(watch.seconds());
             }
         }
@@ -104,20 +111,21 @@ public:
     /// The trial with the final signals. After a cancellation, only the part of the motion that is already known.
     ui::commands::RunResult found(const inverse::ActuationFit& fit) const {
         // The last displayed run is reused if it has the final signals.
-        if (view_.best && shown_.size() > 0 && shown_ == fit.values) return *view_.best;
-        if (auto run = run_with(fit.values, fit.best.placement)) return std::move(*run);
-        return with_prediction(with_signals_of(fit.values),
+        if (view_.best && shown_ == fit.values && shown_design_ == fit.design) return *view_.best;
+        if (auto run = run_with(fit)) return std::move(*run);
+        return with_prediction(with_found(fit),
                                prediction::prediction_of(setup_, trial_, fit.best.motion, fit.best.placement),
                                fit.best.placement);
     }
 
 private:
-    /// The setup with these signals in all trials.
-    setup::Setup with_signals_of(const Eigen::MatrixXd& found) const {
-        setup::Setup setup = setup_;
+    /// The setup with what was found in all trials.
+    setup::Setup with_found(const inverse::ActuationFit& fit) const {
+        setup::Setup setup = calibration::with_design(setup_, problem_.design, fit.design);
+        if (problem_.sought.signals.empty()) return setup;
         for (setup::PreparedTrial& trial : setup.trials)
             trial.model = inverse::driven_model(std::move(trial.model),
-                                                calibration::found_commands(problem_.sought, found));
+                                                calibration::found_commands(problem_.sought, fit.values));
         return setup;
     }
 
@@ -130,10 +138,10 @@ private:
                                                        std::move(predictions), {trial_}));
     }
 
-    /// Simulates the trial with these signals; empty if cancelled.
-    std::optional<ui::commands::RunResult> run_with(const Eigen::MatrixXd& signals,
-                                                    const inverse::MarkerPlacement& placement) const {
-        const setup::Setup setup = with_signals_of(signals);
+    /// Simulates the trial with the best values; empty if cancelled.
+    std::optional<ui::commands::RunResult> run_with(const inverse::ActuationFit& fit) const {
+        const setup::Setup setup = with_found(fit);
+        const inverse::MarkerPlacement& placement = fit.best.placement;
         prediction::TrialPrediction prediction = prediction::predict_trial(
             setup, trial_, prediction::placed_values(setup, placement), {}, progress_.with_sink({}));
         if (prediction.status == dynamics::RunStatus::cancelled) return std::nullopt;
@@ -143,17 +151,26 @@ private:
     const setup::Setup& setup_;
     std::size_t trial_;
     const inverse::ActuationProblem& problem_;
+    const calibration::BodyDesign& design_;
     Eigen::MatrixXd start_;
     const ui::commands::Settings& settings_;
     const Progress& progress_;
     const ui::commands::Backend::LiveSearch& live_;
     ui::commands::SearchView view_;
-    Eigen::MatrixXd shown_;  // signals of view_.best
+    Eigen::MatrixXd shown_;         // signals of view_.best
+    Eigen::VectorXd shown_design_;  // its values of the design
     Pace pace_;
 };
 
-calibration::OptimizeSettings optimize_settings(const ui::commands::OptimizeRequest& request, double h_s) {
+Result<calibration::OptimizeSettings> optimize_settings(const ui::commands::OptimizeRequest& request,
+                                                        const experiment::Experiment& experiment, double h_s) {
     calibration::OptimizeSettings how;
+    std::vector<std::string> words = request.seek;
+    if (request.signals) words.insert(words.begin(), calibration::to_string({}));
+    Result<std::vector<calibration::SoughtItem>> seek = calibration::sought_items(words, experiment);
+    if (!seek) return seek.error();
+    if (seek->empty()) return Error{"nothing is ticked that the search may change", ""};
+    how.seek = *std::move(seek);
     // At most one knot per time step.
     how.frequency_Hz = std::min(request.frequency_Hz, 1.0 / h_s);
     how.lowest = request.lowest;
@@ -168,7 +185,10 @@ ui::commands::SearchResult optimized(const setup::Setup& setup, const inverse::A
                                      const std::string& trial, double h_s) {
     ui::commands::SearchResult result;
     result.title = "Optimised";
-    result.settings = with_found_signals(settings, calibration::found_commands(problem.sought, found.fit.values));
+    result.settings = settings;
+    const bool signals = !problem.sought.signals.empty();
+    if (signals)
+        result.settings = with_found_signals(settings, calibration::found_commands(problem.sought, found.fit.values));
     if (!settings.own_step) result.settings.time_step_s = h_s;
     result.evaluations = static_cast<int>(found.fit.log.size());
     result.stopped = found.stopped;
@@ -176,10 +196,11 @@ ui::commands::SearchResult optimized(const setup::Setup& setup, const inverse::A
     if (!found.fit.converged() && !found.stopped) result.problem = "The search did not converge: " + found.fit.message;
     result.parameters = signal_rows(setup, problem, found.fit.start, found.fit.values);
     for (ui::commands::ParameterRow& row : result.parameters) row.deviation = std::numeric_limits<double>::quiet_NaN();
-    if (!setup.experiment.muscles.empty())
+    for (ui::commands::ParameterRow& row : design_rows(found.found)) result.parameters.push_back(std::move(row));
+    if (signals && !setup.experiment.muscles.empty())
         result.notes = {(found.miss.goals ? "Signals follow the goals of " : "Signals follow ") + trial +
                         "; the muscles use them in all trials now."};
-    if (problem.sought.groups.size() > setup.experiment.muscles.size())
+    if (signals && problem.sought.groups.size() > setup.experiment.muscles.size())
         result.notes.emplace_back(
             "Chambers and tendons keep the commands of the trials; the report shows those found.");
     result.rms_before_m = found.before.fit_rms_m;
@@ -202,22 +223,29 @@ Result<ui::commands::SearchResult> optimize_scene(const ui::commands::Scene& sce
     if (!settings.own_step) setup->settings.h_s.reset();
     const Result<std::size_t> trial = prediction::find_trial(setup->experiment, request.trial);
     if (!trial) return trial.error();
+    Result<calibration::OptimizeSettings> how = optimize_settings(request, setup->experiment,
+                                                                  setup->trials[*trial].options.h_s);
+    if (!how) return how.error();
+    const Result<calibration::BodyDesign> design = calibration::body_design(*setup, how->seek);
+    if (!design) return design.error();
     Result<setup::Setup> target = prediction::with_goals(prediction::with_one_trial(*setup, *trial));
     if (!target) return target.error();
     setup::Setup& one = *target;
-    calibration::OptimizeSettings how = optimize_settings(request, one.trials.front().options.h_s);
-    const Result<inverse::ActuationProblem> problem = calibration::actuation_problem(one, how);
+    const Result<inverse::ActuationProblem> problem = calibration::actuation_problem(one, *how, design->variables);
     if (!problem) return problem.error();
     const Eigen::MatrixXd start = drawn_values(one, *problem);
-    LiveOptimization shown(*setup, *trial, *problem, start, settings, progress, live);
-    how.evaluated = [&](const inverse::ActuationFit& fit) { shown.show(fit); };
-    const calibration::Optimization found = calibration::optimize_with_chosen_steps(one, *problem, how, start,
-                                                                                    progress);
+    LiveOptimization shown(*setup, *trial, *problem, *design, start, settings, progress, live);
+    how->evaluated = [&](const inverse::ActuationFit& fit) { shown.show(fit); };
+    calibration::Optimization found = calibration::optimize_with_chosen_steps(one, *problem, *how, start, progress);
     if (!found.usable())
         return Error{found.stopped ? "stopped before the first evaluation was complete" : found.fit.message, ""};
+    found.found = calibration::found_items(one, *design, found.fit.design);
     setup::set_step(setup->trials[*trial], one.trials.front().options.h_s);  // displayed with the step that was used
     ui::commands::SearchResult result = optimized(*setup, *problem, found, settings, request.trial,
                                                   one.trials.front().options.h_s);
+    Result<ui::commands::Settings> designed = with_found_design(std::move(result.settings), scene, found.found);
+    if (!designed) return designed.error();
+    result.settings = *std::move(designed);
     result.run = shown.found(found.fit);
     if (!found.stopped) {
         // Checks of recordings have nothing to say about goals.

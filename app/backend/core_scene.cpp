@@ -1,4 +1,5 @@
 #include "backend/core_scene.hpp"
+#include "backend/found_design.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -223,6 +224,7 @@ void show_setup(const setup::Setup& setup, std::shared_ptr<const setup::BodyMesh
     scene.trials.clear();
     scene.calibrated.clear();
     fill_from_setup(setup, scene);
+    scene.seekable = seek_choices(experiment);
     show_declared(experiment, setup.surface, middle_of(setup.trials.front().measured.time_s), scene);
     scene.source = std::make_shared<const SceneSource>(
         SceneSource{experiment, setup.surface, std::move(mesh), std::move(text)});

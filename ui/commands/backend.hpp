@@ -25,6 +25,7 @@
 #include "commands/scene_marker.hpp"
 #include "commands/scene_setup.hpp"
 #include "commands/search_result.hpp"
+#include "commands/seek_choice.hpp"
 #include "commands/settings.hpp"
 #include "commands/shape_export.hpp"
 #include "commands/trace_repairs.hpp"
@@ -144,6 +145,7 @@ struct Scene {
     double damping_ratio = std::numeric_limits<double>::quiet_NaN();
     // labels of the parameters that calibration changes; empty: nothing to calibrate
     std::vector<std::string> calibrated;
+    std::vector<SeekChoice> seekable;   // what Optimise can seek besides the signals
     bool is_experiment = false;         // with a declaration that can be edited; otherwise a plain mesh
     DeclaredParts declared;             // of an experiment: chambers, tendons, cavities
     std::vector<std::string> unknowns;  // material.calibrate: "youngs_modulus", "damping", ...

@@ -54,9 +54,11 @@ struct SearchResult {
     std::shared_ptr<const void> page;   // page for the report, owned by the backend; may be null
 };
 
-/// How to search for muscle signals with which the markers of a trial follow their measured paths.
+/// How to search for signals, and values of the body, with which the markers of a trial follow their measured paths.
 struct OptimizeRequest {
     std::string trial;                   // name of the trial
+    bool signals = true;                 // seek the signals of all actuators
+    std::vector<std::string> seek = {};  // further quantities, see SeekChoice::word
     double frequency_Hz = 10.0;          // knots per second of each signal
     double lowest = 0.6, highest = 1.6;  // limits of the target stretch a of every muscle
     int max_evaluations = 60;            // maximum number of evaluations

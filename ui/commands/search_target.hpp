@@ -27,4 +27,20 @@ inline std::string target_words(const SceneTrial& trial) {
     return what + " of " + trial.name;
 }
 
+/// Whether anything has a signal that could be sought.
+inline bool has_actuators(const Scene& scene, const Settings& settings) {
+    return !settings.muscles.empty() || !scene.declared.chambers.empty() || !scene.declared.tendons.empty();
+}
+
+/// The request without what the experiment and the settings no longer have.
+inline OptimizeRequest offered_request(const Scene& scene, const Settings& settings, OptimizeRequest request) {
+    const std::vector<SeekChoice> choices = seek_choices(scene.seekable, settings);
+    std::erase_if(request.seek, [&](const std::string& word) {
+        return std::none_of(choices.begin(), choices.end(),
+                            [&](const SeekChoice& choice) { return choice.word == word; });
+    });
+    request.signals = request.signals && has_actuators(scene, settings);
+    return request;
+}
+
 }  // namespace myo::ui::commands

@@ -118,15 +118,19 @@ void Workbench::on(const Calibrate&) {
 void Workbench::on(const Optimize&) {
     if (!may_compute()) return;
     const SceneTrial* const trial = state_.scene_trial();
-    if (state_.settings.muscles.empty() || !trial || !has_target(*trial)) {
+    if (!trial || !has_target(*trial)) {
         log(LogLevel::warning,
-            state_.settings.muscles.empty()
-                ? "Nothing to optimise: add a muscle and paint it first."
-                : "Nothing to optimise: the shown trial has neither goals nor measured markers to follow.");
+            "Nothing to optimise: the shown trial has neither goals nor measured markers to follow.");
+        return;
+    }
+    OptimizeRequest request_of = offered_request(*state_.scene, state_.settings, state_.optimize);
+    if (!request_of.signals && request_of.seek.empty()) {
+        log(LogLevel::warning, has_actuators(*state_.scene, state_.settings)
+                                   ? "Nothing to optimise: tick what the search may change."
+                                   : "Nothing to optimise: add a muscle, a chamber or a tendon, or tick a modulus.");
         return;
     }
     // The trial is stored in the request, as another one may be shown when the job starts.
-    OptimizeRequest request_of = state_.optimize;
     request_of.trial = trial->name;
     request("Optimise", [this, request_of] {
         with_body([this, request_of] {

@@ -38,7 +38,41 @@ NumberField bound_field(const char* label, const char* name, const std::string& 
             0.005};
 }
 
-/// Density of the knots, bounds and length of the search for signals.
+/// What a quantity is that the search may change.
+const char* seek_explanation(const std::string& word) {
+    if (word.starts_with("direction"))
+        return "Turns the fibres from their declared direction: all alike where one direction is declared, otherwise "
+               "by "
+               "a smooth field over the muscle, a polynomial of third degree of the place.";
+    if (word.starts_with("weights"))
+        return "Share of muscle in each painted cell and in the cells next to them, 0 to 1. Changes from cell to cell "
+               "cost a little, so that the paint stays even.";
+    return "Young's modulus E [kPa], from a tenth to ten times its present value.";
+}
+
+/// Ticks of what the search may change.
+void draw_seek_rows(PanelContext& context, commands::OptimizeRequest& request) {
+    const commands::WorkbenchState& state = context.state;
+    const auto tick = [&](const std::string& label, const std::string& word, const char* explanation, bool& on) {
+        ImGui::Checkbox((label + "##seek/" + word).c_str(), &on);
+        context.items.mark("fit/seek/" + word);
+        tooltip(context.theme, explanation);
+    };
+    if (commands::has_actuators(*state.scene, state.settings))
+        tick("Signals", "signals",
+             "Signals of all muscles that follow none, pressures of chambers, commands of tendons, at knots over time.",
+             request.signals);
+    for (const commands::SeekChoice& choice : commands::seek_choices(state.scene->seekable, state.settings)) {
+        const auto found = std::find(request.seek.begin(), request.seek.end(), choice.word);
+        const bool was = found != request.seek.end();
+        bool on = was;
+        tick(choice.label, choice.word, seek_explanation(choice.word), on);
+        if (on && !was) request.seek.push_back(choice.word);
+        if (!on && was) request.seek.erase(found);
+    }
+}
+
+/// Density of the knots and bounds of the search for signals.
 void draw_optimize_rows(PanelContext& context, NumberEdits& edit, commands::OptimizeRequest& request) {
     request_row(
         context,
@@ -56,6 +90,9 @@ void draw_optimize_rows(PanelContext& context, NumberEdits& edit, commands::Opti
                 request.lowest);
     request_row(context, bound_field("Maximum a", "fit/highest", "Upper", "Above 1 they push.", {1.0, 4.0}), edit,
                 request.highest);
+}
+
+void draw_evaluations_row(PanelContext& context, NumberEdits& edit, commands::OptimizeRequest& request) {
     // Number fields edit doubles; the request has an integer.
     double evaluations = request.max_evaluations;
     const NumberField field{
@@ -106,26 +143,27 @@ void FitPanel::draw_calibrate(PanelContext& context) {
 void FitPanel::draw_optimize(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
-    heading(theme, "Signals of the muscles");
+    heading(theme, "Signals and design");
     const commands::SceneTrial* const trial = state.scene_trial();
-    if (state.settings.muscles.empty())
-        return muted_text(theme, "There is no muscle. Add one under Fibres and paint it on the body.");
     if (!trial || !commands::has_target(*trial))
         return muted_text(theme, "The shown trial has neither goals nor measured markers to follow.");
     // Edited as a copy and emitted if anything changed.
-    commands::OptimizeRequest request = state.optimize;
+    commands::OptimizeRequest request = commands::offered_request(*state.scene, state.settings, state.optimize);
+    const commands::OptimizeRequest offered = request;
     text_row(theme, "Follow", commands::target_words(*trial));
     tooltip(theme, "Goals of the trial that the timeline shows, or else its recording, are the target.");
-    draw_optimize_rows(context, edit_, request);
-    if (!(request == state.optimize)) context.emit(commands::ChangeOptimize{request});
+    draw_seek_rows(context, request);
+    if (request.signals) draw_optimize_rows(context, edit_, request);
+    draw_evaluations_row(context, edit_, request);
+    if (!(request == offered)) context.emit(commands::ChangeOptimize{request});
     if (ImGui::Button((std::string(platform::icon::bolt) + "  Optimise").c_str(), {-1.0f, 0.0f}))
         context.emit(commands::Optimize{});
     context.items.mark("fit/optimize");
     tooltip(
         theme,
-        "Seeks the signals with which the markers reach the goals or follow the recording: least mean square distance "
-        "plus a small penalty on "
-        "the rate of the signals, by a quasi-Newton search on its exact gradient. The best so far plays in the view.");
+        "Changes what is ticked until the markers reach the goals or follow the recording: least mean square distance "
+        "plus a small penalty on the rate of the signals and on uneven changes of the fibres, by a quasi-Newton search "
+        "on its exact gradient. The best so far plays in the view; the result is one step of undo.");
 }
 
 void FitPanel::draw_found(PanelContext& context) {

@@ -1,0 +1,128 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "backend/workbench_backend.hpp"
+#include "support/folder.hpp"
+#include "ui/driver.hpp"
+
+// Optimise changes the body: ticks in the window, a result that is one edit.
+
+namespace myo {
+namespace {
+
+using test::Driver;
+using testing::HasSubstr;
+
+const std::string bent_arm_toml = R"(schema = "experiment/1"
+name = "arm"
+[geometry]
+kind = "box"
+size_m = [0.08, 0.02, 0.02]
+[clamp]
+box_m = [[-0.0005, -0.001, -0.001], [0.0005, 0.021, 0.021]]
+[material]
+model = "neo_hookean"
+youngs_modulus_Pa = 2.0e5
+poissons_ratio = 0.45
+density_kg_m3 = 1000
+damping_s = 0.005
+calibrate = []
+[[part]]
+name = "end"
+box_m = [[0.04, 0.0, 0.0], [0.08, 0.02, 0.02]]
+youngs_modulus_Pa = 2.0e5
+[[muscle]]
+name = "upper"
+box_m = [[0.0, -0.001, 0.0133], [0.08, 0.021, 0.021]]
+fibre = [1.0, 0.0, 0.0]
+stiffness_Pa = 1.0e5
+[markers]
+[markers.rest_m]
+tip = [0.08, 0.01, 0.02]
+[[trial]]
+name = "reach"
+role = "simulate"
+duration_s = 0.3
+start = "equilibrium"
+activation = { upper = 0.9 }
+[[trial.goal]]
+marker = "tip"
+time_s = 0.2
+place_m = [0.08, 0.012, 0.021]
+axes = ["y", "z"]
+)";
+
+TEST(DesignInWindow, DirectionAndModulusAreTickedFoundAndUndone) {
+    const test::Folder folder("design_in_window");
+    folder.write("arm/experiment.toml", bent_arm_toml);
+    Driver driver(backend::make_core_backend(), 1280, 1400);
+    driver.window->open(folder.path() / "arm");
+    ASSERT_TRUE(driver.wait_for_job(60)) << driver.state().log.back().text;
+    ui::commands::Settings coarse = driver.state().settings;
+    coarse.resolution_m = 0.01;
+    driver.workbench->execute(ui::commands::ChangeSettings{coarse, "resolution"});
+    driver.window->show_panel("fit");
+    driver.settle();
+    ASSERT_TRUE(driver.has("fit/seek/direction:upper"));
+    EXPECT_FALSE(driver.has("fit/seek/weights:upper")) << "the muscle is a box, not painted";
+    ASSERT_TRUE(driver.has("fit/frequency"));
+    driver.click("fit/seek/signals");
+    driver.settle();
+    EXPECT_FALSE(driver.has("fit/frequency")) << "numbers of signals that are not sought";
+    driver.click("fit/optimize");
+    EXPECT_THAT(driver.state().log.back().text, HasSubstr("tick what the search may change"));
+    driver.click("fit/seek/direction:upper");
+    driver.click("fit/seek/modulus:end");
+    const ui::commands::Settings before = driver.state().settings;
+    driver.click("fit/optimize");
+    ASSERT_TRUE(driver.wait_for_job(240));
+    ASSERT_TRUE(driver.state().found) << driver.state().log.back().text;
+    const ui::commands::SearchResult& found = *driver.state().found;
+    EXPECT_LT(found.rms_after_m, 0.3 * found.rms_before_m);
+    ASSERT_EQ(found.parameters.size(), 2u);
+    EXPECT_EQ(found.parameters[0].unit, "°");
+    EXPECT_EQ(found.parameters[1].name, "Young's modulus of end");
+    EXPECT_EQ(found.parameters[1].start, 200.0);
+    // Both stand in the declaration now, and are gone with one step back.
+    ASSERT_TRUE(driver.state().settings.declaration.text);
+    EXPECT_EQ(driver.state().settings.declaration.text->find("fibre = [1.0, 0.0, 0.0]"), std::string::npos);
+    ASSERT_EQ(driver.state().scene->parts.size(), 1u);
+    EXPECT_NEAR(driver.state().scene->parts[0].youngs_modulus_Pa, 1e3 * found.parameters[1].value, 1.0);
+    driver.workbench->execute(ui::commands::Undo{});
+    EXPECT_EQ(driver.state().settings, before);
+    EXPECT_EQ(driver.state().scene->parts[0].youngs_modulus_Pa, 2e5);
+}
+
+/// A painted muscle has weights to be sought; the paint that is found replaces the one of before.
+TEST(DesignInWindow, PaintIsFoundAndUndone) {
+    const test::Folder folder("paint_in_window");
+    folder.write("arm/experiment.toml", bent_arm_toml);
+    Driver driver(backend::make_core_backend(), 1280, 1400);
+    driver.window->open(folder.path() / "arm");
+    ASSERT_TRUE(driver.wait_for_job(60)) << driver.state().log.back().text;
+    ui::commands::Settings painted = driver.state().settings;
+    painted.resolution_m = 0.01;
+    driver.workbench->execute(ui::commands::ChangeSettings{painted, "resolution"});
+    driver.workbench->execute(ui::commands::BuildMesh{});
+    ASSERT_TRUE(driver.wait_for_job(60));
+    const ui::commands::MeshedBody& body = *driver.state().body;
+    painted.muscles[0].paint = std::make_shared<const fibre::PaintedMask>(
+        fibre::mask_of_cells(body.mesh, body.muscles.at("upper")));
+    driver.workbench->execute(ui::commands::ChangeSettings{painted, "paint"});
+    driver.window->show_panel("fit");
+    driver.settle();
+    driver.click("fit/seek/signals");
+    driver.click("fit/seek/weights:upper");
+    driver.click("fit/seek/direction:upper");
+    driver.click("fit/optimize");
+    ASSERT_TRUE(driver.wait_for_job(240));
+    ASSERT_TRUE(driver.state().found) << driver.state().log.back().text;
+    EXPECT_LT(driver.state().found->rms_after_m, 0.5 * driver.state().found->rms_before_m);
+    EXPECT_NE(driver.state().settings.muscles[0].paint, painted.muscles[0].paint);
+    EXPECT_NE(driver.state().settings.muscles[0].paint->weights, painted.muscles[0].paint->weights);
+    driver.workbench->execute(ui::commands::Undo{});
+    EXPECT_EQ(driver.state().settings.muscles[0].paint, painted.muscles[0].paint);
+}
+
+}  // namespace
+}  // namespace myo
