@@ -110,5 +110,41 @@ TEST(GoalInWindow, IsAddedMovedReachedAndUndone) {
     EXPECT_EQ(*read_file(folder.path() / "arm/experiment.toml"), arm_toml) << "the file is written on request only";
 }
 
+/// A single place becomes a path by points at shown times, and a place again when they are removed.
+TEST(GoalInWindow, BecomesAPathByPoints) {
+    const test::Folder folder("goal_path_in_window");
+    folder.write("arm/experiment.toml", arm_toml +
+                                            "[[trial.goal]]\nmarker = \"tip\"\ntime_s = 0.3\nplace_m = [0.08, "
+                                            "0.01, 0.023]\n");
+    Driver driver(backend::make_core_backend(), 1280, 1400);
+    driver.window->open(folder.path() / "arm");
+    ASSERT_TRUE(driver.wait_for_job(60)) << driver.state().log.back().text;
+    const auto goal = [&]() -> const ui::commands::SceneGoal& { return driver.state().scene_trial()->goals.at(0); };
+    driver.window->show_panel("goal");
+    driver.workbench->execute(ui::commands::SetTime{0.1});
+    driver.settle();
+    ASSERT_FALSE(goal().is_path);
+    driver.click("goal/0/point");
+    ASSERT_TRUE(goal().is_path) << driver.state().refused;
+    ASSERT_EQ(goal().time_s.size(), 2);
+    EXPECT_NEAR(goal().time_s(0), 0.1, 1e-9);
+    EXPECT_NEAR(goal().place_m(2, 0), 0.023, 1e-9) << "on the path as it was";
+    driver.workbench->execute(ui::commands::SetTime{0.2});
+    driver.settle();
+    driver.click("goal/0/point");
+    ASSERT_EQ(goal().time_s.size(), 3);
+    EXPECT_NEAR(goal().time_s(1), 0.2, 1e-9);
+    driver.settle();
+    driver.click("goal/0/point_removed");
+    ASSERT_EQ(goal().time_s.size(), 2);
+    driver.workbench->execute(ui::commands::SetTime{0.1});
+    driver.settle();
+    driver.click("goal/0/point_removed");
+    EXPECT_FALSE(goal().is_path) << driver.state().refused;
+    EXPECT_NEAR(goal().time_s(0), 0.3, 1e-9);
+    for (int step = 0; step < 4; ++step) driver.workbench->execute(ui::commands::Undo{});
+    EXPECT_FALSE(driver.state().settings.declaration.text) << "each edit was one step";
+}
+
 }  // namespace
 }  // namespace myo

@@ -55,6 +55,31 @@ std::string new_goal(const commands::WorkbenchState& state) {
     return text + "time_s = " + toml::toml_number(rounded(time_s, new_goal_policy.steps_per_s)) + "\n";
 }
 
+/// Edits that give a goal these times and places, as a path, or as a single place if there is one.
+std::vector<commands::DeclarationEdit> path_edits(const toml::TomlPath& goal, const Eigen::VectorXd& times_s,
+                                                  const Eigen::Matrix3Xd& places_m) {
+    const auto key = [&](const char* name) {
+        toml::TomlPath path = goal;
+        path.emplace_back(name);
+        return path;
+    };
+    if (times_s.size() == 1)
+        return {commands::RemoveDeclared{key("times_s")}, commands::RemoveDeclared{key("places_m")},
+                commands::SetDeclared{key("place_m"), toml::toml_vector(places_m.col(0))},
+                commands::SetDeclared{key("time_s"), toml::toml_number(times_s(0))}};
+    return {commands::RemoveDeclared{key("place_m")}, commands::RemoveDeclared{key("time_s")},
+            commands::RemoveDeclared{key("until_s")},
+            commands::SetDeclared{key("times_s"), toml::toml_list(times_s, toml::toml_number)},
+            commands::SetDeclared{key("places_m"), toml::toml_list(places_m.colwise(), toml::toml_vector)}};
+}
+
+/// Number of the point of a path at a time; -1 if there is none.
+Eigen::Index point_at(const commands::SceneGoal& goal, double time_s) {
+    for (Eigen::Index k = 0; k < goal.time_s.size(); ++k)
+        if (std::abs(goal.time_s(k) - time_s) < 0.5 / new_goal_policy.steps_per_s) return k;
+    return -1;
+}
+
 }  // namespace
 
 void GoalPanel::draw(PanelContext& context) {
@@ -126,6 +151,7 @@ void GoalPanel::draw_goal(PanelContext& context, std::size_t index) {
                          0.005},
                         goal.time_s(last));
     }
+    draw_path_buttons(context, index);
     draw_number(context, index, "weight",
                 {"Weight",
                  item + "/weight",
@@ -136,6 +162,41 @@ void GoalPanel::draw_goal(PanelContext& context, std::size_t index) {
                  0.01},
                 goal.weight);
     ImGui::PopID();
+}
+
+void GoalPanel::draw_path_buttons(PanelContext& context, std::size_t index) {
+    const commands::SceneGoal& goal = context.state.scene_trial()->goals[index];
+    const bool is_hold = context.state.scene_trial()->time_s.size() < 2;
+    if (goal.from_file || is_hold) return;
+    const std::string item = "goal/" + std::to_string(index);
+    const double time_s = rounded(context.state.time_s, new_goal_policy.steps_per_s);
+    const Eigen::Index here = point_at(goal, time_s), count = goal.time_s.size();
+    const toml::TomlPath path = goal_path(context.state, index);
+    if (here < 0) {
+        if (ImGui::Button("Add a point at the shown time", {-1.0f, 0.0f})) {
+            const Eigen::Vector3d place = commands::at_time(goal.place_m, commands::place_in_time(goal.time_s, time_s));
+            // A span at one place is its two ends; a single place keeps its time.
+            Eigen::VectorXd times(count + 1);
+            Eigen::Matrix3Xd places(3, count + 1);
+            const Eigen::Index before = (goal.time_s.array() < time_s).count();
+            times << goal.time_s.head(before), time_s, goal.time_s.tail(count - before);
+            places << goal.place_m.leftCols(before), place, goal.place_m.rightCols(count - before);
+            context.emit(commands::EditDeclaration{path_edits(path, times, places), item + "/point"});
+        }
+        context.items.mark(item + "/point");
+        tooltip(context.theme,
+                "Makes the goal a path over time, with a point at the shown time; drag the point in the view. Between "
+                "its points the path is straight.");
+    } else if (goal.is_path) {
+        if (ImGui::Button("Remove the point at the shown time", {-1.0f, 0.0f})) {
+            Eigen::VectorXd times(count - 1);
+            Eigen::Matrix3Xd places(3, count - 1);
+            times << goal.time_s.head(here), goal.time_s.tail(count - 1 - here);
+            places << goal.place_m.leftCols(here), goal.place_m.rightCols(count - 1 - here);
+            context.emit(commands::EditDeclaration{path_edits(path, times, places), item + "/point_removed"});
+        }
+        context.items.mark(item + "/point_removed");
+    }
 }
 
 void GoalPanel::draw_add(PanelContext& context) {

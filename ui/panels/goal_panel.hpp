@@ -24,6 +24,8 @@ private:
     void draw_goal(PanelContext& context, std::size_t index);
     /// Row of a number of a goal. `key`: in the declaration.
     void draw_number(PanelContext& context, std::size_t index, const char* key, const NumberField& field, double value);
+    /// Buttons that add or remove a point of its path at the shown time.
+    void draw_path_buttons(PanelContext& context, std::size_t index);
     /// The marker and the button that adds a goal for it.
     void draw_add(PanelContext& context);
 
