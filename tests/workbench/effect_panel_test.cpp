@@ -56,6 +56,31 @@ TEST(EffectsInWindow, SwitchedOffAnEffectLeavesTheRunAsIfItWereNotDeclared) {
     EXPECT_TRUE(beam.driver.state().scene->effects.declared.empty());
 }
 
+/// What a diagnosis added becomes part of the experiment: the same run, one step of undo.
+TEST(EffectsInWindow, AddedOnesArePutIntoTheExperiment) {
+    OpenedBeam beam("effect_declared");
+    beam.keep_step();
+    ui::commands::Settings settings = beam.driver.state().settings;
+    settings.effects.push_back({{"linear_drag", {{"coefficient_Pa_s_m", 50.0}}, true}, "Linear drag", ""});
+    beam.driver.workbench->execute(ui::commands::ChangeSettings{settings, "effects"});
+    ASSERT_NO_FATAL_FAILURE(beam.run());
+    const Eigen::Matrix3Xd added = tip_path(beam);
+    beam.driver.window->show_panel("effect");
+    beam.driver.settle();
+    beam.driver.click("effect/added/0");
+    beam.driver.settle();
+    beam.driver.click("effect/added/0/declare");
+    ASSERT_EQ(beam.driver.state().scene->effects.declared.size(), 1u) << beam.driver.state().refused;
+    EXPECT_TRUE(beam.driver.state().settings.effects.empty());
+    EXPECT_TRUE(beam.driver.state().scene->effects.declared[0].calibrate);
+    EXPECT_THAT(*beam.driver.state().settings.declaration.text, HasSubstr("coefficient_Pa_s_m = 50"));
+    ASSERT_NO_FATAL_FAILURE(beam.run());
+    EXPECT_LT((tip_path(beam) - added).cwiseAbs().maxCoeff(), 1e-12);
+    beam.driver.workbench->execute(ui::commands::Undo{});
+    EXPECT_EQ(beam.driver.state().settings.effects.size(), 1u);
+    EXPECT_TRUE(beam.driver.state().scene->effects.declared.empty());
+}
+
 TEST(EffectsInWindow, AddedOnesAreSwitchedOffToo) {
     OpenedBeam beam("effect_added_off");
     beam.keep_step();

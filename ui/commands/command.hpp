@@ -90,6 +90,10 @@ struct ChooseCandidate {
 struct AddEffect {
     std::string key;  // DiagnosisRow::key
 };
+/// Moves an effect from the settings, as a diagnosis added it, into the experiment's declaration. One undo entry.
+struct DeclareEffect {
+    std::size_t added = 0;  // index in Settings::effects
+};
 /// Selects the muscle that is edited.
 struct ChooseMuscle {
     int muscle = 0;  // index in Settings::muscles; limited to the range
@@ -266,11 +270,12 @@ struct WriteReport {
 /// All commands.
 using Command = std::variant<
     Open, Drop, AnswerUnit, ChangeSettings, EditDeclaration, SaveDeclaration, MakeExperiment, Undo, Redo, BuildMesh,
-    Run, ChangePreview, Calibrate, ChangeOptimize, Optimize, Diagnose, ChooseCandidate, AddEffect, ChooseMuscle, Paint,
-    ImportSignal, ExportSignal, ChangeBrush, Cancel, Pause, Unqueue, RestoreRecord, CompareRecord, ForgetRecord, Save,
-    SaveAs, AskWhereToSave, AnswerUnsaved, OfferRecovery, Recover, DiscardRecovery, Quit, AnswerStop, ChooseTrial,
-    ChooseMarker, SetTime, Play, SetSpeed, ChangeView, SetDampingFrequency, SetTheme, SetLayout, Bookmark,
-    UsePreferences, ClearLog, LogMessage, WriteReport, ReadRecording, ChangeImport, ChooseLabel, ProposeMarkers,
-    AlignImport, AddRecording, CancelImport, PlayLive, SteerLive, RestartLive, Locate, ExportBody, SaveExperimentAs>;
+    Run, ChangePreview, Calibrate, ChangeOptimize, Optimize, Diagnose, ChooseCandidate, AddEffect, DeclareEffect,
+    ChooseMuscle, Paint, ImportSignal, ExportSignal, ChangeBrush, Cancel, Pause, Unqueue, RestoreRecord, CompareRecord,
+    ForgetRecord, Save, SaveAs, AskWhereToSave, AnswerUnsaved, OfferRecovery, Recover, DiscardRecovery, Quit,
+    AnswerStop, ChooseTrial, ChooseMarker, SetTime, Play, SetSpeed, ChangeView, SetDampingFrequency, SetTheme,
+    SetLayout, Bookmark, UsePreferences, ClearLog, LogMessage, WriteReport, ReadRecording, ChangeImport, ChooseLabel,
+    ProposeMarkers, AlignImport, AddRecording, CancelImport, PlayLive, SteerLive, RestartLive, Locate, ExportBody,
+    SaveExperimentAs>;
 
 }  // namespace myo::ui::commands

@@ -32,6 +32,16 @@ std::string declared_text(const effect::EffectParameter& value) {
     return toml::toml_list(std::get<Eigen::VectorXd>(value), toml::toml_number);
 }
 
+std::string effect_text(const effect::EffectDeclaration& effect) {
+    const effect::Effect* const entry = effect::find_effect(effect.id);
+    assert(entry != nullptr);
+    std::string text = "id = " + toml::toml_text(effect.id) + "\n";
+    for (const effect::EffectParameterEntry& parameter : entry->parameters)
+        if (const auto value = effect.parameters.find(parameter.name); value != effect.parameters.end())
+            text += parameter.name + " = " + declared_text(value->second) + "\n";
+    return effect.calibrate ? text + "calibrate = true\n" : text;
+}
+
 std::string new_effect_text(const effect::EffectDeclaration& effect) {
     const effect::Effect* const entry = effect::find_effect(effect.id);
     assert(entry != nullptr);

@@ -12,6 +12,9 @@ std::string effect_words(const effect::EffectParameters& parameters);
 /// TOML text of one value.
 std::string declared_text(const effect::EffectParameter& value);
 
+/// Lines of an [[effect]] with all values that it has; asserts that it is in the catalogue.
+std::string effect_text(const effect::EffectDeclaration& effect);
+
 /// Lines of a new [[effect]] with the parameters that it needs; asserts that it is in the catalogue.
 std::string new_effect_text(const effect::EffectDeclaration& effect);
 

@@ -84,6 +84,7 @@ private:
     void on(const ChooseCandidate& command);
     /// Adds the effects of a fitted row to the settings.
     void on(const AddEffect& command);
+    void on(const DeclareEffect& command);
     // workbench_muscles.cpp
     void on(const ChooseMuscle& command);
     void on(const Paint& asked);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "commands/effect_words.hpp"
 #include "commands/workbench.hpp"
 
 // Edits of the experiment's declaration: support, gravity, loads, trials, unknown values, effects, obstacles, parts.
@@ -31,6 +32,22 @@ void Workbench::on(const EditDeclaration& c) {
     settings.declaration = std::move(*edited);
     settings.off = moved_by(std::move(settings.off), c.edits);
     change_settings({std::move(settings), c.what, c.goes_on});
+}
+
+void Workbench::on(const DeclareEffect& c) {
+    if (!state_.scene || !state_.scene->is_experiment || c.added >= state_.settings.effects.size()) return;
+    const AddedEffect& effect = state_.settings.effects[c.added];
+    Result<Declaration> edited = backend_->edited(*state_.scene, state_.settings.declaration,
+                                                  {AppendDeclared{{"effect"}, effect_text(effect.declaration)}});
+    if (!edited) {
+        refuse(edited.error());
+        return;
+    }
+    Settings settings = state_.settings;
+    settings.declaration = std::move(*edited);
+    if (effect.off) settings.off.push_back({state_.scene->effects.declared.size(), effect.declaration.id});
+    settings.effects.erase(settings.effects.begin() + static_cast<std::ptrdiff_t>(c.added));
+    change_settings({std::move(settings), "effect/declare", false});
 }
 
 void Workbench::refuse(const Error& error) {

@@ -38,6 +38,7 @@ void vector_rows(PanelContext& context, const DeclaredPlace& place, const std::s
 }
 
 void box_rows(PanelContext& context, const DeclaredPlace& place, NumberEdits& edits, const Box& value) {
+    context.window.boxes.push_back({place.path, place.name, value});
     for (Eigen::Index k = 0; k < 3; ++k)
         for (const bool upper : {false, true}) {
             const std::string axis = axis_names[static_cast<std::size_t>(k)];

@@ -22,7 +22,7 @@ struct DeclaredPlace {
 void vector_rows(PanelContext& context, const DeclaredPlace& place, const std::string& label, const NumberField& field,
                  NumberEdits& edits, const Eigen::Vector3d& value);
 
-/// Six rows for the corners of a box [m], in mm.
+/// Six rows for the corners of a box [m], in mm. While they are shown, its sides can be dragged in the view.
 void box_rows(PanelContext& context, const DeclaredPlace& place, NumberEdits& edits, const Box& value);
 
 /// Button that lets the user click a face of the body, around which the box is then declared. Needs a meshed body.

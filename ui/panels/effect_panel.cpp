@@ -149,6 +149,15 @@ void EffectPanel::draw_added(PanelContext& context, std::size_t index) {
                      });
                  }},
                 edits_);
+    if (state.scene->is_experiment) {
+        if (ImGui::Button(("Put into the experiment##" + item).c_str(), {-1.0f, 0.0f}))
+            context.emit(commands::DeclareEffect{index});
+        context.items.mark(item + "/declare");
+        tooltip(
+            context.theme,
+            "Declares the effect in the experiment, so that its file has it once it is saved; until then it is part "
+            "of the project only.");
+    }
     bool fitted = effect.declaration.calibrate;
     if (state.scene->is_experiment && fit_row(context, item, effect.declaration.id, fitted))
         emit(item + "/fit", false, [&](commands::Settings& s) { s.effects[index].declaration.calibrate = fitted; });

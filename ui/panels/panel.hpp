@@ -7,12 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "base/box.hpp"
 #include "commands/command.hpp"
 #include "commands/workflow.hpp"
 #include "panels/picture_request.hpp"
 #include "panels/placing.hpp"
 #include "platform/item_rectangles.hpp"
 #include "platform/theme.hpp"
+#include "toml/toml_path.hpp"
 
 namespace myo::ui::panels {
 
@@ -40,10 +42,18 @@ struct WindowPart {
     platform::Rectangle pixels;  // in the window
 };
 
+/// A box of the declaration whose numbers a panel shows, so that it can be dragged in the view.
+struct HandledBox {
+    toml::TomlPath path;
+    std::string name;  // item name for tests
+    Box box;           // [m]
+};
+
 /// Requests of panels to the window itself: dialogs, panels to show, images to write. Filled during a frame and
 /// executed at its end.
 struct WindowRequests {
     std::optional<FileDialog> file;         // dialog to open
+    std::vector<HandledBox> boxes;          // to be dragged in the view from the next frame on
     std::optional<commands::Task> task;     // task to show
     std::string panel;                      // name of a panel to show
     std::optional<PictureRequest> picture;  // image or video of the 3D view to write

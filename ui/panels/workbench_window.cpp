@@ -200,7 +200,8 @@ void WorkbenchWindow::draw_view(PanelContext& context) {
         if (placing_.on()) return placing_tools_.takes(context, scene_, viewport_, pixel);
         return live_.takes(context.state, scene_, viewport_, pixel) ||
                paint_.takes(context.state, scene_, viewport_, pixel) ||
-               goals_.takes(context.state, context.theme, viewport_, pixel);
+               goals_.takes(context.state, context.theme, viewport_, pixel) ||
+               box_tool_.takes(context.state, context.theme, viewport_, pixel);
     };
     const int width_before = viewport_.size().width;
     viewport::draw_viewport(scene_, context.theme, context.items, viewport_, context.state.view.labels, takes);
@@ -211,6 +212,7 @@ void WorkbenchWindow::draw_view(PanelContext& context) {
     live_.update(context, scene_, viewport_, placing);
     context.live_paint = paint_.live();
     goals_.update(context, viewport_);
+    if (!placing) box_tool_.update(context, viewport_);
     distances_.update(context, scene_, viewport_);
     if (!placing && !update_placing(context, scene_, viewport_)) inspect_.update(context, scene_, viewport_);
     ImGui::SameLine();
@@ -309,6 +311,7 @@ void WorkbenchWindow::follow(WindowRequests& requests) {
     if (!requests.file && state.asks_where_to_save && !asked_where_) requests.file = save_dialog(state);
     asked_where_ = state.asks_where_to_save;
     if (requests.file) browser_.open(std::move(*requests.file));
+    box_tool_.offer(std::move(requests.boxes));
     if (requests.task) show_task(*requests.task);
     if (!requests.panel.empty()) show_panel(requests.panel);
     if (requests.palette) palette_.open();

@@ -8,6 +8,7 @@
 #include "commands/body_cut.hpp"
 #include "commands/scene_at_time.hpp"
 #include "commands/workbench.hpp"
+#include "panels/box_tool.hpp"
 #include "panels/compared_view.hpp"
 #include "panels/distance_tool.hpp"
 #include "panels/export_dialog.hpp"
@@ -170,6 +171,7 @@ private:
     PaintTool paint_;
     LiveTool live_;
     GoalTool goals_;
+    BoxTool box_tool_;
     Placing placing_;  // what clicks in the view set
     PlacingTools placing_tools_;
     NumberEdits view_edits_;  // edits in progress in the options of the view
