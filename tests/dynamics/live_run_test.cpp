@@ -6,6 +6,7 @@
 
 #include "dynamics/statics.hpp"
 #include "support/beam.hpp"
+#include "support/figures.hpp"
 #include "support/run.hpp"
 
 namespace myo::dynamics {
@@ -85,6 +86,19 @@ TEST(LiveRun, UntouchedItMovesAsTheRunWithTheSameStep) {
         EXPECT_LT(deviation(motion(*live, steps_of(model, options.h_s), 40), trace), 1e-7) << to_string(scheme);
         EXPECT_NEAR(live->time_s(), 0.4, 1e-12);
     }
+}
+
+/// The tolerance of the window, ten thousandth of the forces, shifts places by less than a thousandth of the motion.
+TEST(LiveRun, TheToleranceOfTheWindowIsNotSeen) {
+    const model::Model model = falling_beam();
+    SimulationOptions options = options_of(StartKind::straight);
+    const Trace exact = simulate(model, options);
+    ASSERT_TRUE(exact.complete()) << exact.message;
+    options.solver.tolerance = 1e-4;
+    const auto live = begun(model, options, steps_of(model, options.h_s));
+    const double moved = deviation(motion(*live, steps_of(model, options.h_s), 40), exact);
+    test::record("deviation", moved);
+    EXPECT_LT(moved, 1e-3);
 }
 
 TEST(LiveRun, ASliderOfAMuscleActsAsAJumpOfItsSignal) {
