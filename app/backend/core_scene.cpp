@@ -15,6 +15,7 @@
 #include "backend/mesh_scene.hpp"
 #include "backend/scene_goals.hpp"
 #include "backend/scene_setup.hpp"
+#include "backend/shown_supports.hpp"
 #include "backend/trial_repairs.hpp"
 #include "base/files.hpp"
 #include "base/letter_case.hpp"
@@ -214,6 +215,7 @@ void show_setup(const setup::Setup& setup, std::shared_ptr<const setup::BodyMesh
     scene.description = experiment.description;
     scene.surface = setup.surface;
     scene.clamp_m = experiment.clamp_box_m;
+    scene.supports = shown_supports(experiment);
     scene.gravity_m_s2 = experiment.gravity_m_s2;
     scene.is_experiment = true;
     scene.unknowns = experiment.material.calibrate;
@@ -259,11 +261,9 @@ Result<ui::commands::Scene> scene_of(const ui::commands::Scene& scene, const exp
     if (!setup) return setup.error();
     ui::commands::Scene result = scene;
     // A mesh follows the box that holds the body and those of parts, so that of other boxes is not kept.
-    const Box &held = experiment.clamp_box_m, &held_before = source.experiment.clamp_box_m;
     const auto same_box = [](const Box& a, const Box& b) { return a.lowest == b.lowest && a.highest == b.highest; };
-    const std::vector<Box> parts = setup::part_boxes(experiment), parts_before = setup::part_boxes(source.experiment);
-    const bool same_boxes = same_box(held, held_before) &&
-                            std::equal(parts.begin(), parts.end(), parts_before.begin(), parts_before.end(), same_box);
+    const std::vector<Box> boxes = mesh_boxes(experiment), before = mesh_boxes(source.experiment);
+    const bool same_boxes = std::equal(boxes.begin(), boxes.end(), before.begin(), before.end(), same_box);
     show_setup(*setup, same_boxes ? source.mesh : nullptr, source.text, result);
     result.settings = scene.settings;
     return result;

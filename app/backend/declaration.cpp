@@ -43,6 +43,9 @@ std::string mesh_words(const std::string& text) {
     if (!document) return result;
     for (const char* key : {"geometry", "clamp"})
         if (const toml::TomlValue* value = document->find(key)) result += words(*value);
+    if (const toml::TomlValue* supports = document->find("support"))
+        for (const toml::TomlValue& support : supports->items)
+            if (const toml::TomlValue* box = support.find("box_m")) result += words(*box);
     // The mesh meets the faces of parts; it does not depend on their material.
     if (const toml::TomlValue* parts = document->find("part"))
         for (const toml::TomlValue& part : parts->items)

@@ -15,13 +15,59 @@ struct SupportPolicy {
     /// Width of the clamped part over the size of the body, below which it is a line or a point; allows for rounding in
     /// mesh files.
     double min_width = 1e-5;
+    /// Share of turns in a free motion, above which it is called a turn.
+    double min_turn = 0.1;
 };
 constexpr SupportPolicy support_policy;
+
+/// Sum of c c' over the held axes, with c the row by which a rigid motion (translation, turn) moves a node along one.
+/// Turns are about the middle of the body, in units of its size.
+Eigen::Matrix<double, 6, 6> held_motions(const model::Body& body, double size, int& count) {
+    const Eigen::Matrix3Xd& X = body.mesh.nodes;
+    const Eigen::Vector3d middle = X.rowwise().mean();
+    Eigen::Matrix<double, 6, 6> sum = Eigen::Matrix<double, 6, 6>::Zero();
+    const auto add = [&](int node, Eigen::Index axis) {
+        Eigen::Matrix<double, 6, 1> row;
+        row << Eigen::Vector3d::Unit(axis), ((X.col(node) - middle) / size).cross(Eigen::Vector3d::Unit(axis));
+        sum += row * row.transpose();
+        ++count;
+    };
+    for (const int node : model::held_nodes(body))
+        for (Eigen::Index axis = 0; axis < 3; ++axis) add(node, axis);
+    for (const model::GuidedNode& node : body.guided)
+        for (Eigen::Index axis = 0; axis < 3; ++axis)
+            if (node.held[static_cast<std::size_t>(axis)]) add(node.node, axis);
+    return sum;
+}
+
+/// Finding for a body with rollers: a rigid motion that no support hinders.
+Finding guided_finding(const model::Body& body) {
+    const double size = mesh::bounding_box(body.mesh.nodes).size().maxCoeff();
+    int count = 0;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> motions(held_motions(body, size, count));
+    const std::size_t clamped = model::held_nodes(body).size();
+    Finding finding = passed_finding("", std::to_string(clamped) + " of " + std::to_string(body.node_count()) +
+                                             " nodes are held, " + std::to_string(body.guided.size()) +
+                                             " along some axes");
+    finding.figure = std::sqrt(std::max(0.0, motions.eigenvalues()(0)) / count);
+    finding.threshold = support_policy.min_width;
+    if (finding.figure > support_policy.min_width) return finding;
+    const Eigen::Matrix<double, 6, 1> free = motions.eigenvectors().col(0);
+    const bool turns = free.tail<3>().norm() > support_policy.min_turn;
+    Eigen::Index axis = 0;
+    (turns ? free.tail<3>() : free.head<3>()).cwiseAbs().maxCoeff(&axis);
+    finding.level = CheckLevel::wrong;
+    finding.sentence = std::string("support: the body is free to ") + (turns ? "turn about " : "move along ") +
+                       "xyz"[axis] + ", or nearly so: no support holds it there";
+    finding.way_out = "hold a further axis at one of the supports, or add a support";
+    return finding;
+}
 
 }  // namespace
 
 std::vector<Finding> check_support(const CheckedJob& job) {
     const model::Body& body = *job.setup.body;
+    if (!body.guided.empty()) return {guided_finding(body)};
     // Nodes of the clamp as the model has it, not the declared box.
     const std::vector<int> held = model::held_nodes(body);
     const Eigen::Matrix3Xd points = body.mesh.nodes(Eigen::all, held);

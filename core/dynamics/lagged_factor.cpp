@@ -89,6 +89,9 @@ void LaggedFactor::turn_to(const model::Body& body, const Eigen::Matrix3Xd& x) {
     for (Eigen::Index i = 0; i < now.cols(); ++i)
         Eigen::Map<Eigen::Matrix3d>(warp_.col(i).data()) = ConstMatrix3(now.col(i).data()) *
                                                            ConstMatrix3(factored_rotations_.col(i).data()).transpose();
+    // A turn would mix held and free axes, which the factor keeps apart.
+    for (const model::GuidedNode& guided : body.guided)
+        Eigen::Map<Eigen::Matrix3d>(warp_.col(guided.node).data()).setIdentity();
 }
 
 Eigen::MatrixXd LaggedFactor::solve(const model::BlockPattern& pattern, const Eigen::MatrixXd& b) const {

@@ -59,6 +59,8 @@ void add_laplacian(const model::PackedCells<Geometry>& cells, const model::Model
 }  // namespace
 
 bool ProjectiveMetric::prepare(const StageProblem& problem, StageReport& report) {
+    // One scalar matrix serves the three axes, so that it cannot hold a node along one of them only.
+    if (!problem.pattern().held_unknowns.empty()) return false;
     const double inertia = problem.stage().inertia_1_s2;
     const model::MassSpan& span = problem.mass_span();
     if (factor_.has_factor() && inertia == inertia_1_s2_ && span.until_s == until_s_) return true;

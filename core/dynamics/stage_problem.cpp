@@ -36,6 +36,7 @@ solver::SymmetricSparse inertia_in_pattern(const model::Body& body, const model:
             inertia.coeffRef(3 * i + row % 3, 3 * j + column % 3) += entry.value();
         }
     assert(inertia.nonZeros() == body.pattern.zero.nonZeros());  // masses couple only nodes that share a cell
+    body.pattern.hold(inertia);
     return inertia;
 }
 
@@ -110,6 +111,7 @@ StageProblem::Evaluation StageProblem::evaluate(const Matrix3Xd& x, model::Hessi
     if (kind != model::HessianKind::none) {
         result.hessian.swap(internal.hessian);  // Eigen's sparse matrices cannot be moved
         result.hessian.coeffs() += stage_.inertia_1_s2 * inertia().coeffs();
+        pattern().hold(result.hessian);
     }
     return result;
 }

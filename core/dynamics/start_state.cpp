@@ -47,6 +47,9 @@ void count(const StageReport& report, Trace& trace) {
 Matrix3Xd held_by(const model::Body& body, Matrix3Xd x) {
     for (int i = 0; i < body.node_count(); ++i)
         if (body.clamped[static_cast<std::size_t>(i)]) x.col(i) = body.mesh.nodes.col(i);
+    for (const model::GuidedNode& guided : body.guided)
+        for (int axis = 0; axis < 3; ++axis)
+            if (guided.held[static_cast<std::size_t>(axis)]) x(axis, guided.node) = body.mesh.nodes(axis, guided.node);
     return x;
 }
 
@@ -62,9 +65,8 @@ bool set_start(const SimulationOptions& options, StageSolver& solver, Kinematics
     assert(initial.positions.size() == 0 || initial.positions.cols() == body.node_count());
     assert(initial.velocities.size() == 0 || initial.velocities.cols() == body.node_count());
     state.x = held_by(body, initial.positions.size() > 0 ? initial.positions : body.mesh.nodes);
-    state.v = initial.velocities.size() > 0 ? initial.velocities : Matrix3Xd::Zero(3, body.node_count());
-    for (int i = 0; i < body.node_count(); ++i)
-        if (body.clamped[static_cast<std::size_t>(i)]) state.v.col(i).setZero();
+    state.v = Matrix3Xd::Zero(3, body.node_count());
+    if (initial.velocities.size() > 0) state.v = model::free_part(body, initial.velocities);
     trace.status = RunStatus::failed;
     if (!state.x.allFinite() || !state.v.allFinite()) {
         trace.message = "the initial positions or velocities are not finite";

@@ -6,7 +6,7 @@
 
 namespace myo::dynamics {
 
-/// Positions x with clamped nodes replaced by their rest positions. 3 x n [m].
+/// Positions x with clamped nodes, and guided ones along their held axes, at their rest positions. 3 x n [m].
 Eigen::Matrix3Xd held_by(const model::Body& body, Eigen::Matrix3Xd x);
 
 /// Sets strain and rate of a state from its positions and velocities. `start` decides whether dashpots are relaxed.

@@ -26,9 +26,8 @@ std::optional<sensitivity::ModelTangent> affected_tangent(const Affected& under,
     sensitivity::ModelTangent tangent;
     tangent.between = std::make_shared<sensitivity::ModelPair>(sensitivity::ModelPair{under.model, over.model, width});
     tangent.start_m = (start_of(over) - start_of(under)) / width;
-    // Clamped nodes are held; a change of their position acts through the pair of models.
-    for (Eigen::Index i = 0; i < tangent.start_m.cols(); ++i)
-        if (between.model.body->clamped[static_cast<std::size_t>(i)]) tangent.start_m.col(i).setZero();
+    // Held nodes stay; a change of their position acts through the pair of models.
+    tangent.start_m = model::free_part(*between.model.body, tangent.start_m);
     return tangent;
 }
 

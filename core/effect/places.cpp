@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "mesh/closest_point.hpp"
+#include "model/held_nodes.hpp"
 #include "model/loaded_face.hpp"
 
 namespace myo::effect {
@@ -34,16 +35,11 @@ std::vector<Vector3d> spread(const Matrix3Xd& points, const Vector3d& away, std:
     return chosen;
 }
 
-/// Mean rest position of the clamped nodes; the origin if there are none.
+/// Mean rest position of the supported nodes; the origin if there are none.
 Vector3d clamp_centre(const TrialContext& context) {
-    Vector3d sum = Vector3d::Zero();
-    int count = 0;
-    for (int i = 0; i < context.body->node_count(); ++i)
-        if (context.body->clamped[static_cast<std::size_t>(i)]) {
-            sum += context.body->mesh.nodes.col(i);
-            ++count;
-        }
-    return count > 0 ? Vector3d(sum / count) : Vector3d(sum);
+    const std::vector<int> nodes = model::support_nodes(*context.body);
+    if (nodes.empty()) return Vector3d::Zero();
+    return Matrix3Xd(context.body->mesh.nodes(Eigen::all, nodes)).rowwise().mean();
 }
 
 /// Barycentric coordinates of a point in a triangle, clipped to be non-negative.

@@ -57,7 +57,8 @@ Result<mesh::SurfaceMesh> read_body_surface(const Experiment& experiment, std::v
 }
 
 Error holds_whole_body(const Experiment& experiment) {
-    return declaration_error(experiment, "clamp.box_m", "holds the whole body, nothing can move; its corners are in m");
+    const char* const key = has_clamp(experiment) ? "clamp.box_m" : "support[0].box_m";
+    return declaration_error(experiment, key, "holds the whole body, nothing can move; its corners are in m");
 }
 
 Result<void> check_on_body(const Experiment& experiment, const mesh::SurfaceMesh& body) {
@@ -66,6 +67,16 @@ Result<void> check_on_body(const Experiment& experiment, const mesh::SurfaceMesh
         return declaration_error(experiment, "clamp.box_m", "the box contains no material of the body");
     // A clamp without free material is caught here, before any meshing, with the likely cause (a wrong unit).
     if (has_clamp(experiment) && check.lies_in(experiment.clamp_box_m)) return holds_whole_body(experiment);
+    for (std::size_t i = 0; i < experiment.supports.size(); ++i) {
+        const SupportDeclaration& support = experiment.supports[i];
+        // A box without depth has no area; it is grown beyond the tolerance within which clipping drops slivers.
+        const Box grown{support.box_m.lowest.array() - 2.0 * check.tolerance(),
+                        support.box_m.highest.array() + 2.0 * check.tolerance()};
+        if (!check.holds_material(grown))
+            return declaration_error(experiment, element("support", i) + ".box_m",
+                                     "the box contains no material of the body");
+        if (support.clamps() && check.lies_in(support.box_m)) return holds_whole_body(experiment);
+    }
     for (std::size_t i = 0; i < experiment.muscles.size(); ++i) {
         const auto* box = std::get_if<MuscleBox>(&experiment.muscles[i].part);
         if (box != nullptr && !check.holds_volume(box->box_m))

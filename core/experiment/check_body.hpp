@@ -19,15 +19,15 @@ namespace myo::experiment {
 /// surface file.
 Result<mesh::SurfaceMesh> read_body_surface(const Experiment& experiment, std::vector<std::string>* warnings = nullptr);
 
-/// Error for a clamp box that contains the whole body, so that no degree of freedom remains.
+/// Error for clamp and supports that hold the whole body, so that no degree of freedom remains.
 ///
-/// @return   error at the line of clamp.box_m
+/// @return   error at the line of clamp.box_m, or of the first support without a clamp
 Error holds_whole_body(const Experiment& experiment);
 
-/// Checks clamp, muscle boxes, load boxes and marker rest positions against the geometry of the body.
+/// Checks clamp, supports, muscle boxes, load boxes and marker rest positions against the geometry of the body.
 ///
 /// @param body  closed surface, outward, vertices [m], mesh frame
-/// Errors, with key and line: a clamp or muscle box without material, a clamp box that contains the whole body, a load
+/// Errors, with key and line: a clamp, support or muscle box without material, one that holds the whole body, a load
 /// box without surface, a rest position farther than max_standoff_m from the surface. Fixed markers are not attached to
 /// the body and are not checked. Painted muscles and muscles along a line are checked on the mesh by muscle_groups().
 Result<void> check_on_body(const Experiment& experiment, const mesh::SurfaceMesh& body);

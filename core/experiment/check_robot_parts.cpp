@@ -61,7 +61,8 @@ Result<void> check_obstacles(const Experiment& experiment, const BodyQueries& bo
 }  // namespace
 
 bool guide_moves(const Experiment& experiment, const BodyQueries& body, const Eigen::Vector3d& guide_m) {
-    if (experiment.clamp_box_m.contains(guide_m)) return false;
+    for (const Box& held : clamped_boxes(experiment))
+        if (held.contains(guide_m)) return false;
     return body.in_material(guide_m) ||
            body.distance_to_surface(guide_m) <= experiment.markers.max_standoff_m + body.tolerance();
 }

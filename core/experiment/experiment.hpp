@@ -209,6 +209,7 @@ struct Experiment {
     std::string description;
     Geometry geometry;
     Box clamp_box_m;  // nodes inside are held [m]; without [clamp] it holds no point, see has_clamp()
+    std::vector<SupportDeclaration> supports;  // besides the clamp
     MaterialDeclaration material;
     Eigen::Vector3d gravity_m_s2{0.0, 0.0, -9.81};  // mesh frame
     std::vector<MuscleDeclaration> muscles;
@@ -243,9 +244,22 @@ inline bool has_recordings(const Experiment& experiment) {
                        [](const TrialDeclaration& trial) { return trial.role != TrialRole::simulate; });
 }
 
-/// True if a clamp holds the body; otherwise only obstacles bear it, and the clamp box has its corners exchanged.
+/// True if there is a [clamp]; otherwise supports hold the body or obstacles bear it, and the clamp box has its corners
+/// exchanged.
 inline bool has_clamp(const Experiment& experiment) {
     return (experiment.clamp_box_m.lowest.array() <= experiment.clamp_box_m.highest.array()).all();
+}
+
+/// True if a clamp or a support holds the body.
+inline bool is_held(const Experiment& experiment) { return has_clamp(experiment) || !experiment.supports.empty(); }
+
+/// Boxes whose material cannot move at all: that of the clamp, and those of supports that hold all three axes.
+inline std::vector<Box> clamped_boxes(const Experiment& experiment) {
+    std::vector<Box> boxes;
+    if (has_clamp(experiment)) boxes.push_back(experiment.clamp_box_m);
+    for (const SupportDeclaration& support : experiment.supports)
+        if (support.clamps()) boxes.push_back(support.box_m);
+    return boxes;
 }
 
 }  // namespace myo::experiment

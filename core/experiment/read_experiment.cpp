@@ -14,11 +14,11 @@ namespace fs = std::filesystem;
 
 const std::string current_schema = "experiment/1";
 
-// A body that obstacles bear needs no clamp; the box then holds no point.
+// A body on supports or obstacles needs no clamp; the box then holds no point.
 Box read_clamp(const toml::TomlReader& document) {
     if (document.has("clamp")) return document.table("clamp", {"box_m"}).box("box_m");
-    if (!document.has("obstacle"))
-        document.fail("clamp", "is missing: a [clamp] holds the body, or an [[obstacle]] bears it");
+    if (!document.has("support") && !document.has("obstacle"))
+        document.fail("clamp", "is missing: a [clamp] or [[support]] holds the body, or an [[obstacle]] bears it");
     return {Eigen::Vector3d::Ones(), -Eigen::Vector3d::Ones()};
 }
 
@@ -31,9 +31,9 @@ Experiment read_document(const toml::TomlValue& root, const fs::path& folder) {
                   schema->where}};
     // Unknown keys are errors: a misspelt key would otherwise silently select a default.
     const toml::TomlReader document(
-        root, "",
-        {"schema", "name", "description", "geometry", "clamp", "material", "environment", "muscle", "chamber", "tendon",
-         "part", "mount", "obstacle", "sensor", "limits", "registration", "markers", "trial", "effect"});
+        root, "", {"schema",      "name",   "description",  "geometry", "clamp", "support", "material",
+                   "environment", "muscle", "chamber",      "tendon",   "part",  "mount",   "obstacle",
+                   "sensor",      "limits", "registration", "markers",  "trial", "effect"});
     document.text("schema");
 
     Experiment experiment;
@@ -45,6 +45,7 @@ Experiment read_document(const toml::TomlValue& root, const fs::path& folder) {
     experiment.description = document.text_or("description", "");
     experiment.geometry = read_geometry(document, folder);
     experiment.clamp_box_m = read_clamp(document);
+    experiment.supports = read_supports(document);
     experiment.material = read_material(document);
     if (document.has("environment")) {
         const toml::TomlReader environment = document.table("environment", {"gravity_m_s2"});

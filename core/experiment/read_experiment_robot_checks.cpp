@@ -62,7 +62,8 @@ void check_mount(const Experiment& experiment) {
     if (!fix_a_rigid_motion(points))
         robot_fail(experiment, "mount.motion",
                    "\"markers\" needs three markers in markers.fixed_m that are not in one line");
-    if (!has_clamp(experiment)) robot_fail(experiment, "mount.motion", "needs a [clamp], which moves with the mount");
+    if (!is_held(experiment))
+        robot_fail(experiment, "mount.motion", "needs a [clamp] or a [[support]], which moves with the mount");
 }
 
 /// Columns of a sensor.

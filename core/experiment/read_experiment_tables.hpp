@@ -16,6 +16,8 @@ namespace myo::experiment {
 
 /// [geometry]: a box, a surface file or a volume mesh; the file is not opened.
 Geometry read_geometry(const toml::TomlReader& document, const std::filesystem::path& folder);
+/// [[support]]: boxes and the axes that they hold.
+std::vector<SupportDeclaration> read_supports(const toml::TomlReader& document);
 /// [material]: constitutive law, moduli and the parameters to fit.
 MaterialDeclaration read_material(const toml::TomlReader& document);
 /// [[muscle]]: signal files are read here, masks are not.

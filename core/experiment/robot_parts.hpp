@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -47,6 +48,14 @@ struct PartDeclaration {
     double density_kg_m3 = 0.0;                              // > 0
     std::optional<double> damping_s;                         // Kelvin-Voigt damping time [s]; absent: the material's
     std::vector<std::string> calibrate;                      // parameters to fit: of youngs_modulus, damping
+};
+
+/// A further place where the body is held, such as a roller: material in the box does not move along the held axes.
+struct SupportDeclaration {
+    Box box_m;                                   // a side without depth selects the nodes in a plane or on a line
+    std::array<bool, 3> held{true, true, true};  // per axis of the mesh frame, at least one
+
+    bool clamps() const { return held[0] && held[1] && held[2]; }
 };
 
 /// How the clamped region moves: not at all, or rigidly as the fixed markers were seen to.

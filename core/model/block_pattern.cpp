@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace myo::model {
 namespace {
@@ -51,10 +52,40 @@ void set_zero_matrix(const BlockRows& rows, BlockPattern& pattern) {
     matrix.outerIndexPtr()[pattern.unknowns()] = position;
 }
 
+/// Unknowns of guided nodes along their held axes, and the entries that couple them to others.
+void add_held(const std::vector<GuidedNode>& guided, BlockPattern& pattern) {
+    std::vector<bool> is_held(static_cast<std::size_t>(pattern.unknowns()), false);
+    for (const GuidedNode& node : guided) {
+        const int i = pattern.free_index[static_cast<std::size_t>(node.node)];
+        for (std::size_t axis = 0; i >= 0 && axis < 3; ++axis)
+            if (node.held[axis]) is_held[static_cast<std::size_t>(3 * i) + axis] = true;
+    }
+    for (std::size_t u = 0; u < is_held.size(); ++u)
+        if (is_held[u]) pattern.held_unknowns.push_back(static_cast<int>(u));
+    if (pattern.held_unknowns.empty()) return;
+    const solver::SymmetricSparse& matrix = pattern.zero;
+    for (int column = 0; column < matrix.outerSize(); ++column)
+        for (int k = matrix.outerIndexPtr()[column]; k < matrix.outerIndexPtr()[column + 1]; ++k) {
+            const int row = matrix.innerIndexPtr()[k];
+            if (row != column && (is_held[static_cast<std::size_t>(row)] || is_held[static_cast<std::size_t>(column)]))
+                pattern.held_entries.push_back(k);
+        }
+}
+
 }  // namespace
 
+void BlockPattern::hold(solver::SymmetricSparse& matrix) const {
+    assert(held_unknowns.empty() || matrix.nonZeros() == zero.nonZeros());
+    for (const int entry : held_entries) matrix.valuePtr()[entry] = 0.0;
+    // The diagonal keeps its size, so that no scale of the matrix changes; the first entry of a column is its diagonal.
+    for (const int unknown : held_unknowns) {
+        double& diagonal = matrix.valuePtr()[matrix.outerIndexPtr()[unknown]];
+        diagonal = diagonal != 0.0 ? std::abs(diagonal) : 1.0;
+    }
+}
+
 BlockPattern block_pattern(const mesh::VolumeMesh& mesh, const std::vector<bool>& clamped,
-                           const std::vector<std::vector<int>>& couplings) {
+                           const std::vector<std::vector<int>>& couplings, const std::vector<GuidedNode>& guided) {
     assert(static_cast<Eigen::Index>(clamped.size()) == mesh.node_count());
     BlockPattern pattern;
     pattern.free_index.assign(clamped.size(), -1);
@@ -82,6 +113,7 @@ BlockPattern block_pattern(const mesh::VolumeMesh& mesh, const std::vector<bool>
         rows[column].erase(std::unique(rows[column].begin(), rows[column].end()), rows[column].end());
     }
     set_zero_matrix(rows, pattern);
+    add_held(guided, pattern);
 
     pattern.cell_blocks.assign(static_cast<std::size_t>(mesh.cell_count()) * nodes * nodes, -1);
     for (Eigen::Index c = 0; c < mesh.cell_count(); ++c)
@@ -97,6 +129,7 @@ Eigen::VectorXd gather(const BlockPattern& pattern, const Eigen::Matrix3Xd& X) {
     Eigen::VectorXd v(pattern.unknowns());
     for (int i = 0; i < pattern.free_count; ++i)
         v.segment<3>(3 * i) = X.col(pattern.free_nodes[static_cast<std::size_t>(i)]);
+    for (const int unknown : pattern.held_unknowns) v(unknown) = 0.0;
     return v;
 }
 
@@ -105,6 +138,8 @@ Eigen::Matrix3Xd scatter(const BlockPattern& pattern, const Eigen::VectorXd& v) 
     Eigen::Matrix3Xd X = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(pattern.free_index.size()));
     for (int i = 0; i < pattern.free_count; ++i)
         X.col(pattern.free_nodes[static_cast<std::size_t>(i)]) = v.segment<3>(3 * i);
+    for (const int unknown : pattern.held_unknowns)
+        X(unknown % 3, pattern.free_nodes[static_cast<std::size_t>(unknown / 3)]) = 0.0;
     return X;
 }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <vector>
 
 #include "mesh/volume_mesh.hpp"
@@ -9,10 +10,17 @@
 
 namespace myo::model {
 
+/// A node that is held along some axes and free along the others, such as one on a roller.
+struct GuidedNode {
+    int node = 0;
+    std::array<bool, 3> held{};  // per axis of the mesh frame
+};
+
 /// Sparsity pattern of the stiffness matrix in 3 x 3 blocks over the free nodes, lower triangle.
 ///
 /// Free node i owns the unknowns 3 i ... 3 i + 2. Each block column holds its diagonal block first, then the blocks
-/// below.
+/// below. Guided nodes count as free and keep all three unknowns: the held ones are eliminated by gather(), scatter()
+/// and hold(), which leave them at zero.
 struct BlockPattern {
     int free_count = 0;           // number of free nodes
     std::vector<int> free_index;  // per node: index among the free nodes; -1 if clamped
@@ -21,8 +29,16 @@ struct BlockPattern {
     std::vector<int> cell_blocks;
     std::vector<std::vector<int>> coupled_blocks;  // the same for each coupling, with its number of nodes for N
     solver::SymmetricSparse zero;                  // matrix with this pattern and values 0
+    std::vector<int> held_unknowns;                // of guided nodes, ascending
+    std::vector<int> held_entries;                 // positions of values in their rows and columns, diagonal excluded
 
     int unknowns() const { return 3 * free_count; }
+
+    /// Decouples the held unknowns: their rows and columns become zero but for a positive diagonal. With a right-hand
+    /// side of gather() the solution is exactly that of the matrix without these rows and columns.
+    ///
+    /// @param matrix  has the pattern of `zero`
+    void hold(solver::SymmetricSparse& matrix) const;
 
     /// True if the block (a, b) of a cell is free and in the stored triangle.
     bool stores(int nodes_per_cell, int cell, int a, int b) const {
@@ -70,17 +86,19 @@ private:
 /// @param clamped    one flag per node
 /// @param couplings  further groups of nodes that are coupled with each other, such as those that carry two guides of a
 ///                   tendon; a node occurs once in a group
+/// @param guided     nodes that are held along some axes; clamped ones among them stay clamped
 BlockPattern block_pattern(const mesh::VolumeMesh& mesh, const std::vector<bool>& clamped,
-                           const std::vector<std::vector<int>>& couplings = {});
+                           const std::vector<std::vector<int>>& couplings = {},
+                           const std::vector<GuidedNode>& guided = {});
 
 /// Free columns of a nodal field as one vector.
 ///
 /// @param X  3 x n
-/// @return   unknowns() entries
+/// @return   unknowns() entries; zero at held unknowns
 Eigen::VectorXd gather(const BlockPattern& pattern, const Eigen::Matrix3Xd& X);
 /// Inverse of gather().
 ///
-/// @return  3 x n, zero columns at clamped nodes
+/// @return  3 x n, zero columns at clamped nodes, zero along the held axes of guided ones
 Eigen::Matrix3Xd scatter(const BlockPattern& pattern, const Eigen::VectorXd& v);
 
 }  // namespace myo::model

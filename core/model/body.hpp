@@ -21,6 +21,7 @@ struct Body {
     PackedElements cells;                     // cell geometry in SIMD layout
     NodeIncidence incidence;                  // node to cell map for the assembly of nodal vectors
     std::vector<bool> clamped;                // per node
+    std::vector<GuidedNode> guided;           // not clamped, held along some axes; ascending
     fem::CellSurroundings surroundings;       // neighbourhood of each hex8 cell, see fem::cell_surroundings()
     std::vector<std::vector<int>> couplings;  // groups of nodes that force elements couple, see block_pattern()
     BlockPattern pattern;                     // of the stiffness matrix
@@ -53,7 +54,12 @@ using BodyPointer = std::shared_ptr<const Body>;
 /// @param kind           element formulation; asserts that it matches the cells of the mesh
 /// @param clamped_nodes  nodes with prescribed zero displacement
 /// @param couplings      see block_pattern()
+/// @param guided         nodes that are held along some axes. What is held twice is held along all these axes; a node
+///                       held along all three is clamped.
 BodyPointer make_body(mesh::VolumeMesh mesh, fem::ElementKind kind, const std::vector<int>& clamped_nodes,
-                      std::vector<std::vector<int>> couplings = {});
+                      std::vector<std::vector<int>> couplings = {}, const std::vector<GuidedNode>& guided = {});
+
+/// Field without its components at clamped nodes and along the held axes of guided ones, 3 x n.
+Eigen::Matrix3Xd free_part(const Body& body, const Eigen::Matrix3Xd& field);
 
 }  // namespace myo::model

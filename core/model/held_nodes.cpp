@@ -9,4 +9,11 @@ std::vector<int> held_nodes(const Body& body) {
     return held;
 }
 
+std::vector<int> support_nodes(const Body& body) {
+    std::vector<int> nodes = held_nodes(body);
+    if (nodes.empty())
+        for (const GuidedNode& guided : body.guided) nodes.push_back(guided.node);
+    return nodes;
+}
+
 }  // namespace myo::model

@@ -273,8 +273,7 @@ bool AdjointFollower::start(dynamics::StageSolver& solver, const dynamics::Simul
         lower_peaks({}, at.x);
     }
     const auto free_part = [&](const Matrix3Xd& X) {
-        return X.size() == 0 ? Matrix3Xd(Matrix3Xd::Zero(3, body.node_count()))
-                             : model::scatter(body.pattern, model::gather(body.pattern, X));
+        return X.size() == 0 ? Matrix3Xd(Matrix3Xd::Zero(3, body.node_count())) : model::free_part(body, X);
     };
     Matrix3Xd& x = state_.nodal[x_field];
     const auto [strain, rate] = start_strain_adjoint(model_, options.start == dynamics::StartKind::equilibrium,

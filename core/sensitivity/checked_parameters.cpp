@@ -16,7 +16,7 @@ const Vector3d direction = Vector3d(0.6, -0.5, 0.62).normalized();  // parallel 
 Matrix3Xd rough_field(const model::Body& body) {
     Matrix3Xd field(3, body.node_count());
     for (Eigen::Index i = 0; i < field.size(); ++i) field(i) = std::sin(0.3 + 1.7 * static_cast<double>(i));
-    return model::scatter(body.pattern, model::gather(body.pattern, field));
+    return model::free_part(body, field);
 }
 
 /// Changes E or nu of every cell by the given amount.

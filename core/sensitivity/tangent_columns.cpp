@@ -24,6 +24,7 @@ MatrixXd gather_columns(const model::BlockPattern& pattern, const model::NodalCo
         for (int i = 0; i < pattern.free_count; ++i)
             result.col(p).segment<3>(3 *
                                      i) = fields.col(pattern.free_nodes[static_cast<std::size_t>(i)]).segment<3>(3 * p);
+    for (const int unknown : pattern.held_unknowns) result.row(unknown).setZero();
     return result;
 }
 
@@ -34,6 +35,9 @@ model::NodalColumns scatter_columns(const model::BlockPattern& pattern, const Ma
         for (int i = 0; i < pattern.free_count; ++i)
             result.col(pattern.free_nodes[static_cast<std::size_t>(i)]).segment<3>(3 * p) = unknowns.col(p).segment<3>(
                 3 * i);
+    for (const int unknown : pattern.held_unknowns)
+        for (Index p = 0; p < unknowns.cols(); ++p)
+            result(3 * p + unknown % 3, pattern.free_nodes[static_cast<std::size_t>(unknown / 3)]) = 0.0;
     return result;
 }
 

@@ -237,12 +237,15 @@ private:
         }
     }
 
-    /// Clamped nodes: the mass couples them to free neighbours, but forces on them are reactions and not part of the
-    /// state.
+    /// Held axes of nodes: the mass couples them to free neighbours, but forces on them are reactions and not part of
+    /// the state.
     void clear_clamped() {
         for (int i = 0; i < model_.body->node_count(); ++i)
             if (model_.body->clamped[static_cast<std::size_t>(i)] && nodal_[force_field].size() > 0)
                 nodal_[force_field].col(i).setZero();
+        for (const model::GuidedNode& guided : model_.body->guided)
+            for (Index row = 0; row < nodal_[force_field].rows(); ++row)
+                if (guided.held[static_cast<std::size_t>(row % 3)]) nodal_[force_field](row, guided.node) = 0.0;
     }
 
     /// Stores the derivatives of the chosen nodes.

@@ -42,8 +42,10 @@ Result<BodyMesh> mesh_of(const experiment::Experiment& experiment, const mesh::S
     if (const auto* volume = std::get_if<experiment::VolumeGeometry>(&experiment.geometry))
         return own_cells(experiment, *volume, request);
     std::vector<Box> regions = part_boxes(experiment);
-    if (experiment::has_clamp(experiment))
-        regions.insert(regions.begin(), held_part(experiment.clamp_box_m, mesh::bounding_box(surface.vertices)));
+    const Box bounds = mesh::bounding_box(surface.vertices);
+    if (experiment::has_clamp(experiment)) regions.insert(regions.begin(), held_part(experiment.clamp_box_m, bounds));
+    for (const experiment::SupportDeclaration& support : experiment.supports)
+        regions.push_back(held_part(support.box_m, bounds));
     return mesh_body(surface, request, regions, progress);
 }
 

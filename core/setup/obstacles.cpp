@@ -30,7 +30,8 @@ std::vector<model::ForceElementPointer> obstacle_contacts(const experiment::Expe
     law.onset_m = contact_policy.onset * edge_m;
     law.v0_m_s = contact_policy.v0_m_s;
     law.static_slip_m = contact_policy.static_slip * edge_m;
-    if (!experiment::has_clamp(experiment)) law.static_bed_Pa_m = contact_policy.static_bed * law.stiffness_Pa_m;
+    if (experiment::clamped_boxes(experiment).empty())
+        law.static_bed_Pa_m = contact_policy.static_bed * law.stiffness_Pa_m;
     std::vector<model::ForceElementPointer> contacts;
     for (const experiment::ObstacleDeclaration& obstacle : experiment.obstacles) {
         law.friction = obstacle.friction;

@@ -15,6 +15,7 @@
 #include "setup/activation_range.hpp"
 #include "setup/actuator_signals.hpp"
 #include "setup/first_vibration.hpp"
+#include "setup/held_nodes.hpp"
 #include "setup/hold_recording.hpp"
 #include "setup/marker_noise.hpp"
 #include "setup/mesh_suitability.hpp"
@@ -203,22 +204,6 @@ void add_warnings(Setup& setup) {
     add(activation_notes(setup));
 }
 
-/// Nodes in the clamp box.
-///
-/// Errors: none, as the body would fall; or all, as nothing could move. A body without a clamp has none.
-Result<std::vector<int>> clamped_nodes(const experiment::Experiment& experiment, const BodyMesh& mesh,
-                                       const Box& held) {
-    if (!experiment::has_clamp(experiment)) return std::vector<int>{};
-    std::vector<int> clamped = mesh::nodes_in_box(mesh.mesh, box_on_mesh(mesh, held));
-    if (clamped.empty())
-        return experiment::declaration_error(
-            experiment, "clamp.box_m",
-            "no node of the mesh lies in the box; choose a finer resolution or a deeper box");
-    if (static_cast<Eigen::Index>(clamped.size()) == mesh.mesh.node_count())
-        return experiment::holds_whole_body(experiment);
-    return clamped;
-}
-
 /// The declared law of the material, or the one that the settings name, e.g. for the published formulation.
 Result<material::MaterialPointer> chosen_material(const experiment::Experiment& experiment,
                                                   const SetupSettings& settings) {
@@ -234,14 +219,12 @@ Result<material::MaterialPointer> chosen_material(const experiment::Experiment& 
 /// @param meshed  mesh to use; null: a new one
 Result<void> add_body(Setup& setup, const BodyMesh* meshed, const Progress& progress) {
     const experiment::Experiment& experiment = setup.experiment;
-    // The mesh conforms to the part of the body that the clamp really holds, see held_part().
-    const Box held = held_part(experiment.clamp_box_m, mesh::bounding_box(setup.surface.vertices));
     Result<BodyMesh> mesh = meshed ? *meshed : mesh_of(experiment, setup.surface, setup.settings.mesh, progress);
     if (!mesh) return mesh.error();
     setup.mesh = std::move(*mesh);
     setup.warnings.insert(setup.warnings.end(), setup.mesh.warnings.begin(), setup.mesh.warnings.end());
-    const Result<std::vector<int>> clamped = clamped_nodes(experiment, setup.mesh, held);
-    if (!clamped) return clamped.error();
+    const Result<HeldNodes> held = held_nodes(experiment, setup.mesh, mesh::bounding_box(setup.surface.vertices));
+    if (!held) return held.error();
     // Effects that vary within a cell need an element that resolves them.
     Result<Eigen::MatrixXd> shares = part_shares(experiment, setup.mesh, setup.warnings);
     if (!shares) return shares.error();
@@ -249,7 +232,7 @@ Result<void> add_body(Setup& setup, const BodyMesh* meshed, const Progress& prog
     const bool fine = setup.settings.fine_element || effect::any_varies_within_cells(experiment.effects);
     setup.tendons = find_tendons(experiment, setup.surface, setup.mesh);
     setup.body = model::make_body(setup.mesh.mesh, fine ? fem::fine_element(setup.mesh.element) : setup.mesh.element,
-                                  *clamped, couplings(setup.tendons));
+                                  held->clamped, couplings(setup.tendons), held->guided);
     Result<std::vector<Chamber>> chambers = find_chambers(experiment, setup.surface, setup.mesh, *setup.body);
     if (!chambers) return chambers.error();
     setup.chambers = std::move(*chambers);

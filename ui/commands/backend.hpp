@@ -24,6 +24,7 @@
 #include "commands/run_result.hpp"
 #include "commands/scene_marker.hpp"
 #include "commands/scene_setup.hpp"
+#include "commands/scene_support.hpp"
 #include "commands/search_result.hpp"
 #include "commands/seek_choice.hpp"
 #include "commands/settings.hpp"
@@ -136,6 +137,7 @@ struct Scene {
     std::string description;
     mesh::SurfaceMesh surface;                               // surface of the body [m]; may be empty
     std::optional<Box> clamp_m;                              // box that holds the body; empty: none
+    SceneSupports supports;                                  // besides the clamp
     Eigen::Vector3d gravity_m_s2 = Eigen::Vector3d::Zero();  // world frame
     std::vector<SceneMarker> markers;                        // of the experiment
     std::vector<SceneTrial> trials;

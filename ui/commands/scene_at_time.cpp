@@ -11,6 +11,7 @@
 #include "commands/muscle_drawing.hpp"
 #include "commands/rest_outline.hpp"
 #include "commands/setup_drawing.hpp"
+#include "commands/support_drawing.hpp"
 #include "viewport/color_map.hpp"
 #include "viewport/scene_lines.hpp"
 
@@ -264,6 +265,7 @@ viewport::DrawnScene scene_at_time(const WorkbenchState& state, const platform::
              viewport::box_lines(*state.scene->clamp_m, viewport::color_of(theme.muted, 0.9f), 1.5))
             drawn.lines.push_back(std::move(line));
     }
+    if (state.view.clamp) add_supports(drawn, state, theme);
     if (state.view.undeformed && motion.outline)
         add_line(drawn, *motion.outline, viewport::color_of(theme.muted, 0.7f), 1.0);
     if (state.view.clip.on && state.body)

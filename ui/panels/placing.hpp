@@ -15,6 +15,7 @@ struct Placing {
     int tendon = -1;        // of guides: index of the tendon whose guides are moved; -1: a new one is drawn
     double depth_m = 0.0;   // of guides: of new ones below the surface
     toml::TomlPath box;     // of a box: where it is declared
+    bool adds = false;      // of a box: `box` is an array of tables, to which one with the key box_m is added
     std::string item;       // of a box: name of the edit
     std::string what;       // of a box: "the face that is held"
 

@@ -45,8 +45,12 @@ void RegionTool::update_box(const ToolView& tool, Placing& placing) {
         hover(tool.surface.box_around(tool.surface.around(under->triangle)), under->triangle);
     draw_hint(tool.context, tool.view, "Click " + placing.what + ". Esc ends.", "view/placing_hint");
     if (!tool.clicked() || !hovered_m_) return;
-    tool.context.emit(
-        commands::EditDeclaration{{commands::SetDeclared{placing.box, box_text(*hovered_m_)}}, placing.item + "/pick"});
+    const std::string text = box_text(*hovered_m_);
+    const commands::DeclarationEdit edit = placing.adds
+                                               ? commands::DeclarationEdit(
+                                                     commands::AppendDeclared{placing.box, "box_m = " + text + "\n"})
+                                               : commands::DeclarationEdit(commands::SetDeclared{placing.box, text});
+    tool.context.emit(commands::EditDeclaration{{edit}, placing.item + "/pick"});
     placing = {};
     clear();
 }

@@ -8,6 +8,7 @@
 #include "mesh/surface_mesh.hpp"
 #include "panels/declared_rows.hpp"
 #include "panels/file_dialogs.hpp"
+#include "panels/support_rows.hpp"
 #include "toml/toml_text.hpp"
 
 namespace myo::ui::panels {
@@ -31,10 +32,11 @@ constexpr std::array<AxisDirection, 6> directions{{{"x_low", "Low end of x", "Al
                                                    {"z_high", "High end of z", "Along +z", 2, true}}};
 
 const char* const other = "other";
+const char* const none = "none";
 
 /// The direction along an axis that gravity has; "none" or "other".
 std::string gravity_choice(const Eigen::Vector3d& gravity) {
-    if (gravity.isZero()) return "none";
+    if (gravity.isZero()) return none;
     for (const AxisDirection& d : directions) {
         const Eigen::Vector3d along = (d.upper ? 1.0 : -1.0) * Eigen::Vector3d::Unit(d.axis);
         if ((gravity.normalized() - along).norm() < 1e-9) return d.id;
@@ -74,19 +76,25 @@ void SupportPanel::draw_support(PanelContext& context) {
         choices.push_back({d.id, d.end, "Holds the end of the body, one hundredth of its length deep."});
         if (now == box_text(end_box(body, d.axis, d.upper))) chosen = d.id;
     }
+    const bool clamped = scene.clamp_m && (scene.clamp_m->lowest.array() <= scene.clamp_m->highest.array()).all();
+    if (!clamped) chosen = none;
+    choices.push_back({none, "None", "Without a clamp the supports below hold the body, or obstacles bear it."});
     choices.push_back({other, "A box of its own", "Holds the material inside the box below."});
     const std::string before = chosen;
     if (choice_row(context, "Held part", "support/end",
                    "Material inside the box does not move; it is drawn in the view.", choices, chosen) &&
-        chosen != before)
+        chosen != before) {
+        if (chosen == none)
+            context.emit(commands::EditDeclaration{{commands::RemoveDeclared{{"clamp"}}}, "support/end"});
         for (const AxisDirection& d : directions)
             if (chosen == d.id)
                 context.emit(commands::EditDeclaration{
                     {commands::SetDeclared{{"clamp", "box_m"}, box_text(end_box(body, d.axis, d.upper))}},
                     "support/end"});
-    if (scene.clamp_m && (scene.clamp_m->lowest.array() <= scene.clamp_m->highest.array()).all())
-        box_rows(context, {{"clamp", "box_m"}, "support/box"}, edits_, *scene.clamp_m);
+    }
+    if (clamped) box_rows(context, {{"clamp", "box_m"}, "support/box"}, edits_, *scene.clamp_m);
     pick_box_button(context, {{"clamp", "box_m"}, "support/box"}, "the face that is held");
+    draw_supports(context, edits_);
 }
 
 void SupportPanel::draw_gravity(PanelContext& context) {
@@ -95,7 +103,7 @@ void SupportPanel::draw_gravity(PanelContext& context) {
     std::vector<commands::Choice> choices;
     for (const AxisDirection& d : directions)
         choices.push_back({d.id, d.direction, "9.81 m/s\xc2\xb2 along the axis."});
-    choices.push_back({"none", "None", "The body has no weight."});
+    choices.push_back({none, "None", "The body has no weight."});
     choices.push_back({other, "A vector of its own", "The components below."});
     const toml::TomlPath path{"environment", "gravity_m_s2"};
     std::string chosen = gravity_choice(gravity);

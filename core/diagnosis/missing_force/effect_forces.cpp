@@ -86,11 +86,7 @@ NodalForces effect_forces(const setup::Setup& setup, std::size_t trial, const pr
     const std::size_t stride = std::max<std::size_t>(1, motion.times_s.size() / static_cast<std::size_t>(most));
     for (std::size_t k = 0; k < motion.times_s.size(); k += stride) {
         const StateView m = moment_of(motion, k);
-        Matrix3Xd force = with.at(m) - without.at(m);
-        for (Index i = 0; i < force.cols(); ++i) {
-            const auto node = static_cast<std::size_t>(i);
-            if (with.body().clamped[node] || without.body().clamped[node]) force.col(i).setZero();
-        }
+        Matrix3Xd force = model::free_part(with.body(), model::free_part(without.body(), with.at(m) - without.at(m)));
         result.times_s.push_back(m.time_s);
         result.force_N.push_back(std::move(force));
     }

@@ -7,6 +7,7 @@
 
 #include "diagnosis/missing_force/timed_forces.hpp"
 #include "measurement/rigid_motion.hpp"
+#include "model/held_nodes.hpp"
 
 namespace myo::diagnosis {
 namespace {
@@ -17,19 +18,13 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Position of each node, 0 ... 1, from the centre of the clamped nodes towards the centre of the body; along x if no
-/// node is clamped, or all around.
+/// Position of each node, 0 ... 1, from the centre of the supported nodes towards the centre of the body; along x if no
+/// node is held, or all around.
 VectorXd places(const model::Body& body) {
     const Matrix3Xd& X = body.mesh.nodes;
-    Vector3d clamp = Vector3d::Zero();
-    int held = 0;
-    for (int i = 0; i < body.node_count(); ++i)
-        if (body.clamped[static_cast<std::size_t>(i)]) {
-            clamp += X.col(i);
-            ++held;
-        }
+    const std::vector<int> held = model::support_nodes(body);
     Vector3d way = Vector3d::UnitX();
-    if (held > 0) way = X.rowwise().mean() - clamp / held;
+    if (!held.empty()) way = X.rowwise().mean() - Matrix3Xd(X(Eigen::all, held)).rowwise().mean();
     if (!(way.norm() > 0.0)) way = Vector3d::UnitX();
     const VectorXd along = X.transpose() * way;
     const double lowest = along.minCoeff(), highest = along.maxCoeff();
@@ -116,9 +111,7 @@ ForceFields force_fields(const model::Body& body, const MissingForcePolicy& poli
         for (Index axis = 0; axis < 3; ++axis) {
             Matrix3Xd pattern = Matrix3Xd::Zero(3, body.node_count());
             pattern.row(axis) = weighted.col(j).transpose();
-            for (Index i = 0; i < pattern.cols(); ++i)
-                if (body.clamped[static_cast<std::size_t>(i)]) pattern.col(i).setZero();
-            fields.patterns.push_back(std::move(pattern));
+            fields.patterns.push_back(model::free_part(body, pattern));
             for (Index k = 0; k < policy.stations; ++k) fields.volume(3 * j + axis, 3 * k + axis) = volume(j, k);
         }
     return fields;
