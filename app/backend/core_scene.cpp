@@ -109,7 +109,7 @@ void fill_from_setup(const setup::Setup& setup, ui::commands::Scene& scene) {
         shown.repairs = shown_repairs(declared, trial);
         for (const experiment::LoadDeclaration& load : declared.loads)
             shown.loads.push_back({load.kind == experiment::LoadKind::mass, load.box_m, load.mass_kg, load.force_N,
-                                   load.from_s, load.until_s});
+                                   load.from_s, load.until_s, load.curve});
         for (std::size_t m = 0; m < scene.markers.size(); ++m)
             shown.measured.push_back(shown_measurement(setup, trial, m));
         for (std::size_t m = 0; m < experiment.muscles.size(); ++m)

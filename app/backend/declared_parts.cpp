@@ -43,7 +43,10 @@ std::map<std::string, DeclaredCommand> commands_of(const experiment::Experiment&
         ++next;
         for (const experiment::ConstantCommand& constant : trial.constant_commands)
             if (constant.actuator == actuator.name)
-                commands[actuator.name] = {DeclaredCommand::Kind::constant, constant.value};
+                commands[actuator.name] = constant.curve
+                                              ? DeclaredCommand{DeclaredCommand::Kind::curve, constant.value,
+                                                                *constant.curve}
+                                              : DeclaredCommand{DeclaredCommand::Kind::constant, constant.value};
         for (const experiment::ActuationStep& step : trial.actuation_steps)
             if (step.muscle == actuator.name)
                 commands[actuator.name] = {DeclaredCommand::Kind::step, step.level.value_or(0.0)};

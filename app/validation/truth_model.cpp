@@ -73,7 +73,8 @@ Result<setup::Setup> on_mesh(setup::Setup setup, setup::BodyMesh mesh) {
             if (load.kind == experiment::LoadKind::mass)
                 model.masses.push_back({share, load.mass_kg});
             else
-                model.forces.push_back({share, load.force_N, load.from_s, load.until_s});
+                model.forces.push_back({share, load.force_N, load.from_s, load.until_s,
+                                        load.curve.value_or(fibre::Signal::constant(1.0))});
         }
     }
     return setup;

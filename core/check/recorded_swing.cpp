@@ -35,6 +35,7 @@ double last_change_s(const model::Model& model) {
     double last = 0.0;
     for (const double jump : model::jump_times(model)) last = std::max(last, jump);
     for (const fibre::Signal& signal : model.activation) last = std::max(last, last_change_s(signal));
+    for (const model::DeadForce& force : model.forces) last = std::max(last, last_change_s(force.course));
     for (const model::ForceElementPointer& element : model.force_elements)
         if (element->command() != nullptr) last = std::max(last, last_change_s(*element->command()));
     return last;

@@ -12,6 +12,9 @@ bool gains_energy(const StageSolver& solver, const Kinematics& from, const Kinem
     if (model.velocity_force_1_s > 0.0 ||
         model::activations(model, 0.5 * (from_s + to_s)) != model::activations(model, to_s, true))
         return false;
+    // A force that grows does work that an energy with the force of one instant misses.
+    for (const model::DeadForce& force : model.forces)
+        if (!force.switches() && force.course.value(from_s) != force.course.value_before(to_s)) return false;
     for (const model::ForceElementPointer& element : model.force_elements)
         if (!element->steady(from_s, to_s)) return false;
     const auto energy_at = [&](const Kinematics& s) {

@@ -12,9 +12,10 @@ struct HungMassConstants {
 };
 constexpr HungMassConstants hung_mass_constants;
 
-/// Whether the force acts during the run. A weight released at t = 0 contributes no inertia.
+/// Whether the force acts during the run like a weight. One released at t = 0 contributes no inertia, and one that
+/// grows or fades is no weight.
 bool hangs(const model::DeadForce& force, double end_s) {
-    return force.force_N.norm() > 0.0 && force.from_s < end_s && force.until_s > 0.0;
+    return force.switches() && force.force_N.norm() > 0.0 && force.from_s < end_s && force.until_s > 0.0;
 }
 
 /// Adds to each dead force the inertia of a hanging body, along the line of the force and while it acts. Changes of

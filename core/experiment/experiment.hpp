@@ -142,6 +142,7 @@ struct LoadDeclaration {
     Eigen::Vector3d force_N = Eigen::Vector3d::Zero();         // kind force
     double from_s = -std::numeric_limits<double>::infinity();  // trial time at which a force starts
     double until_s = std::numeric_limits<double>::infinity();  // trial time at which a force ends, > from_s
+    std::optional<fibre::Signal> curve;                        // factor of a force over trial time; excludes the two
 };
 
 /// A trial is fitted, or held out and predicted, or only simulated: it then has no recording.
@@ -167,11 +168,12 @@ struct ActuationStep {
     std::optional<double> level;  // after the step: fibre stretch a [-], pressure [Pa], tension [N] or shortening [m]
 };
 
-/// Command of an actuator that is constant over a trial and before it.
+/// Command of an actuator that is constant over a trial and before it, or follows a curve.
 struct ConstantCommand {
     std::string actuator;  // name of a muscle, chamber or tendon
-    double value = 0.0;    // activation a, pressure [Pa], tension [N] or shortening [m]
+    double value = 0.0;    // activation a, pressure [Pa], tension [N] or shortening [m]; of a curve: that at t = 0
     std::string key = {};  // table of the trial that holds it: activation, pressure_Pa, tension_N or shortening_m
+    std::optional<fibre::Signal> curve = {};  // over trial time, of chambers and tendons
 };
 
 /// One recorded run: its files, its time window, its actuation and its loads.

@@ -23,15 +23,26 @@ std::vector<ActuationStep> read_steps(const toml::TomlReader& trial) {
     return steps;
 }
 
-/// Constants of one unit; a name stands in one table only.
-void read_constants(const toml::TomlReader& trial, const std::string& key, const toml::NumberRange& range,
+/// Constants and curves of one unit; a name stands in one table only.
+void read_constants(const toml::TomlReader& trial, const std::string& key, const toml::NumberRange& range, bool hold,
                     std::vector<ConstantCommand>& commands) {
     if (!trial.has(key)) return;
     const toml::TomlReader table = trial.table_of_names(key);
     for (const std::string& name : table.keys()) {
         for (const ConstantCommand& other : commands)
             if (other.actuator == name) table.fail(name, "has a value in " + other.key + " already");
-        commands.push_back({name, table.number(name, range), key});
+        if (!table.is_array(name)) {
+            commands.push_back({name, table.number(name, range), key});
+            continue;
+        }
+        // Muscles have signals of their own, and followers, which a curve would have to move as well.
+        if (key == "activation") table.fail(name, "must be a number; the curve of a muscle is its signal");
+        if (hold) table.fail(name, "must be a number in a trial with hold = true: the body is at rest all along");
+        fibre::Signal curve = read_curve(table, name);
+        if (key == "tension_N" && *std::min_element(curve.values.begin(), curve.values.end()) < 0.0)
+            table.fail(name, "holds a negative tension; a tendon never pushes");
+        const double at_start = curve.value(0.0);
+        commands.push_back({name, at_start, key, std::move(curve)});
     }
 }
 
@@ -65,10 +76,10 @@ void read_commands(const toml::TomlReader& trial, const std::filesystem::path& f
     }
     if (trial.has("actuation")) declared.actuation = trial.file("actuation", folder);
     if (trial.has("actuation_step")) declared.actuation_steps = read_steps(trial);
-    read_constants(trial, "activation", toml::positive(), declared.constant_commands);
-    read_constants(trial, "pressure_Pa", toml::any_number(), declared.constant_commands);
-    read_constants(trial, "tension_N", toml::not_negative(), declared.constant_commands);
-    read_constants(trial, "shortening_m", toml::any_number(), declared.constant_commands);
+    read_constants(trial, "activation", toml::positive(), declared.hold, declared.constant_commands);
+    read_constants(trial, "pressure_Pa", toml::any_number(), declared.hold, declared.constant_commands);
+    read_constants(trial, "tension_N", toml::not_negative(), declared.hold, declared.constant_commands);
+    read_constants(trial, "shortening_m", toml::any_number(), declared.hold, declared.constant_commands);
     read_readings(trial, folder, declared);
 }
 

@@ -57,6 +57,8 @@ void read_commands(const toml::TomlReader& trial, const std::filesystem::path& f
 std::vector<std::string> command_keys();
 /// [trial.columns]: layout of a text file without a header.
 measurement::ColumnLayout read_columns_declaration(const toml::TomlReader& trial);
+/// Rows [t_s, value] that are linear in between and constant outside; two equal times are a jump.
+fibre::Signal read_curve(const toml::TomlReader& table, const std::string& key);
 /// [[trial.load]]: masses and forces of one trial.
 std::vector<LoadDeclaration> read_loads(const toml::TomlReader& trial);
 /// [[trial.goal]]: places of markers at times. Files of paths are read here.

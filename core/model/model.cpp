@@ -22,7 +22,8 @@ std::vector<material::Moduli> uniform_moduli(int cell_count, double youngs_modul
 Eigen::Matrix3Xd external_forces(const Model& model, const MassMatrix& mass, double t, bool before) {
     Eigen::Matrix3Xd f = model.gravity_m_s2 * mass.nodal_kg.transpose();
     for (const DeadForce& load : model.forces)
-        if (before ? load.active_before(t) : load.active(t)) f += load.force_N * load.share.transpose();
+        if (const double factor = load.factor(t, before); factor != 0.0)
+            f += factor * load.force_N * load.share.transpose();
     return f;
 }
 
@@ -34,9 +35,11 @@ std::vector<double> activations(const Model& model, double t, bool before) {
 
 std::vector<double> jump_times(const Model& model) {
     std::vector<double> times;
-    for (const DeadForce& load : model.forces)
+    for (const DeadForce& load : model.forces) {
         for (const double t : {load.from_s, load.until_s})
             if (std::isfinite(t)) times.push_back(t);
+        for (const double t : load.course.jumps()) times.push_back(t);
+    }
     for (const DirectionalMass& mass : model.directional_masses)
         for (const double t : {mass.from_s, mass.until_s})
             if (std::isfinite(t)) times.push_back(t);

@@ -20,17 +20,25 @@
 
 namespace myo::model {
 
-/// Force of fixed direction distributed over nodes, active in [from_s, until_s).
+/// Force of fixed direction distributed over nodes, active in [from_s, until_s) and scaled by its course.
 struct DeadForce {
     Eigen::VectorXd share;                                     // per node, sums to 1
     Eigen::Vector3d force_N = Eigen::Vector3d::Zero();         // total force, world frame
     double from_s = -std::numeric_limits<double>::infinity();  // start, included
     double until_s = std::numeric_limits<double>::infinity();  // end, excluded
+    fibre::Signal course = fibre::Signal::constant(1.0);       // factor of force_N over time
 
     /// True at time t [s].
     bool active(double t) const { return t >= from_s && t < until_s; }
     /// True just before time t [s]: the left limit of active().
     bool active_before(double t) const { return t > from_s && t <= until_s; }
+    /// Factor of force_N at t [s]; with `before` the left limit.
+    double factor(double t, bool before) const {
+        if (before) return active_before(t) ? course.value_before(t) : 0.0;
+        return active(t) ? course.value(t) : 0.0;
+    }
+    /// Whether the force has no course but its start and end.
+    bool switches() const { return course.values.size() == 1; }
 };
 
 /// Rigid body attached to the specimen; contributes weight and inertia.

@@ -99,8 +99,8 @@ private:
     Matrix3Xd turned_loads(const MountPose& pose, const ForceState& at) const {
         Matrix3Xd sum = turned_weight(pose, mass_in(masses_, at));
         for (const DeadForce& load : forces_)
-            if (at.before_jump ? load.active_before(at.time_s) : load.active(at.time_s))
-                sum += (pose.rotation.transpose() * load.force_N - load.force_N) * load.share.transpose();
+            if (const double factor = load.factor(at.time_s, at.before_jump); factor != 0.0)
+                sum += factor * (pose.rotation.transpose() * load.force_N - load.force_N) * load.share.transpose();
         return sum;
     }
     /// Derivative of the frame's acceleration by the position of its node, with the velocity that the step gives it.

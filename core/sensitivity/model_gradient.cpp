@@ -91,8 +91,8 @@ void GradientSum::add(const Balance& at, const Matrix3Xd& p, const Matrix3Xd& Mp
     for (std::size_t f = 0; f < model_.forces.size(); ++f) {
         const model::DeadForce& load = model_.forces[f];
         // `share` distributes the force to the nodes: the derivative is the adjoint at its point of action.
-        if (at.before_jump ? load.active_before(at.time_s) : load.active(at.time_s))
-            gradient_.forces_N[f] += p * load.share;
+        if (const double factor = load.factor(at.time_s, at.before_jump); factor != 0.0)
+            gradient_.forces_N[f] += factor * (p * load.share);
     }
     const Matrix3Xd isotropic_p = isotropic_part(masses_[model::span_at(masses_, at.inertia_at_s)].mass, p,
                                                  Mp);  // only isotropic masses have weight

@@ -52,13 +52,14 @@ Result<void> add_loads(const Setup& setup, const experiment::TrialDeclaration& t
         if (is_mass)
             model.masses.push_back({std::move(*share), load.mass_kg});
         else
-            model.forces.push_back({std::move(*share), load.force_N, load.from_s, load.until_s});
+            model.forces.push_back({std::move(*share), load.force_N, load.from_s, load.until_s,
+                                    load.curve.value_or(fibre::Signal::constant(1.0))});
     }
     return {};
 }
 
 /// Signal of an actuator without steps: recorded, constant, or passive.
-fibre::Signal signal_of(const measurement::ActuationTable& table, std::size_t actuator) {
+fibre::Signal row_signal(const measurement::ActuationTable& table, std::size_t actuator) {
     const Eigen::VectorXd row = table.values.row(static_cast<Eigen::Index>(actuator)).transpose();
     return {{table.time_s.begin(), table.time_s.end()}, {row.begin(), row.end()}};
 }
@@ -71,6 +72,11 @@ Result<void> add_actuation(const Setup& setup, const experiment::TrialDeclaratio
     if (!setup.settings.as_published)
         if (const Result<void> positive = check_recorded_activation(experiment, declaration, *table); !positive)
             return positive.error();
+    const auto signal_of = [&](const measurement::ActuationTable& rows, std::size_t actuator) {
+        for (const experiment::ConstantCommand& command : declaration.constant_commands)
+            if (command.curve && command.actuator == rows.muscles[actuator]) return *command.curve;
+        return row_signal(rows, actuator);
+    };
     const std::size_t muscles = experiment.muscles.size();
     for (std::size_t m = 0; m < muscles; ++m) trial.model.activation.push_back(signal_of(*table, m));
     // Force elements of actuators are the first of the model, see actuator_signals.hpp.

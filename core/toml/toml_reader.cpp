@@ -181,6 +181,14 @@ Box TomlReader::box(const std::string& key) const {
     return box;
 }
 
+Eigen::Matrix2Xd TomlReader::pairs(const std::string& key) const {
+    const TomlValue& array = value(key, TomlKind::array);
+    Eigen::Matrix2Xd rows(2, static_cast<Eigen::Index>(array.items.size()));
+    for (std::size_t i = 0; i < array.items.size(); ++i)
+        rows.col(static_cast<Eigen::Index>(i)) = vector(key, array.items[i], 2);
+    return rows;
+}
+
 Eigen::Matrix3Xd TomlReader::points(const std::string& key) const {
     const TomlValue& array = value(key, TomlKind::array);
     Eigen::Matrix3Xd found(3, static_cast<Eigen::Index>(array.items.size()));

@@ -106,6 +106,8 @@ public:
     Box box(const std::string& key) const;
     /// Required array [[x, y, z], ...], returned as 3 x n.
     Eigen::Matrix3Xd points(const std::string& key) const;
+    /// Rows of two finite numbers, 2 x n.
+    Eigen::Matrix2Xd pairs(const std::string& key) const;
 
     /// Required name of an existing regular file, resolved relative to `folder`.
     std::filesystem::path file(const std::string& key, const std::filesystem::path& folder) const;

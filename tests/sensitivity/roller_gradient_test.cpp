@@ -6,7 +6,7 @@
 namespace myo::sensitivity {
 namespace {
 
-/// The driven beam on a hinge and a roller.
+/// The driven beam on a hinge and a roller, pushed by a force that grows.
 model::Model rolling_beam(fem::ElementKind kind) {
     model::Model model = test::driven_beam(kind);
     const mesh::VolumeMesh mesh = model.body->mesh;
@@ -17,6 +17,8 @@ model::Model rolling_beam(fem::ElementKind kind) {
             guided.push_back({i, {false, true, true}});
     }
     model.body = model::make_body(mesh, kind, {}, {}, guided);
+    model.forces.back().until_s = std::numeric_limits<double>::infinity();
+    model.forces.back().course = {{0.0, 0.011, 0.011, 0.02}, {0.5, 1.0, 0.2, 0.8}};
     return model;
 }
 

@@ -101,6 +101,10 @@ struct SceneLoad {
     Eigen::Vector3d force_N = Eigen::Vector3d::Zero();         // of a force
     double from_s = -std::numeric_limits<double>::infinity();  // times in which a force acts
     double until_s = std::numeric_limits<double>::infinity();
+    std::optional<fibre::Signal> curve = {};  // factor of a force over time; excludes the two
+
+    /// Factor of the force at t [s].
+    double factor(double t) const { return curve ? curve->value(t) : t >= from_s && t <= until_s ? 1.0 : 0.0; }
 };
 
 /// One trial of an experiment: measured markers in the mesh frame over time. t = 0 is the release.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "fibre/signal.hpp"
 #include "mesh/surface_mesh.hpp"
 
 namespace myo::ui::commands {
@@ -31,9 +32,10 @@ struct SceneCavity {
 
 /// What a trial declares as the command of a chamber or tendon.
 struct DeclaredCommand {
-    enum class Kind { constant, step, file };
-    Kind kind = Kind::constant;  // also before t = 0; from t = 0 on; a column of the trial's actuation file
-    double value = 0.0;          // SI; of a file: 0
+    enum class Kind { constant, step, curve, file };
+    Kind kind = Kind::constant;  // also before t = 0; from t = 0 on; over time; a column of the trial's actuation file
+    double value = 0.0;          // SI; of a file: 0; of a curve: at t = 0
+    fibre::Signal curve = {};    // SI, of a curve
 };
 
 /// Parts of an experiment's declaration that panels and tools of the window edit.

@@ -146,7 +146,7 @@ void add_loads(viewport::DrawnScene& drawn, const WorkbenchState& state, const p
         const SceneLoad& load = trial->loads[l];
         if (state.view.edited == "trial/load/" + std::to_string(l))
             add_box(drawn, load.box_m, {viewport::color_of(theme.accent), edited_width});
-        const bool acts = load.is_mass || (state.time_s >= load.from_s && state.time_s <= load.until_s);
+        const bool acts = load.is_mass || load.factor(state.time_s) != 0.0;
         const viewport::Color color = viewport::color_of(theme.force, acts ? 1.0f : static_cast<float>(ended_alpha));
         const Vector3d along = load.is_mass ? down : Vector3d(load.force_N.normalized());
         const Vector3d place = place_of_load(drawn, load, l < motion.loaded.size() ? motion.loaded[l] : nothing, along);

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "panels/curve_rows.hpp"
 #include "toml/toml_text.hpp"
 
 namespace myo::ui::panels {
@@ -15,6 +16,11 @@ using commands::DeclaredCommand;
 toml::TomlPath command_path(const DeclaredActuator& actuator, std::size_t trial, DeclaredCommand::Kind kind,
                             const std::string& name) {
     return {"trial", trial, kind == DeclaredCommand::Kind::step ? "actuation_step" : actuator.command, name};
+}
+
+/// A number, or the rows of a curve.
+std::string command_text(const DeclaredCommand& command) {
+    return command.kind == DeclaredCommand::Kind::curve ? curve_text(command.curve) : toml::toml_number(command.value);
 }
 
 /// The command of an actuator in a trial that a key of the declaration holds; null if there is none.
@@ -100,8 +106,8 @@ void rename_actuator(PanelContext& context, const DeclaredActuator& actuator, co
     remove_commands(scene, actuator, edits);
     for (std::size_t t = 0; t < scene.declared.commands.size(); ++t)
         if (const DeclaredCommand* const command = declared_in(scene, actuator, t))
-            edits.push_back(commands::SetDeclared{command_path(actuator, t, command->kind, wanted),
-                                                  toml::toml_number(command->value)});
+            edits.push_back(
+                commands::SetDeclared{command_path(actuator, t, command->kind, wanted), command_text(*command)});
     edits.push_back(commands::SetDeclared{{actuator.table, actuator.index, "name"}, toml::toml_text(wanted)});
     context.emit(commands::EditDeclaration{std::move(edits), item_of(actuator, "name")});
 }
@@ -117,11 +123,12 @@ void set_command(PanelContext& context, const DeclaredActuator& actuator, std::s
                  const std::optional<DeclaredCommand>& command, bool goes_on) {
     std::vector<DeclarationEdit> edits;
     const DeclaredCommand* const before = declared_in(*context.state.scene, actuator, trial);
-    if (before && (!command || before->kind != command->kind))
+    const auto steps = [](const DeclaredCommand& c) { return c.kind == DeclaredCommand::Kind::step; };
+    if (before && (!command || steps(*before) != steps(*command)))
         edits.push_back(commands::RemoveDeclared{command_path(actuator, trial, before->kind, actuator.name)});
     if (command)
-        edits.push_back(commands::SetDeclared{command_path(actuator, trial, command->kind, actuator.name),
-                                              toml::toml_number(command->value)});
+        edits.push_back(
+            commands::SetDeclared{command_path(actuator, trial, command->kind, actuator.name), command_text(*command)});
     context.emit(commands::EditDeclaration{std::move(edits), item_of(actuator, "command/") + actuator.name, goes_on});
 }
 

@@ -1,5 +1,7 @@
 #include "panels/command_rows.hpp"
 
+#include "panels/curve_rows.hpp"
+
 namespace myo::ui::panels {
 namespace {
 
@@ -9,12 +11,14 @@ using commands::DeclaredCommand;
 const char* const rest_id = "rest";
 const char* const constant_id = "constant";
 const char* const step_id = "step";
+const char* const curve_id = "curve";
 const char* const file_id = "file";
 
 const char* id_of(const DeclaredCommand* command) {
     if (!command) return rest_id;
     return command->kind == DeclaredCommand::Kind::constant ? constant_id
            : command->kind == DeclaredCommand::Kind::step   ? step_id
+           : command->kind == DeclaredCommand::Kind::curve  ? curve_id
                                                             : file_id;
 }
 
@@ -30,7 +34,8 @@ void command_rows(PanelContext& context, const DeclaredActuator& actuator, const
     std::vector<commands::Choice> choices{
         {rest_id, "None", "Zero in this trial."},
         {constant_id, "Constant", "Also before the start, so that an equilibrium includes it."},
-        {step_id, "From the start on", "Zero before t = 0 and this value from then on."}};
+        {step_id, "From the start on", "Zero before t = 0 and this value from then on."},
+        {curve_id, "A curve", "Rows of time and value, linear in between."}};
     if (command && command->kind == DeclaredCommand::Kind::file)
         choices.push_back({file_id, "From the trial's file", "A column of the trial's actuation file."});
     std::string chosen = id_of(command);
@@ -39,14 +44,24 @@ void command_rows(PanelContext& context, const DeclaredActuator& actuator, const
     if (choice_row(context, field.quantity, name + "/kind", label + ".", choices, chosen) && chosen != before &&
         chosen != file_id) {
         std::optional<DeclaredCommand> wanted;
-        if (chosen != rest_id)
+        const double value = command && command->value != 0.0 ? command->value : field.usual;
+        if (chosen == curve_id)
+            wanted = DeclaredCommand{DeclaredCommand::Kind::curve, 0.0, new_curve(value)};
+        else if (chosen != rest_id)
             wanted = DeclaredCommand{
-                chosen == constant_id ? DeclaredCommand::Kind::constant : DeclaredCommand::Kind::step,
-                command && command->kind != DeclaredCommand::Kind::file ? command->value : field.usual};
+                chosen == constant_id ? DeclaredCommand::Kind::constant : DeclaredCommand::Kind::step, value};
         set_command(context, actuator, trial, wanted, false);
     }
     if (!command || command->kind == DeclaredCommand::Kind::file) return;
     DeclaredCommand changed = *command;
+    if (command->kind == DeclaredCommand::Kind::curve) {
+        const NumberField value{field.quantity, name + "/curve", field.dimension,     field.unit,
+                                label + ".",    field.limits,    field.smallest_step, field.quantity};
+        const auto edit = curve_rows(context, value, edits, command->curve, actuator.name + scene.trials[trial].name);
+        if (!edit) return;
+        changed.curve = edit->curve;
+        return set_command(context, actuator, trial, changed, edit->goes_on);
+    }
     bool goes_on = false;
     const NumberField row{"Value",     name + "/value", field.dimension,     field.unit,
                           label + ".", field.limits,    field.smallest_step, field.quantity};

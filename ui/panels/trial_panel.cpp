@@ -8,6 +8,7 @@
 #include "mesh/surface_mesh.hpp"
 #include "panels/declared_list.hpp"
 #include "panels/declared_rows.hpp"
+#include "panels/load_time_rows.hpp"
 #include "toml/toml_text.hpp"
 
 namespace myo::ui::panels {
@@ -145,6 +146,7 @@ void TrialPanel::draw_loads(PanelContext& context) {
             const NumberField field{"",          "",   commands::Dimension::force, "N", "Component of the force [N].",
                                     {-1e4, 1e4}, 0.005};
             vector_rows(context, {inside(path, "force_N"), item + "/force"}, "F", field, edits_, load.force_N);
+            load_time_rows(context, load, path, item, edits_);
         }
         box_rows(context, {inside(path, "box_m"), item + "/box"}, edits_, load.box_m);
         pick_box_button(context, {inside(path, "box_m"), item + "/box"}, "the face that carries the load");

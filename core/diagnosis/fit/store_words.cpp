@@ -27,6 +27,9 @@ std::uint64_t setup_fingerprint(const setup::Setup& setup) {
             print.add_all(force.force_N);
             print.add(force.from_s);
             print.add(force.until_s);
+            if (force.switches()) continue;
+            print.add(force.course.times_s.data(), static_cast<std::ptrdiff_t>(force.course.times_s.size()));
+            print.add(force.course.values.data(), static_cast<std::ptrdiff_t>(force.course.values.size()));
         }
         for (const fibre::Signal& signal : trial.model.activation)
             print.add(signal.values.data(), static_cast<std::ptrdiff_t>(signal.values.size()));

@@ -51,6 +51,7 @@ effect::Affected at_mean_state(effect::Affected trial, const MissingForcePolicy&
         if (force.active(0.5 * end)) {
             force.from_s = -std::numeric_limits<double>::infinity();
             force.until_s = std::numeric_limits<double>::infinity();
+            force.course = fibre::Signal::constant(mean_value(force.course, end, policy.path_samples));
             steady.push_back(force);
         }
     trial.model.forces = steady;

@@ -1,0 +1,91 @@
+#include <gtest/gtest.h>
+
+#include "workbench/opened_beam.hpp"
+
+// Curves over time of forces and chambers, edited in rows.
+
+namespace myo {
+namespace {
+
+using test::Driver;
+using test::OpenedBeam;
+using ui::commands::Undo;
+
+void set_number(Driver& driver, const std::string& item, const std::string& text) {
+    driver.double_click(item);
+    driver.key(ImGuiKey_A, {.ctrl = true});
+    driver.type(text);
+    driver.key(ImGuiKey_Enter);
+    driver.settle();
+}
+
+TEST(LoadCurveInWindow, AForceIsGivenAWindowAndThenACurve) {
+    OpenedBeam beam("load_curve");
+    Driver& driver = beam.driver;
+    driver.window->show_panel("trial");
+    driver.settle();
+    driver.click("trial/add");
+    driver.settle();
+    driver.click("trial/add_force");
+    driver.settle();
+    const auto load = [&]() { return driver.state().scene_trial()->loads[0]; };
+    driver.click("trial/load/0/when");
+    driver.click("trial/load/0/when/window");
+    driver.settle();
+    EXPECT_EQ(load().from_s, 0.0) << driver.state().refused;
+    EXPECT_EQ(load().until_s, 0.5);
+    set_number(driver, "trial/load/0/until", "200 ms");
+    EXPECT_NEAR(load().until_s, 0.2, 1e-12);
+    driver.click("trial/load/0/when");
+    driver.click("trial/load/0/when/curve");
+    driver.settle();
+    ASSERT_TRUE(load().curve) << driver.state().refused;
+    EXPECT_TRUE(std::isinf(load().until_s));
+    set_number(driver, "trial/load/0/curve/1/value", "-2");
+    EXPECT_EQ(load().curve->values, (std::vector<double>{0.0, -2.0}));
+    driver.click("trial/load/0/curve/add");
+    driver.settle();
+    EXPECT_EQ(load().curve->times_s, (std::vector<double>{0.0, 0.5, 1.0}));
+    driver.workbench->execute(Undo{});
+    EXPECT_EQ(load().curve->times_s.size(), 2u);
+    ASSERT_NO_FATAL_FAILURE(beam.run());
+    const double pushed_up = beam.last_height_m();
+    driver.window->show_panel("trial");
+    driver.settle();
+    driver.click("trial/load/0/when");
+    driver.click("trial/load/0/when/constant");
+    EXPECT_FALSE(load().curve);
+    ASSERT_NO_FATAL_FAILURE(beam.run());
+    EXPECT_LT(beam.last_height_m(), pushed_up - 0.002);
+}
+
+TEST(CommandCurveInWindow, ThePressureOfAChamberFollowsRows) {
+    Driver driver(backend::make_core_backend(), 1280, 1400);
+    const test::Folder folder("command_curve");
+    ASSERT_TRUE(experiment::copy_experiment(std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/pneumatic_finger",
+                                            folder.path() / "finger"));
+    driver.window->open(folder.path() / "finger");
+    ASSERT_TRUE(driver.wait_for_job(60));
+    ASSERT_TRUE(driver.state().scene) << driver.state().log.back().text;
+    const std::string name = driver.state().scene->declared.chambers.at(0), item = "chamber/" + name + "/pressure";
+    driver.window->show_panel("chamber");
+    driver.settle();
+    driver.click(item + "/kind");
+    driver.click(item + "/kind/curve");
+    driver.settle();
+    const auto command = [&]() {
+        return driver.state().scene->declared.commands[static_cast<std::size_t>(driver.state().trial)].at(name);
+    };
+    ASSERT_EQ(command().kind, ui::commands::DeclaredCommand::Kind::curve) << driver.state().refused;
+    ASSERT_EQ(command().curve.times_s.size(), 2u);
+    set_number(driver, item + "/curve/1/value", "12 kPa");
+    EXPECT_NEAR(command().curve.values[1], 12e3, 1e-9);
+    EXPECT_NEAR(driver.state().scene_trial()->commands.at(name).signal.value(0.25), 6e3, 1e-6)
+        << "what runs and what the signals show";
+    driver.workbench->execute(Undo{});
+    driver.workbench->execute(Undo{});
+    EXPECT_NE(command().kind, ui::commands::DeclaredCommand::Kind::curve);
+}
+
+}  // namespace
+}  // namespace myo

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include "fibre/signal.hpp"
+#include "panels/number_field.hpp"
+
+namespace myo::ui::panels {
+
+/// A change of a curve by its rows.
+struct CurveEdit {
+    fibre::Signal curve;
+    bool goes_on = false;  // continues a drag
+};
+
+/// Rows of a curve over time: a time and a value each, with buttons that remove a row or add one behind the last.
+///
+/// @param value    unit and limits of a value; its name heads the item names: "/0/time", "/0/value", "/0/remove",
+/// "/add"
+/// @param subject  what the curve belongs to
+/// @return         the changed curve, at least two rows, its times ascending; empty: no change
+std::optional<CurveEdit> curve_rows(PanelContext& context, const NumberField& value, NumberEdits& edits,
+                                    const fibre::Signal& curve, const std::string& subject);
+
+/// The rows as TOML: "[[0.0, 1.0], [0.5, 2.0]]".
+std::string curve_text(const fibre::Signal& curve);
+
+/// A curve that rises from 0 to a value after the start.
+fibre::Signal new_curve(double value);
+
+}  // namespace myo::ui::panels
