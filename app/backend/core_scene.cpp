@@ -16,6 +16,7 @@
 #include "backend/scene_goals.hpp"
 #include "backend/scene_setup.hpp"
 #include "backend/shown_supports.hpp"
+#include "backend/shown_unknowns.hpp"
 #include "backend/trial_repairs.hpp"
 #include "base/files.hpp"
 #include "base/letter_case.hpp"
@@ -31,7 +32,6 @@
 #include "mesh/surface_topology.hpp"
 #include "mesh/volume_reader.hpp"
 #include "prediction/time_step.hpp"
-#include "results/readable_parameter.hpp"
 #include "setup/parts.hpp"
 
 namespace myo::backend {
@@ -131,8 +131,8 @@ void fill_from_setup(const setup::Setup& setup, ui::commands::Scene& scene) {
     const MeasuredVibration vibration = dominant_vibration(setup);
     scene.frequency_Hz = vibration.frequency_Hz;
     scene.damping_ratio = vibration.damping_ratio;
-    for (const prediction::ModelParameter& parameter : prediction::free_parameters(setup))
-        scene.calibrated.push_back(results::readable_parameter(parameter, setup).name);
+    scene.fitted = shown_unknowns(setup);
+    for (const ui::commands::SceneUnknown& unknown : scene.fitted) scene.calibrated.push_back(unknown.label);
 }
 
 }  // namespace

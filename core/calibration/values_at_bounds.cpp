@@ -41,6 +41,11 @@ std::string bound_sentence(const setup::Setup& setup, const Calibration& calibra
     const prediction::ModelParameter& p = calibration.parameters[at.parameter];
     const std::string bound = std::string(at.upper ? "upper" : "lower") + " bound, " + format_number(at.bound) +
                               (p.unit.empty() ? "" : " " + p.unit);
+    const std::vector<experiment::UnknownDeclaration>& unknowns = setup.experiment.unknowns;
+    if (std::any_of(unknowns.begin(), unknowns.end(),
+                    [&](const auto& unknown) { return unknown.name == p.parameter.name; }))
+        return p.parameter.name + ": the fit ended at its " + bound +
+               ", as [[unknown]] declares; the model may lack an effect, or the bounds are too narrow";
     if (p.kind != prediction::ModelParameter::Kind::youngs_modulus)
         return p.parameter.name + ": the fit ended at its " + bound;
     return "material.youngs_modulus_Pa: the fit ended at its " + bound + ", the edge of the declared tolerance of " +

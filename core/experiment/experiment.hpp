@@ -16,6 +16,7 @@
 #include "effect/effect.hpp"
 #include "experiment/goal.hpp"
 #include "experiment/robot_parts.hpp"
+#include "experiment/unknown.hpp"
 #include "fibre/painted_mask.hpp"
 #include "fibre/polyline.hpp"
 #include "fibre/signal.hpp"
@@ -223,6 +224,7 @@ struct Experiment {
     std::vector<SensorDeclaration> sensors;
     LimitsDeclaration limits;
     RegistrationDeclaration registration;
+    std::vector<UnknownDeclaration> unknowns;  // bounds of fitted values
     MarkersDeclaration markers;
     std::vector<TrialDeclaration> trials;
     std::vector<effect::EffectDeclaration> effects;

@@ -31,9 +31,9 @@ Experiment read_document(const toml::TomlValue& root, const fs::path& folder) {
                   schema->where}};
     // Unknown keys are errors: a misspelt key would otherwise silently select a default.
     const toml::TomlReader document(
-        root, "", {"schema",      "name",   "description",  "geometry", "clamp", "support", "material",
-                   "environment", "muscle", "chamber",      "tendon",   "part",  "mount",   "obstacle",
-                   "sensor",      "limits", "registration", "markers",  "trial", "effect"});
+        root, "", {"schema",      "name",   "description",  "geometry", "clamp",   "support", "material",
+                   "environment", "muscle", "chamber",      "tendon",   "part",    "mount",   "obstacle",
+                   "sensor",      "limits", "registration", "unknown",  "markers", "trial",   "effect"});
     document.text("schema");
 
     Experiment experiment;
@@ -60,10 +60,12 @@ Experiment read_document(const toml::TomlValue& root, const fs::path& folder) {
     experiment.sensors = read_sensors(document);
     experiment.limits = read_limits(document);
     experiment.registration = read_registration(document, experiment.warnings);
+    experiment.unknowns = read_unknowns(document);
     experiment.trials = read_trials(document, folder);
     experiment.markers = read_markers(document, has_recordings(experiment));
     experiment.effects = read_effects(document);
     check_declarations(experiment);
+    check_unknowns(experiment);
     // A box is complete without further files; an STL is checked when its triangles are read.
     if (std::holds_alternative<BoxGeometry>(experiment.geometry))
         if (const Result<void> fits = check_on_body(experiment, *read_body_surface(experiment)); !fits)

@@ -59,6 +59,10 @@ std::vector<std::string> command_keys();
 measurement::ColumnLayout read_columns_declaration(const toml::TomlReader& trial);
 /// Rows [t_s, value] that are linear in between and constant outside; two equal times are a jump.
 fibre::Signal read_curve(const toml::TomlReader& table, const std::string& key);
+/// [[unknown]]: bounds of fitted values; names are checked by check_unknowns().
+std::vector<UnknownDeclaration> read_unknowns(const toml::TomlReader& document);
+/// Checks that [[unknown]] names values that a fit of this experiment can find.
+void check_unknowns(const Experiment& experiment);
 /// [[trial.load]]: masses and forces of one trial.
 std::vector<LoadDeclaration> read_loads(const toml::TomlReader& trial);
 /// [[trial.goal]]: places of markers at times. Files of paths are read here.

@@ -101,6 +101,31 @@ void add_trial_unknowns(const setup::Setup& setup, ParameterList& list) {
     }
 }
 
+/// Bounds that [[unknown]] declares. Those of moduli, registration and start replace the usual ones, which only say
+/// what is plausible; the others stay within theirs, beyond which a model has no meaning.
+void declare_bounds(const std::vector<experiment::UnknownDeclaration>& unknowns, ModelParameter& entry) {
+    const auto declared = std::find_if(unknowns.begin(), unknowns.end(),
+                                       [&](const auto& unknown) { return unknown.name == entry.parameter.name; });
+    if (declared == unknowns.end()) return;
+    inverse::Parameter& p = entry.parameter;
+    std::optional<double> lowest = declared->lowest, highest = declared->highest;
+    if (declared->tolerance) {
+        lowest = p.value - *declared->tolerance;
+        highest = p.value + *declared->tolerance;
+    }
+    const bool replaced = entry.kind == Kind::youngs_modulus || entry.kind == Kind::part_modulus ||
+                          entry.kind == Kind::translation || entry.kind == Kind::rotation ||
+                          entry.kind == Kind::start_shift;
+    const double lower = lowest.value_or(p.lower), upper = highest.value_or(p.upper);
+    const double within_lower = replaced ? lower : std::max(lower, p.lower),
+                 within_upper = replaced ? upper : std::min(upper, p.upper);
+    // One bound may lie beyond the usual other one, which then leaves nothing to fit.
+    if (!(within_lower < within_upper)) return;
+    p.lower = within_lower;
+    p.upper = within_upper;
+    p.value = std::clamp(p.value, p.lower, p.upper);
+}
+
 }  // namespace
 
 std::vector<ModelParameter> free_parameters(const setup::Setup& setup, const std::vector<std::string>& names) {
@@ -113,6 +138,7 @@ std::vector<ModelParameter> free_parameters(const setup::Setup& setup, const std
         if (list.start.effects[e].calibrate)
             for (ModelParameter& parameter : effect_parameters(setup, list.start.effects[e], e))
                 list.parameters.push_back(std::move(parameter));
+    for (ModelParameter& parameter : list.parameters) declare_bounds(setup.experiment.unknowns, parameter);
     return list.parameters;
 }
 

@@ -25,6 +25,7 @@
 #include "commands/scene_marker.hpp"
 #include "commands/scene_setup.hpp"
 #include "commands/scene_support.hpp"
+#include "commands/scene_unknown.hpp"
 #include "commands/search_result.hpp"
 #include "commands/seek_choice.hpp"
 #include "commands/settings.hpp"
@@ -155,6 +156,7 @@ struct Scene {
     bool is_experiment = false;         // with a declaration that can be edited; otherwise a plain mesh
     DeclaredParts declared;             // of an experiment: chambers, tendons, cavities
     std::vector<std::string> unknowns;  // material.calibrate: "youngs_modulus", "damping", ...
+    SceneUnknowns fitted;               // what a fit finds, with bounds
     SceneEffects effects;
     std::vector<SceneObstacle> obstacles;
     std::vector<ScenePart> parts;

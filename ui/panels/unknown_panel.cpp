@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "panels/unknown_bounds.hpp"
 #include "toml/toml_text.hpp"
 
 namespace myo::ui::panels {
@@ -45,6 +46,7 @@ void UnknownPanel::draw(PanelContext& context) {
         context.items.mark(std::string("unknown/") + unknown.id);
         tooltip(context.theme, unknown.tip);
     }
+    draw_bounds(context, edits_);
     if (!context.state.refused.empty()) notice(context.theme, commands::LogLevel::warning, context.state.refused);
 }
 

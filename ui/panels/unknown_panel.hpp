@@ -1,10 +1,10 @@
 #pragma once
 
-#include "panels/widgets.hpp"
+#include "panels/number_field.hpp"
 
 namespace myo::ui::panels {
 
-/// Task Fit: which values of the material a calibration finds.
+/// Task Fit: which values a calibration finds, and within which bounds.
 ///
 /// Emits EditDeclaration. Item names begin with "unknown/".
 class UnknownPanel : public Panel {
@@ -17,6 +17,9 @@ public:
         return state.scene && state.scene->is_experiment;
     }
     void draw(PanelContext& context) override;
+
+private:
+    NumberEdits edits_;  // of bounds and tolerances
 };
 
 }  // namespace myo::ui::panels

@@ -1,0 +1,79 @@
+#include <algorithm>
+
+#include "base/text.hpp"
+#include "experiment/actuators.hpp"
+#include "experiment/read_experiment.hpp"
+#include "experiment/read_experiment_tables.hpp"
+#include "material/catalogue.hpp"
+
+namespace myo::experiment {
+namespace {
+
+/// Names of the values that a fit can find, but for those of effects.
+std::vector<std::string> names_of_unknowns(const Experiment& experiment) {
+    std::vector<std::string> names{"youngs_modulus_Pa", "damping_s"};
+    for (const material::LawParameter& parameter : material::find_material(experiment.material.model)->parameters())
+        names.push_back(parameter.name);
+    for (const PartDeclaration& part : experiment.parts)
+        for (const char* value : {".youngs_modulus_Pa", ".damping_s"}) names.push_back(part.name + value);
+    for (const char axis : {'x', 'y', 'z'}) {
+        names.push_back(std::string("registration_") + axis + "_m");
+        names.push_back(std::string("registration_rotation_") + axis + "_rad");
+    }
+    for (const TrialDeclaration& trial : experiment.trials) {
+        names.push_back("start_shift_s." + trial.name);
+        for (const Actuator& actuator : actuators(experiment))
+            names.push_back("actuation_level." + trial.name + "." + actuator.name);
+    }
+    return names;
+}
+
+/// Whether a name is that of a parameter of a declared effect: "effect.<id>.<parameter>".
+bool is_of_effect(const Experiment& experiment, const std::string& name) {
+    return std::any_of(experiment.effects.begin(), experiment.effects.end(), [&](const auto& effect) {
+        return std::any_of(effect.parameters.begin(), effect.parameters.end(), [&](const auto& parameter) {
+            return name.starts_with("effect." + effect.id + "." + parameter.first);
+        });
+    });
+}
+
+}  // namespace
+
+std::vector<UnknownDeclaration> read_unknowns(const toml::TomlReader& document) {
+    std::vector<UnknownDeclaration> unknowns;
+    for (const toml::TomlReader& table : document.tables("unknown", {"name", "lowest", "highest", "tolerance"})) {
+        UnknownDeclaration unknown{table.text("name"), table.optional_number("lowest"),
+                                   table.optional_number("highest"),
+                                   table.optional_number("tolerance", toml::positive())};
+        for (const UnknownDeclaration& other : unknowns)
+            if (other.name == unknown.name)
+                table.fail("name", "the bounds of \"" + unknown.name + "\" are declared already");
+        if (unknown.tolerance)
+            for (const char* key : {"lowest", "highest"})
+                table.reject(key, "cannot be combined with tolerance, which bounds the value on both sides");
+        if (unknown.lowest && unknown.highest && !(*unknown.lowest < *unknown.highest))
+            table.fail("lowest", "is not below highest (" + format_number(*unknown.lowest) + ", " +
+                                     format_number(*unknown.highest) + ")");
+        if (unknown.name.ends_with("youngs_modulus_Pa"))
+            for (const auto& [key, bound] :
+                 {std::pair{"lowest", unknown.lowest}, std::pair{"highest", unknown.highest}})
+                if (bound && !(*bound > 0.0)) table.fail(key, "must be positive: it bounds a modulus");
+        unknowns.push_back(std::move(unknown));
+    }
+    return unknowns;
+}
+
+void check_unknowns(const Experiment& experiment) {
+    const std::vector<std::string> names = names_of_unknowns(experiment);
+    for (std::size_t i = 0; i < experiment.unknowns.size(); ++i) {
+        const std::string& name = experiment.unknowns[i].name;
+        if (std::find(names.begin(), names.end(), name) != names.end() || is_of_effect(experiment, name)) continue;
+        const std::string key = "unknown[" + std::to_string(i) + "].name";
+        throw toml::TomlFailure{declaration_error(experiment, key,
+                                                  "no fit finds a value \"" + name +
+                                                      "\"; names are those of the results, such as \"" + names.front() +
+                                                      "\"")};
+    }
+}
+
+}  // namespace myo::experiment
