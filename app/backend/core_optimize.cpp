@@ -6,6 +6,8 @@
 #include "backend/check_rows.hpp"
 #include "backend/core_scene.hpp"
 #include "backend/core_search.hpp"
+#include "backend/declaration.hpp"
+#include "backend/found_commands.hpp"
 #include "backend/found_design.hpp"
 #include "backend/search_pace.hpp"
 #include "backend/shown_run.hpp"
@@ -200,12 +202,34 @@ ui::commands::SearchResult optimized(const setup::Setup& setup, const inverse::A
     if (signals && !setup.experiment.muscles.empty())
         result.notes = {(found.miss.goals ? "Signals follow the goals of " : "Signals follow ") + trial +
                         "; the muscles use them in all trials now."};
-    if (signals && problem.sought.groups.size() > setup.experiment.muscles.size())
-        result.notes.emplace_back(
-            "Chambers and tendons keep the commands of the trials; the report shows those found.");
     result.rms_before_m = found.before.fit_rms_m;
     result.rms_after_m = found.after.fit_rms_m;
     return result;
+}
+
+/// Declares the commands found for chambers and tendons in the experiment, or says why they stay.
+Result<void> state_commands(const ui::commands::Scene& scene, std::size_t trial,
+                            const inverse::ActuationProblem& problem, const inverse::ActuationFit& fit,
+                            ui::commands::SearchResult& result) {
+    const experiment::Experiment& experiment = source_of(scene).experiment;
+    if (problem.sought.signals.empty() || experiment.chambers.size() + experiment.tendons.size() == 0) return {};
+    // The muscles of the settings come first, which may be others than those declared.
+    std::vector<fibre::Signal> commands = calibration::found_commands(problem.sought, fit.values);
+    const auto muscles = static_cast<std::ptrdiff_t>(commands.size() - experiment.chambers.size() -
+                                                     experiment.tendons.size());
+    commands.erase(commands.begin(), commands.begin() + muscles);
+    commands.insert(commands.begin(), experiment.muscles.size(), fibre::Signal::constant(1.0));
+    const std::vector<ui::commands::DeclarationEdit> edits = found_command_edits(experiment, trial, commands);
+    if (edits.empty()) {
+        result.notes.emplace_back(
+            "Chambers and tendons keep the recorded commands of the trial; the report shows those found.");
+        return {};
+    }
+    Result<ui::commands::Declaration> declared = edited_declaration(scene, result.settings.declaration, edits);
+    if (!declared) return declared.error();
+    result.settings.declaration = *std::move(declared);
+    result.notes.emplace_back("Commands of chambers and tendons stand in the trial now, as curves over time.");
+    return {};
 }
 
 }  // namespace
@@ -246,6 +270,8 @@ Result<ui::commands::SearchResult> optimize_scene(const ui::commands::Scene& sce
     Result<ui::commands::Settings> designed = with_found_design(std::move(result.settings), scene, found.found);
     if (!designed) return designed.error();
     result.settings = *std::move(designed);
+    if (const Result<void> stated = state_commands(scene, *trial, *problem, found.fit, result); !stated)
+        return stated.error();
     result.run = shown.found(found.fit);
     if (!found.stopped) {
         // Checks of recordings have nothing to say about goals.

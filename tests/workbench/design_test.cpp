@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "backend/workbench_backend.hpp"
+#include "experiment/new_trial.hpp"
 #include "support/folder.hpp"
 #include "ui/driver.hpp"
 
@@ -122,6 +123,36 @@ TEST(DesignInWindow, PaintIsFoundAndUndone) {
     EXPECT_NE(driver.state().settings.muscles[0].paint->weights, painted.muscles[0].paint->weights);
     driver.workbench->execute(ui::commands::Undo{});
     EXPECT_EQ(driver.state().settings.muscles[0].paint, painted.muscles[0].paint);
+}
+
+/// A body with a chamber and no muscle: the pressure that is found stands in the trial as a curve.
+TEST(DesignInWindow, APressureIsFoundWithoutAnyMuscle) {
+    const test::Folder folder("pressure_in_window");
+    ASSERT_TRUE(experiment::copy_experiment(std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/pneumatic_finger",
+                                            folder.path() / "finger"));
+    Driver driver(backend::make_core_backend(), 1280, 1400);
+    driver.window->open(folder.path() / "finger");
+    ASSERT_TRUE(driver.wait_for_job(60)) << driver.state().log.back().text;
+    ui::commands::OptimizeRequest request = driver.state().optimize;
+    request.max_evaluations = 3;
+    request.frequency_Hz = 5.0;
+    driver.workbench->execute(ui::commands::ChangeOptimize{request});
+    const ui::commands::Settings before = driver.state().settings;
+    const auto pressure = [&] { return driver.state().scene_trial()->commands.at("chamber").signal; };
+    ASSERT_EQ(pressure().value(0.1), 25000.0);
+    driver.window->show_panel("fit");
+    driver.settle();
+    ASSERT_TRUE(driver.has("fit/seek/signals"));
+    driver.click("fit/optimize");
+    ASSERT_TRUE(driver.wait_for_job(240));
+    ASSERT_TRUE(driver.state().found) << driver.state().log.back().text;
+    EXPECT_LE(driver.state().found->rms_after_m, driver.state().found->rms_before_m);
+    ASSERT_TRUE(driver.state().settings.declaration.text) << driver.state().found->notes.back();
+    EXPECT_THAT(*driver.state().settings.declaration.text, HasSubstr("chamber = [["));
+    EXPECT_GT(pressure().times_s.size(), 2u);
+    driver.workbench->execute(ui::commands::Undo{});
+    EXPECT_EQ(driver.state().settings, before);
+    EXPECT_EQ(pressure().value(0.1), 25000.0);
 }
 
 }  // namespace

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "commands/declaration.hpp"
+#include "experiment/experiment.hpp"
+#include "fibre/signal.hpp"
+
+namespace myo::backend {
+
+/// Edits that declare the commands which a search found for the chambers and tendons of a trial, as curves over time,
+/// or as constants of a hold.
+///
+/// @param trial     index in the experiment
+/// @param commands  per actuator, muscles first: those are left out
+/// @return  empty if there are no chambers and tendons, or if the trial's actuation file holds commands of one
+std::vector<ui::commands::DeclarationEdit> found_command_edits(const experiment::Experiment& experiment,
+                                                               std::size_t trial,
+                                                               const std::vector<fibre::Signal>& commands);
+
+}  // namespace myo::backend
