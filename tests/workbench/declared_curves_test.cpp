@@ -2,7 +2,7 @@
 
 #include "workbench/opened_beam.hpp"
 
-// Curves over time of forces and chambers, edited in rows.
+// Curves over time, and bounds of unknown values, edited in rows.
 
 namespace myo {
 namespace {
@@ -11,7 +11,7 @@ using test::Driver;
 using test::OpenedBeam;
 using ui::commands::Undo;
 
-void set_number(Driver& driver, const std::string& item, const std::string& text) {
+void type_number(Driver& driver, const std::string& item, const std::string& text) {
     driver.double_click(item);
     driver.key(ImGuiKey_A, {.ctrl = true});
     driver.type(text);
@@ -34,14 +34,14 @@ TEST(LoadCurveInWindow, AForceIsGivenAWindowAndThenACurve) {
     driver.settle();
     EXPECT_EQ(load().from_s, 0.0) << driver.state().refused;
     EXPECT_EQ(load().until_s, 0.5);
-    set_number(driver, "trial/load/0/until", "200 ms");
+    type_number(driver, "trial/load/0/until", "200 ms");
     EXPECT_NEAR(load().until_s, 0.2, 1e-12);
     driver.click("trial/load/0/when");
     driver.click("trial/load/0/when/curve");
     driver.settle();
     ASSERT_TRUE(load().curve) << driver.state().refused;
     EXPECT_TRUE(std::isinf(load().until_s));
-    set_number(driver, "trial/load/0/curve/1/value", "-2");
+    type_number(driver, "trial/load/0/curve/1/value", "-2");
     EXPECT_EQ(load().curve->values, (std::vector<double>{0.0, -2.0}));
     driver.click("trial/load/0/curve/add");
     driver.settle();
@@ -78,13 +78,42 @@ TEST(CommandCurveInWindow, ThePressureOfAChamberFollowsRows) {
     };
     ASSERT_EQ(command().kind, ui::commands::DeclaredCommand::Kind::curve) << driver.state().refused;
     ASSERT_EQ(command().curve.times_s.size(), 2u);
-    set_number(driver, item + "/curve/1/value", "12 kPa");
+    type_number(driver, item + "/curve/1/value", "12 kPa");
     EXPECT_NEAR(command().curve.values[1], 12e3, 1e-9);
     EXPECT_NEAR(driver.state().scene_trial()->commands.at(name).signal.value(0.25), 6e3, 1e-6)
         << "what runs and what the signals show";
     driver.workbench->execute(Undo{});
     driver.workbench->execute(Undo{});
     EXPECT_NE(command().kind, ui::commands::DeclaredCommand::Kind::curve);
+}
+
+TEST(BoundsInWindow, AValueGetsBoundsAndATolerance) {
+    OpenedBeam beam("bounds");
+    Driver& driver = beam.driver;
+    const auto modulus = [&]() { return driver.state().scene->fitted.at(0); };
+    ASSERT_EQ(modulus().name, "youngs_modulus_Pa");
+    const double usual = modulus().highest;
+    driver.window->show_panel("unknown");
+    driver.settle();
+    const std::string item = "unknown/bounds/youngs_modulus_Pa";
+    driver.click(item + "/kind");
+    driver.click(item + "/kind/bounds");
+    driver.settle();
+    ASSERT_TRUE(modulus().declared_highest) << driver.state().refused;
+    EXPECT_NEAR(modulus().highest, usual, 1e-6 * usual) << "begins with the usual bounds";
+    type_number(driver, item + "/highest", "1 MPa");
+    EXPECT_NEAR(modulus().highest, 1e6, 1e-6);
+    driver.click(item + "/kind");
+    driver.click(item + "/kind/tolerance");
+    driver.settle();
+    ASSERT_TRUE(modulus().declared_tolerance) << driver.state().refused;
+    type_number(driver, item + "/tolerance", "20 kPa");
+    EXPECT_NEAR(modulus().highest - modulus().lowest, 40e3, 1e-3);
+    driver.click(item + "/kind");
+    driver.click(item + "/kind/usual");
+    driver.settle();
+    EXPECT_EQ(modulus().declared, -1);
+    EXPECT_NEAR(modulus().highest, usual, 1e-6 * usual);
 }
 
 }  // namespace
