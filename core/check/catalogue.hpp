@@ -19,7 +19,7 @@ struct Check {
     std::string source;  // of its threshold
     /// The check itself; returns no finding if it does not apply.
     std::vector<Finding> (*find)(const CheckedJob&) = nullptr;
-    bool explains_residual = false;  // a violation can cause a residual of the fit
+    std::string cause = {};  // as which a violation explains a residual: "the time step"; empty: it explains none
 };
 
 /// All checks, in order; checks that use the findings of others come last.

@@ -25,16 +25,17 @@ std::vector<Finding> suspects(const std::vector<Finding>& earlier) {
     for (const CheckLevel level : {CheckLevel::wrong, CheckLevel::doubtful})
         std::copy_if(earlier.begin(), earlier.end(), std::back_inserter(list), [&](const Finding& finding) {
             const Check* const check = find_check(finding.check);
-            return finding.level == level && check != nullptr && check->explains_residual;
+            return finding.level == level && check != nullptr && !check->cause.empty();
         });
     return list;
 }
 
-/// Names of the suspects with their subjects, each once, in order of severity.
+/// Causes that are suspected, with their subjects, each once, in order of severity.
 std::string suspect_names(const std::vector<Finding>& earlier) {
     std::vector<std::string> names;
     for (const Finding& suspect : suspects(earlier)) {
-        const std::string name = suspect.check + (suspect.subject.empty() ? "" : " (" + suspect.subject + ")");
+        const std::string name = find_check(suspect.check)->cause +
+                                 (suspect.subject.empty() ? "" : " (" + suspect.subject + ")");
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     }
     return join(names, ", ");
@@ -74,7 +75,7 @@ std::vector<Finding> of_declared_values(const CheckedJob& job) {
     const std::string names = suspect_names(*job.earlier);
     finding.way_out = (names.empty() ? "" : "suspected, in this order: " + names + "; once these are settled, ") +
                       (prediction::free_parameters(job.setup).empty()
-                           ? "name what is unknown in material.calibrate, and "
+                           ? "name the unknown parameters (material.calibrate, or Unknown in the window), and "
                            : "") +
                       "calibrate finds the values that fit (myoloop calibrate, or Fit in the window)";
     return {finding};

@@ -262,7 +262,8 @@ TEST(CheckResidual, NamesWhatIsSuspectedInOrder) {
     earlier[1].level = CheckLevel::doubtful;
     earlier[2].level = CheckLevel::wrong;
     EXPECT_EQ(judged(30.0).level, CheckLevel::wrong);
-    EXPECT_THAT(judged(30.0).way_out, HasSubstr("suspected, in this order: start (b), step (a)"));
+    EXPECT_THAT(judged(30.0).way_out,
+                HasSubstr("suspected, in this order: the start of the recording (b), the time step (a)"));
     // What mesh and step make is nothing that the model lacks.
     calibration.numerical.motion_noise_levels = 2.5;
     EXPECT_EQ(judged(3.0).level, CheckLevel::passed);
@@ -287,9 +288,11 @@ TEST(CheckResidual, OfDeclaredValuesPointsToTheFit) {
     EXPECT_THAT(judged().way_out, HasSubstr("calibrate finds the values that fit"));
     EXPECT_THAT(judged().way_out, testing::Not(HasSubstr("diagnose")));
     earlier[0].level = CheckLevel::doubtful;
-    EXPECT_THAT(judged().way_out, testing::StartsWith("suspected, in this order: step; once these are settled, "));
+    EXPECT_THAT(judged().way_out,
+                testing::StartsWith("suspected, in this order: the time step; once these are settled, "));
     setup.experiment.material.calibrate.clear();
-    EXPECT_THAT(judged().way_out, HasSubstr("name what is unknown in material.calibrate, and calibrate"));
+    EXPECT_THAT(judged().way_out,
+                HasSubstr("name the unknown parameters (material.calibrate, or Unknown in the window), and calibrate"));
     for (std::size_t t = 0; t < setup.trials.size(); ++t) {
         test::record(setup, t, run.values, run.predictions[t].trace);
         run.predictions[t] = prediction::predict_trial(setup, t, run.values);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "base/letter_case.hpp"
 #include "commands/search_target.hpp"
 #include "plot/number_text.hpp"
 
@@ -56,7 +57,10 @@ TaskStatus fibres_status(const WorkbenchState& state) {
 
 TaskStatus run_status(const WorkbenchState& state) {
     if (!state.run) return {TaskState::ready, "Choose the time step, then run."};
-    if (!state.run_is_current()) return {TaskState::stale, "The settings changed since the last run: run again."};
+    if (!state.run_is_current())
+        return {TaskState::stale, state.previewing()
+                                      ? "The settings changed since the last run; the view shows their preview."
+                                      : "The settings changed since the last run: run again."};
     return {TaskState::done, "Run in " + plot::value_label(state.run->seconds, 2) + " s."};
 }
 
@@ -116,15 +120,34 @@ TaskStatus bare_status(const WorkbenchState& state, Task task) {
 }
 
 /// Checks of a run without those that a calibration would resolve: a run is sound even if its parameters do not fit
-/// yet.
-CheckRows checks_of_run(CheckRows rows) {
-    std::erase_if(rows, [](const CheckRow& row) { return row.task == task_id(Task::fit); });
+/// yet. Its comparison with the recording is not: there the residual counts.
+CheckRows checks_of_run(CheckRows rows, bool compared) {
+    std::erase_if(rows, [&](const CheckRow& row) {
+        return row.task == task_id(Task::fit) && !(compared && row.id == "residual");
+    });
     return rows;
+}
+
+/// Why the result of a search has no tick, whatever its checks say. Empty: nothing is wrong.
+std::string doubt_about(const SearchResult& found) {
+    if (found.stopped) return "Cancelled before its end: these are the best values up to then.";
+    if (!found.problem.empty()) return found.problem;
+    if (!(found.rms_after_m <= found.rms_before_m)) return "The error is not less than before.";
+    return {};
+}
+
+/// The worst finding in words, with what the user can do.
+std::string reason_of(const CheckRows& rows) {
+    const auto worst = std::max_element(rows.begin(), rows.end(),
+                                        [](const CheckRow& a, const CheckRow& b) { return a.state < b.state; });
+    if (worst == rows.end() || worst->state == CheckState::green) return {};
+    const std::string told = " " + upper_first(worst->sentence) + ".";
+    return worst->way_out.empty() ? told : told + " " + upper_first(worst->way_out) + ".";
 }
 
 /// Checks of the job that completes a task. For the other tasks, the newest checks that concern them.
 CheckRows checks_of(const WorkbenchState& state, Task task) {
-    if (task == Task::run || task == Task::measure) return checks_of_run(state.run->checks);
+    if (task == Task::run || task == Task::measure) return checks_of_run(state.run->checks, task == Task::measure);
     if (task == Task::fit) return state.found->run.checks;
     if (task == Task::diagnose) return state.diagnosis->checks;
     CheckRows rows;
@@ -155,7 +178,11 @@ TaskStatus task_status(const WorkbenchState& state, Task task) {
     if (status.state != TaskState::done || !state.scene) return status;
     const CheckRows rows = checks_of(state, task);
     status.checks = worst_state(rows);
-    if (status.checks != CheckState::green) status.next += " Checks: " + doubt_text(rows) + ".";
+    if (status.checks != CheckState::green) status.next += " Checks: " + doubt_text(rows) + "." + reason_of(rows);
+    const std::string doubt = task == Task::fit ? doubt_about(*state.found) : "";
+    if (doubt.empty()) return status;
+    status.checks = std::max(status.checks, CheckState::amber);
+    status.next += " " + doubt;
     return status;
 }
 
