@@ -260,10 +260,10 @@ TEST(Jobs, TellWhatTheyCountAndTheTimeLeft) {
     job.remaining_s = 70.0;
     job.remaining_of = commands::TimeLeft::at_most;
     EXPECT_EQ(panels::counted_text(job), "12 of 40 evaluations");
-    EXPECT_EQ(panels::time_text(job), "at most 1 min 10 s left");
+    EXPECT_EQ(panels::time_text(job), "at most 70 s left");
     EXPECT_EQ(panels::bar_text(job), "30 %");
     job.remaining_of = commands::TimeLeft::of_phase;
-    EXPECT_EQ(panels::time_text(job), "1 min 10 s left of this phase");
+    EXPECT_EQ(panels::time_text(job), "less than 2 min left of this phase");
     // TetGen does not say how far it is, nor does a phase that is only named.
     job.remaining_s.reset();
     for (const ProgressEvent& event :
@@ -362,6 +362,28 @@ TEST(Job, ExceptionsBecomeMessages) {
     (*completion)();
     EXPECT_EQ(told, "out of everything");
     EXPECT_FALSE(job.take_result()) << "a result is handed over once";
+}
+
+TEST(Job, TimeLeftIsARange) {
+    EXPECT_EQ(panels::time_left_range(3.0), "less than 5 s");
+    EXPECT_EQ(panels::time_left_range(40.0), "30 to 60 s");
+    EXPECT_EQ(panels::time_left_range(160.0), "2 to 4 min");
+    EXPECT_EQ(panels::time_left_range(1200.0), "15 to 30 min");
+    EXPECT_EQ(panels::time_left_range(4.0 * 3600.0), "3 to 6 h");
+}
+
+TEST(Job, NeverCountsBeyondItsTotal) {
+    std::atomic<bool> goes_on = false;
+    const auto work = [&](const Progress& progress) -> commands::Job::Completion {
+        progress.report({"fit", 41.0, 40.0, "evaluations", {}});
+        while (!goes_on) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        return [] {};
+    };
+    commands::Job job("job", work, [](const std::string&) { return [] {}; }, {});
+    while (job.view().progress.done == 0.0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    EXPECT_EQ(panels::counted_text(job.view()), "40 of 40 evaluations");
+    EXPECT_EQ(panels::bar_text(job.view()), "100 %");
+    goes_on = true;
 }
 
 TEST(Job, TimeLeftIsToldOnceItMeansSomething) {

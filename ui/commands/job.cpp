@@ -1,5 +1,6 @@
 #include "commands/job.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <condition_variable>
 #include <exception>
@@ -41,9 +42,11 @@ struct Job::Content {
 
     // A new task, a new unit or a count that goes back starts a new estimate of the remaining time.
     void take(const ProgressEvent& event) {
-        if (event.task != progress.task || event.unit != progress.unit || event.done < progress.done)
+        if (event.task != progress.task || event.unit != progress.unit ||
+            std::min(event.done, event.total > 0.0 ? event.total : event.done) < progress.done)
             stage_start_s = working_s();
         progress = event;
+        if (progress.total > 0.0) progress.done = std::min(progress.done, progress.total);
     }
 };
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "panels/escape.hpp"
+#include "panels/job_text.hpp"
 #include "panels/widgets.hpp"
 #include "viewport/view_overlay.hpp"
 
@@ -142,10 +144,10 @@ bool FilmJob::draw(PanelContext& context) const {
         (with_separators(done_) + " of " + with_separators(count) + (count == 1 ? " picture" : " pictures")).c_str());
     if (done_ > 0) {
         ImGui::SameLine();
-        right_aligned(duration_label(left) + " left");
+        right_aligned(time_left_range(left) + " left");
     }
     ImGui::ProgressBar(static_cast<float>(done_) / static_cast<float>(count), {-1.0f, 0.0f});
-    const bool cancel = ImGui::Button("Cancel", {-1.0f, 0.0f}) || ImGui::IsKeyPressed(ImGuiKey_Escape, false);
+    const bool cancel = ImGui::Button("Cancel", {-1.0f, 0.0f}) || escape_closes();
     context.items.mark("film/cancel");
     if (cancel) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();

@@ -1,10 +1,40 @@
 #include "panels/job_text.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "panels/widgets.hpp"
 #include "plot/number_text.hpp"
 
 namespace myo::ui::panels {
 namespace {
+
+/// Rates change while a job runs: what is left lies between these multiples of the extrapolation.
+struct TimeLeftPolicy {
+    double least = 0.75;
+    double most = 1.5;
+};
+constexpr TimeLeftPolicy time_left_policy;
+
+/// A unit of time and the steps in which it is told.
+struct TimeStep {
+    double unit_s;
+    const char* unit;
+    double step;  // in the unit
+};
+
+/// The coarsest step that still tells times up to this one apart.
+TimeStep step_for(double seconds) {
+    if (seconds <= 90.0) return {1.0, "s", 5.0};
+    if (seconds <= 600.0) return {60.0, "min", 1.0};
+    if (seconds <= 5400.0) return {60.0, "min", 5.0};
+    return {3600.0, "h", 1.0};
+}
+
+std::string in_steps(const TimeStep& step, double seconds, bool up) {
+    const double steps = seconds / (step.unit_s * step.step);
+    return std::to_string(std::lround((up ? std::max(1.0, std::ceil(steps)) : std::floor(steps)) * step.step));
+}
 
 /// Small counts exactly, large ones with separators.
 std::string count_label(double count) { return count < 1000.0 ? plot::plain_label(count, 3) : with_separators(count); }
@@ -17,13 +47,24 @@ std::string counted_text(const commands::JobView& job) {
     return count_label(progress.done) + " of " + count_label(progress.total) + " " + progress.unit;
 }
 
+std::string time_left_range(double seconds) {
+    const double longest_s = time_left_policy.most * seconds;
+    const TimeStep step = step_for(longest_s);
+    const std::string low = in_steps(step, time_left_policy.least * seconds, false),
+                      high = in_steps(step, longest_s, true);
+    return (low == "0" ? "less than " : low + " to ") + high + " " + step.unit;
+}
+
 /// A cancelled or paused job has no remaining time.
 std::string time_text(const commands::JobView& job) {
     if (job.cancelling) return "stopping";
     if (job.paused) return "paused";
     if (!job.remaining_s) return duration_label(job.elapsed_s) + " so far";
-    const std::string left = duration_label(*job.remaining_s) + " left";
-    if (job.remaining_of == commands::TimeLeft::at_most) return "at most " + left;
+    if (job.remaining_of == commands::TimeLeft::at_most) {
+        const TimeStep step = step_for(*job.remaining_s);
+        return "at most " + in_steps(step, *job.remaining_s, true) + " " + step.unit + " left";
+    }
+    const std::string left = time_left_range(*job.remaining_s) + " left";
     return job.remaining_of == commands::TimeLeft::of_phase ? left + " of this phase" : left;
 }
 

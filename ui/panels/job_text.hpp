@@ -19,4 +19,7 @@ std::string time_text(const commands::JobView& job);
 /// Text in the progress bar: "35 %", or "working" if the total is unknown.
 std::string bar_text(const commands::JobView& job);
 
+/// Range of the time that is left, for an extrapolation of it [s]: "2 to 4 min", "less than 10 s".
+std::string time_left_range(double seconds);
+
 }  // namespace myo::ui::panels
