@@ -299,8 +299,8 @@ ui::commands::Project read_document(const toml::TomlValue& root, const fs::path&
                                       named ? named->where : file.string()}};
     const toml::TomlReader document(
         root, "",
-        {"schema", "source", "self_contained", "metres_per_unit", "trial", "declaration", "declared_mesh", "mesh",
-         "material", "time", "view", "muscle", "effect", "effect_off"});
+        {"schema", "source", "copy_of", "self_contained", "metres_per_unit", "trial", "declaration", "declared_mesh",
+         "mesh", "material", "time", "view", "muscle", "effect", "effect_off"});
     ui::commands::Project project;
     std::error_code ignored;
     const fs::path source = document.text("source");
@@ -309,6 +309,7 @@ ui::commands::Project read_document(const toml::TomlValue& root, const fs::path&
     // A trailing slash is removed, so that paths compare equal.
     if (project.source.filename().empty()) project.source = project.source.parent_path();
     project.self_contained = document.boolean_or("self_contained", false);
+    if (document.has("copy_of")) project.copy_of = document.text("copy_of");
     project.metres_per_unit = document.optional_number("metres_per_unit", toml::positive());
     project.trial = document.text_or("trial", "");
     project.settings = read_settings(document, root, file.parent_path(), project.warnings);
@@ -334,6 +335,7 @@ Result<void> write_project_file(const fs::path& file, const ui::commands::Projec
     std::string
         text = "# A project of Myoloop: what was set, painted and drawn on an experiment or a mesh.\nschema = " +
                toml::toml_text(schema) + "\nsource = " + toml::toml_text(seen_from(source, folder)) + "\n";
+    if (!project.copy_of.empty()) text += "copy_of = " + toml::toml_text(project.copy_of.generic_string()) + "\n";
     if (project.self_contained) text += "self_contained = true\n";
     if (project.metres_per_unit) text += "metres_per_unit = " + toml::toml_number(*project.metres_per_unit) + "\n";
     if (!project.trial.empty()) text += "trial = " + toml::toml_text(project.trial) + "\n";

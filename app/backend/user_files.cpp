@@ -1,11 +1,15 @@
 #include "backend/user_files.hpp"
 
 #include <signal.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <system_error>
 
 #include "base/files.hpp"
@@ -81,8 +85,23 @@ ui::commands::Preferences read_document(const toml::TomlValue& root) {
     return p;
 }
 
-/// Whether a process exists; a signal 0 without permission counts as existing.
-bool is_alive(long process) { return process > 0 && (kill(static_cast<pid_t>(process), 0) == 0 || errno == EPERM); }
+/// Whether a process exists and runs this program: the number of one that failed may be another program's by now. A
+/// process of another user counts.
+bool is_alive(long process) {
+    if (process <= 0 || process == getpid()) return false;
+    if (kill(static_cast<pid_t>(process), 0) != 0) return errno == EPERM;
+    std::error_code unknown;
+    const fs::path own = fs::read_symlink("/proc/self/exe", unknown),
+                   other = fs::read_symlink("/proc/" + std::to_string(process) + "/exe", unknown);
+    return unknown || own.filename() == other.filename();
+}
+
+/// Distinguishes this process from an earlier one of the same number.
+const std::string& own_start() {
+    static const std::string start = std::to_string(
+        std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch()).count());
+    return start;
+}
 
 }  // namespace
 
@@ -114,7 +133,26 @@ Result<void> write_preferences(const fs::path& file, const ui::commands::Prefere
 
 fs::path recovery_file() {
     const fs::path folder = folder_of("XDG_STATE_HOME", ".local/state");
-    return folder.empty() ? folder : folder / (recovery_stem + std::to_string(getpid()) + ui::commands::project_ending);
+    return folder.empty()
+               ? folder
+               : folder / (recovery_stem + std::to_string(getpid()) + "-" + own_start() + ui::commands::project_ending);
+}
+
+std::string unsaved_work_words(const fs::path& file) {
+    std::string name = "without a name";
+    if (const Result<toml::TomlValue> work = toml::read_toml(file)) {
+        const toml::TomlValue* const copied = work->find("copy_of");
+        const toml::TomlValue* const source = copied != nullptr ? copied : work->find("source");
+        fs::path from = source != nullptr ? source->text : name;
+        if (from.filename() == "experiment.toml") from = from.parent_path();
+        name = from.filename().string();
+    }
+    struct ::stat facts {};
+    std::tm local{};
+    std::array<char, 64> text{};
+    if (::stat(file.c_str(), &facts) != 0 || localtime_r(&facts.st_mtime, &local) == nullptr) return name;
+    std::strftime(text.data(), text.size(), "%e %b %Y, %H:%M", &local);
+    return name + ", " + (text[0] == ' ' ? text.data() + 1 : text.data());
 }
 
 std::vector<fs::path> found_recoveries(const fs::path& folder) {
@@ -124,6 +162,7 @@ std::vector<fs::path> found_recoveries(const fs::path& folder) {
         const std::string stem = it->path().stem().string();
         if (!ui::commands::is_project(it->path()) || stem.rfind(recovery_stem, 0) != 0) continue;
         // The file name contains the process id; a running process still owns its file.
+        if (it->path().filename() == recovery_file().filename()) continue;
         if (is_alive(std::atol(stem.c_str() + recovery_stem.size()))) continue;
         std::error_code other;
         found.emplace_back(fs::last_write_time(it->path(), other), it->path());

@@ -22,7 +22,10 @@ Result<void> write_preferences(const std::filesystem::path& file, const ui::comm
 /// is known.
 std::filesystem::path recovery_file();
 
-/// Unsaved work of processes that no longer exist, oldest first.
+/// Name and time of unsaved work: "finger.myoloop, 29 Nov 2026, 14:05"; the experiment's name if it was never saved.
+std::string unsaved_work_words(const std::filesystem::path& file);
+
+/// Unsaved work that no window of Myoloop writes to, oldest first.
 std::vector<std::filesystem::path> found_recoveries(const std::filesystem::path& folder);
 
 }  // namespace myo::backend

@@ -24,6 +24,8 @@
 #include "backend/shape_files.hpp"
 #include "backend/short_run.hpp"
 #include "backend/shown_run.hpp"
+#include "backend/user_files.hpp"
+#include "base/folder_lock.hpp"
 #include "base/text.hpp"
 #include "check/catalogue.hpp"
 #include "check/declared_steps.hpp"
@@ -113,6 +115,13 @@ public:
     Result<void> write_project(const fs::path& file, const ui::commands::Project& project) const override {
         return write_project_file(file, project);
     }
+
+    Result<std::shared_ptr<const void>> claim_project(const fs::path& file) const override {
+        Result<FolderLock> lock = FolderLock::take_file(file);
+        if (!lock) return lock.error();
+        return std::shared_ptr<const void>(std::make_shared<FolderLock>(std::move(*lock)));
+    }
+    std::string recovery_words(const fs::path& file) const override { return unsaved_work_words(file); }
 
     bool needs_unit(const fs::path& path) const override { return fs::is_regular_file(path) && is_mesh_file(path); }
 

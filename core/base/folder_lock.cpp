@@ -43,7 +43,20 @@ void write_owner(int descriptor) {
 }  // namespace
 
 Result<FolderLock> FolderLock::take(const fs::path& folder) {
-    const fs::path file = folder / ".myoloop.lock";
+    return take(folder / ".myoloop.lock", [&](const std::string& owner) {
+        return folder.string() + " is used by another run of myoloop" + owner +
+               "; wait for it or choose another folder";
+    });
+}
+
+Result<FolderLock> FolderLock::take_file(const fs::path& file) {
+    return take(file.parent_path() / ("." + file.filename().string() + ".lock"), [&](const std::string& owner) {
+        return file.filename().string() + " is open in another window of Myoloop" + owner;
+    });
+}
+
+Result<FolderLock> FolderLock::take(const fs::path& file,
+                                    const std::function<std::string(const std::string&)>& refusal) {
     // Repeats until the locked file is also the file of that name, see is_still().
     while (true) {
         const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
@@ -51,9 +64,7 @@ Result<FolderLock> FolderLock::take(const fs::path& folder) {
         if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
             const std::string owner = owner_words(file);
             ::close(descriptor);
-            return Error{folder.string() + " is used by another run of myoloop" + owner +
-                             "; wait for it or choose another folder",
-                         ""};
+            return Error{refusal(owner), ""};
         }
         if (is_still(file, descriptor)) {
             write_owner(descriptor);

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <string>
 
 #include "base/result.hpp"
 
@@ -16,6 +18,9 @@ public:
     /// Errors: "DIR is used by another run of myoloop, process 1234; wait for it or choose another folder"; or the lock
     /// file cannot be created.
     static Result<FolderLock> take(const std::filesystem::path& folder);
+    /// The same for one file of a folder, by a hidden lock file beside it: `.NAME.lock`.
+    /// Errors: "FILE is open in another window of Myoloop, process 1234"; or the lock file cannot be created.
+    static Result<FolderLock> take_file(const std::filesystem::path& file);
 
     FolderLock(FolderLock&& other) noexcept;
     FolderLock& operator=(FolderLock&& other) noexcept;
@@ -25,6 +30,9 @@ public:
 
 private:
     FolderLock(std::filesystem::path file, int descriptor);
+    /// @param refusal  the message if another process has the lock, from the words about its owner
+    static Result<FolderLock> take(const std::filesystem::path& lock_file,
+                                   const std::function<std::string(const std::string&)>& refusal);
     void release();
 
     std::filesystem::path file_;

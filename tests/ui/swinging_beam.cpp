@@ -149,8 +149,10 @@ Result<ui::commands::Declaration> SwingingBeam::edited(const ui::commands::Scene
     ui::commands::Declaration result = declaration;
     edits.insert(edits.end(), asked.begin(), asked.end());
     for (const ui::commands::DeclarationEdit& edit : asked)
-        if (const auto* set = std::get_if<ui::commands::SetDeclared>(&edit))
+        if (const auto* set = std::get_if<ui::commands::SetDeclared>(&edit)) {
+            if (set->value == "refused") return Error{"this is refused", ""};
             result.text = std::make_shared<const std::string>(set->value);
+        }
     return result;
 }
 

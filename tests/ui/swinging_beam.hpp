@@ -106,6 +106,13 @@ public:
     std::vector<ui::commands::ReportLine> preview(const std::filesystem::path& path) const override {
         return {{"Path", path.string()}};
     }
+    /// Projects that another window has open.
+    std::map<std::filesystem::path, std::string> open_elsewhere;
+    Result<std::shared_ptr<const void>> claim_project(const std::filesystem::path& file) const override {
+        const auto other = open_elsewhere.find(file);
+        if (other != open_elsewhere.end()) return Error{other->second, ""};
+        return std::shared_ptr<const void>();
+    }
     /// Projects are kept in memory; the file itself is empty.
     Result<ui::commands::Project> read_project(const std::filesystem::path& file) const override;
     Result<void> write_project(const std::filesystem::path& file, const ui::commands::Project& project) const override;

@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <limits>
 
 #include "backend/project_file.hpp"
 #include "backend/user_files.hpp"
+#include "backend/workbench_backend.hpp"
 #include "base/files.hpp"
 #include "support/folder.hpp"
 
@@ -249,12 +251,39 @@ TEST(UserFiles, PreferencesComeBackAndBrokenOnesAreTold) {
 TEST(UserFiles, FindsUnsavedWorkOfProcessesThatAreGone) {
     const test::Folder folder("recoveries");
     folder.write("unsaved-999999999.myoloop", "");
-    folder.write("unsaved-1.myoloop", "");  // of a process that lives
     folder.write("other.myoloop", "");
-    const std::vector<fs::path> found = backend::found_recoveries(folder.path());
-    ASSERT_EQ(found.size(), 1u);
-    EXPECT_EQ(found[0].stem(), "unsaved-999999999");
+    // Numbers are given anew: one belongs to another program now, the other to this process.
+    folder.write("unsaved-" + std::to_string(getppid()) + ".myoloop", "");
+    folder.write("unsaved-" + std::to_string(getpid()) + "-17.myoloop", "");
+    folder.write(backend::recovery_file().filename().string(), "");  // this process writes to it
+    EXPECT_EQ(backend::found_recoveries(folder.path()).size(), 3u);
     EXPECT_TRUE(backend::found_recoveries(folder.path() / "nowhere").empty());
+}
+
+TEST(UserFiles, UnsavedWorkHasANameAndATime) {
+    const test::Folder folder("recovery_words");
+    const std::string head = "schema = \"myoloop-project/1\"\nsource = \"/robots/finger/experiment.toml\"\n";
+    folder.write("never_saved.myoloop", head);
+    folder.write("saved.myoloop", head + "copy_of = \"/projects/bent.myoloop\"\n");
+    EXPECT_EQ(backend::unsaved_work_words(folder.path() / "never_saved.myoloop").rfind("finger, ", 0), 0u)
+        << backend::unsaved_work_words(folder.path() / "never_saved.myoloop");
+    const std::string words = backend::unsaved_work_words(folder.path() / "saved.myoloop");
+    EXPECT_EQ(words.rfind("bent.myoloop, ", 0), 0u) << words;
+    EXPECT_NE(words.find(":"), std::string::npos) << words;
+}
+
+TEST(ProjectFile, IsClaimedByOneWindow) {
+    const test::Folder folder("claims");
+    const std::shared_ptr<ui::commands::Backend> one = backend::make_core_backend(), other = one;
+    const fs::path file = folder.path() / "robot.myoloop";
+    auto held = one->claim_project(file);
+    ASSERT_TRUE(held);
+    const auto refused = other->claim_project(file);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().what.rfind("robot.myoloop is open in another window of Myoloop, process ", 0), 0u);
+    EXPECT_TRUE(other->claim_project(folder.path() / "other.myoloop"));
+    held = std::shared_ptr<const void>();
+    EXPECT_TRUE(other->claim_project(file));
 }
 
 }  // namespace

@@ -245,6 +245,14 @@ public:
     /// a copy of the experiment or mesh if the project is self-contained.
     virtual Result<void> write_project(const std::filesystem::path& file, const Project& project) const = 0;
 
+    /// Claims a project's file for this window, until the returned value is destroyed. Null where files need no claim.
+    /// Errors: another window has it open, with its process; or the claim cannot be written.
+    virtual Result<std::shared_ptr<const void>> claim_project(const std::filesystem::path&) const {
+        return std::shared_ptr<const void>();
+    }
+    /// Name and time of unsaved work, for the question whether to recover it: "finger, 29 Nov 2026, 14:05". Quick.
+    virtual std::string recovery_words(const std::filesystem::path& file) const { return file.stem().string(); }
+
     /// Whether a file contains lengths without a unit, so that the user has to be asked. Quick.
     virtual bool needs_unit(const std::filesystem::path& path) const = 0;
 

@@ -19,6 +19,7 @@ struct Project {
     std::string trial;                       // shown trial; empty: the first
     bool self_contained = false;             // `source` is a copy in the project's own folder `<name>.files`
     bool source_missing = false;             // nothing is at `source`
+    std::filesystem::path copy_of = {};      // of unsaved work: the project's own file; empty: it has none
     std::vector<std::string> warnings = {};  // from reading: names that the experiment no longer has
 
     bool operator==(const Project&) const = default;

@@ -204,6 +204,8 @@ private:
     void save_results(const std::filesystem::path& file);
     /// Saves to this file. Errors are logged. Returns whether it is saved.
     bool save_as(std::filesystem::path file);
+    /// Claims a project's file for this window. Returns false if another window has it; then claim_.refusal says so.
+    bool claim(const std::filesystem::path& file);
     /// Executes the action that waited for the decision about unsaved changes.
     void go_on_with_pending();
     /// Closes the window, after the questions that are necessary.
@@ -304,8 +306,15 @@ private:
     // Recording to import after the body it was dropped with is open.
     std::optional<std::filesystem::path> dropped_with_body_;
     std::optional<PendingAction> after_recovery_;  // to open after all recovery files were discarded
-    Settings autosaved_;                           // settings in the recovery file
-    bool autosave_failed_ = false;                 // the last attempt failed and was logged
+    /// The project's file and whether it is this window's.
+    struct Claim {
+        std::filesystem::path file;
+        std::shared_ptr<const void> held;
+        std::optional<Error> refusal;  // another window has the file
+    };
+    Claim claim_;
+    Settings autosaved_;            // settings in the recovery file
+    bool autosave_failed_ = false;  // the last attempt failed and was logged
     // Recovery file of the shown project; removed after it is saved.
     std::filesystem::path recovered_;
     bool preview_given_up_ = false;  // the result of the running preview is not wanted

@@ -41,10 +41,25 @@ void Workbench::save() {
         save_as(state_.project);
 }
 
+bool Workbench::claim(const fs::path& file) {
+    if (claim_.file == file && !claim_.refusal) return true;
+    Result<std::shared_ptr<const void>> claimed = backend_->claim_project(file);
+    // A folder that cannot be written to, or the like, is told when the file itself is written.
+    const bool taken = !claimed && claimed.error().where.empty();
+    claim_ = {file, claimed ? *claimed : nullptr, taken ? std::optional(claimed.error()) : std::nullopt};
+    return !taken;
+}
+
 bool Workbench::save_as(fs::path file) {
     state_.asks_where_to_save = false;
     if (!state_.scene) return false;
     if (!is_project(file)) file += project_ending;
+    if (!claim(file)) {
+        state_.pending.reset();
+        log_failure(*claim_.refusal, "Cannot save");
+        claim(state_.project);
+        return false;
+    }
     const Result<void> written = backend_->write_project(file, project());
     if (!written) {
         // What waited for saving is dropped too, as continuing would lose the changes.
@@ -138,6 +153,7 @@ void Workbench::autosave(const fs::path& file) {
     // Stored before writing, so that edits during the writing are noticed at the next call.
     autosaved_ = state_.settings;
     Project copy = project();
+    copy.copy_of = state_.project;
     copy.self_contained = false;  // the experiment is where it was; only what is unsaved needs a copy
     autosave_job_ = std::async(std::launch::async, [backend = backend_, file, project = std::move(copy)] {
         return backend->write_project(file, project);
@@ -160,6 +176,7 @@ void Workbench::finish_autosave() {
 void Workbench::on(const Recover& command) {
     // Other recovery files are offered again at the next start.
     state_.recovered.clear();
+    state_.recovered_words.clear();
     if (const auto other = std::exchange(after_recovery_, std::nullopt))
         log(LogLevel::information,
             other->open.filename().string() + " is not opened: the recovered work is shown instead.");
@@ -191,6 +208,7 @@ void Workbench::on(const DiscardRecovery&) {
     if (state_.recovered.empty()) return;
     remove_project(state_.recovered.back());
     state_.recovered.pop_back();
+    state_.recovered_words.pop_back();
     if (!state_.recovered.empty()) return;
     if (const auto next = std::exchange(after_recovery_, std::nullopt)) open(next->open, next->metres_per_unit);
 }
@@ -208,7 +226,11 @@ void Workbench::on(const AskWhereToSave& c) {
     if (!c.asks) state_.pending.reset();
 }
 
-void Workbench::on(const OfferRecovery& c) { state_.recovered = c.files; }
+void Workbench::on(const OfferRecovery& c) {
+    state_.recovered = c.files;
+    state_.recovered_words.clear();
+    for (const fs::path& file : c.files) state_.recovered_words.push_back(backend_->recovery_words(file));
+}
 
 void Workbench::on(const Quit&) { quit(); }
 

@@ -112,6 +112,7 @@ void Workbench::show_scene(Scene scene, std::optional<double> metres_per_unit) {
     // From here on everything that belongs to the previous scene is replaced or removed.
     state_.settings = state_.saved_settings = autosaved_ = within_limits(scene.settings);
     state_.project.clear();
+    claim_ = {};
     state_.self_contained = false;
     state_.metres_per_unit = metres_per_unit;
     if (scene.frequency_Hz > 0.0) state_.damping_frequency_Hz = scene.frequency_Hz;
@@ -148,6 +149,8 @@ void Workbench::show_project(const std::filesystem::path& file, Project project,
     }
     show_scene(std::move(scene), project.metres_per_unit);
     state_.project = file;
+    if (!file.empty() && !claim(file))
+        log(LogLevel::warning, claim_.refusal->text() + ". Save under another name here, or close one of the two.");
     state_.self_contained = project.self_contained;
     state_.view = project.view;
     set_settings(project.settings);

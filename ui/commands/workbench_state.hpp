@@ -111,7 +111,8 @@ struct WorkbenchState {
     bool asks_where_to_save = false;                     // the dialog for the project's file name is open
     // Recovery files of sessions that ended unexpectedly, newest last.
     std::vector<std::filesystem::path> recovered;
-    bool quit = false;  // the window has to close
+    std::vector<std::string> recovered_words;  // name and time of each
+    bool quit = false;                         // the window has to close
     bool can_undo = false;
     bool can_redo = false;
 

@@ -2,6 +2,7 @@
 
 #include <imgui.h>
 
+#include "panels/escape.hpp"
 #include "panels/file_dialogs.hpp"
 #include "panels/widgets.hpp"
 #include "panels/wrapped_text.hpp"
@@ -41,7 +42,7 @@ void ask_unit(PanelContext& context) {
     // Empty until a button is pressed; an answer without a unit cancels the opening.
     std::optional<commands::AnswerUnit> answer;
     ButtonRow row(context, 3);
-    if (row.add("Cancel", "unit/cancel")) answer = commands::AnswerUnit{};
+    if (row.add("Cancel", "unit/cancel") || escape_closes()) answer = commands::AnswerUnit{};
     if (row.add("Metres", "unit/m")) answer = commands::AnswerUnit{1.0};
     if (row.add("Millimetres", "unit/mm", true)) answer = commands::AnswerUnit{1e-3};
     if (answer) {
@@ -60,7 +61,7 @@ void ask_unsaved(PanelContext& context) {
     ImGui::Spacing();
     std::optional<commands::UnsavedAnswer> answer;
     ButtonRow row(context, 3);
-    if (row.add("Cancel", "unsaved/cancel")) answer = commands::UnsavedAnswer::cancel;
+    if (row.add("Cancel", "unsaved/cancel") || escape_closes()) answer = commands::UnsavedAnswer::cancel;
     if (row.add("Don't save", "unsaved/discard")) answer = commands::UnsavedAnswer::discard;
     if (row.add("Save", "unsaved/save", true)) answer = commands::UnsavedAnswer::save;
     if (answer) {
@@ -83,7 +84,7 @@ void ask_to_stop(PanelContext& context) {
     std::optional<bool> stops;
     ButtonRow row(context, 2);
     if (row.add("Stop and quit", "stop/quit")) stops = true;
-    if (row.add("Keep running", "stop/keep", true)) stops = false;
+    if (row.add("Keep running", "stop/keep", true) || escape_closes()) stops = false;
     if (stops) context.emit(commands::AnswerStop{*stops});
     // The job may have ended while the dialog was open.
     if (stops || !context.state.asks_to_stop) ImGui::CloseCurrentPopup();
@@ -98,7 +99,7 @@ void ask_missing(PanelContext& context) {
                  ", which is not there. It may have been moved or renamed.");
     ImGui::Spacing();
     ButtonRow row(context, 2);
-    if (row.add("Cancel", "missing/cancel")) {
+    if (row.add("Cancel", "missing/cancel") || escape_closes()) {
         context.emit(commands::Locate{});
         ImGui::CloseCurrentPopup();
     }
@@ -114,7 +115,7 @@ void ask_recovery(PanelContext& context) {
     if (!begin_dialog(context.theme, "Unsaved work found", 480.0f)) return;
     const std::size_t count = context.state.recovered.size();
     wrapped_text(
-        "Myoloop failed the last time. Unsaved work can be recovered." +
+        "Myoloop ended unexpectedly. Unsaved work can be recovered: " + context.state.recovered_words.back() + "." +
         (count > 1
              ? " There are " + std::to_string(count) +
                    " unsaved projects; this is the newest. Those not discarded are offered again at the next start."
