@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "panels/escape.hpp"
 #include "panels/widgets.hpp"
 #include "panels/wrapped_text.hpp"
 
@@ -54,7 +55,7 @@ void draw_about(PanelContext& context, bool& open) {
     ImGui::EndChild();
     context.items.mark("about/text");
     ImGui::Spacing();
-    if (primary_button(theme, "Close", {-1.0f, 0.0f}) || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) {
+    if (primary_button(theme, "Close", {-1.0f, 0.0f}) || escape_closes()) {
         open = false;
         ImGui::CloseCurrentPopup();
     }

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "commands/field_store.hpp"
+#include "panels/escape.hpp"
 #include "panels/export_actions.hpp"
 #include "panels/file_dialogs.hpp"
 #include "platform/input_queue.hpp"
@@ -380,7 +381,7 @@ const std::vector<Action>& all_actions() {
 void react_to_shortcuts(PanelContext& context, viewport::ViewportState& viewport) {
     const ImGuiIO& io = ImGui::GetIO();
     // Keys belong to a text field or an open dialog first.
-    if (io.WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId)) return;
+    if (io.WantTextInput || keys_belong_to_popup()) return;
     for (const Action& action : all_actions()) {
         const Shortcut& keys = action.shortcut;
         // On many keyboards + requires Shift, so Shift is ignored for this key.

@@ -34,7 +34,6 @@ void ChamberPanel::draw(PanelContext& context) {
     }
     draw_pick(context);
     for (std::size_t c = 0; c < cavities.size(); ++c) draw_cavity(context, c);
-    if (!context.state.refused.empty()) notice(context.theme, commands::LogLevel::warning, context.state.refused);
 }
 
 void ChamberPanel::draw_pick(PanelContext& context) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "panels/escape.hpp"
 #include "panels/view_points.hpp"
 
 namespace myo::ui::panels {
@@ -86,7 +87,7 @@ void DistanceTool::update(PanelContext& context, const viewport::DrawnScene& sce
     if (scene_ != state.scene || body_ != state.body) clear();
     scene_ = state.scene;
     body_ = state.body;
-    if (view.measuring && escape_pressed()) {
+    if (view.measuring && escape_closes()) {
         // The first Escape drops the started distance, the second one ends measuring.
         if (!begun_) view.measuring = false;
         begun_.reset();

@@ -87,7 +87,6 @@ void EffectPanel::draw(PanelContext& context) {
     if (added > 0 && state.scene->is_experiment) heading(context.theme, "Added to the experiment");
     for (std::size_t i = 0; i < added; ++i) draw_added(context, i);
     draw_catalogue(context);
-    if (!state.refused.empty()) notice(context.theme, commands::LogLevel::warning, state.refused);
 }
 
 void EffectPanel::draw_declared(PanelContext& context, std::size_t index) {

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "commands/field_store.hpp"
+#include "panels/escape.hpp"
 #include "panels/file_dialogs.hpp"
 #include "panels/widgets.hpp"
 #include "plot/number_text.hpp"
@@ -96,7 +97,7 @@ void ExportDialog::draw(PanelContext& context) {
     context.items.mark("export/where");
     if (no_frames) tooltip(context.theme, "Run the trial first.");
     ImGui::SameLine();
-    if (ImGui::Button("Cancel", {width, 0.0f}) || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) {
+    if (ImGui::Button("Cancel", {width, 0.0f}) || escape_closes()) {
         open_ = false;
         ImGui::CloseCurrentPopup();
     }

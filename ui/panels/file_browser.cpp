@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/letter_case.hpp"
+#include "panels/escape.hpp"
 #include "panels/tables.hpp"
 #include "panels/widgets.hpp"
 #include "panels/wrapped_text.hpp"
@@ -147,7 +148,7 @@ void FileBrowser::draw_foot(PanelContext& context) {
     const bool replaces = writes() && !name_.empty() && fs::exists(asked, ignored);
     const bool entered = writes() ? draw_name(context, asked, replaces) : enter_pressed();
     ImGui::SetCursorPosX(ImGui::GetWindowContentRegionMax().x - 2.0f * width - ImGui::GetStyle().ItemSpacing.x);
-    const bool cancelled = ImGui::Button("Cancel", {width, 0.0f}) || ImGui::IsKeyPressed(ImGuiKey_Escape, false);
+    const bool cancelled = ImGui::Button("Cancel", {width, 0.0f}) || escape_closes();
     context.items.mark("browser/cancel");
     ImGui::SameLine();
     // A folder can be chosen without a selection: then it is the shown one.
@@ -212,7 +213,7 @@ void FileBrowser::draw_new_folder(PanelContext& context) {
         make_folder();
     }
     if (!problem_.empty()) ImGui::TextColored(theme.failure, "%s", problem_.c_str());
-    if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) ImGui::CloseCurrentPopup();
+    if (escape_closes()) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 

@@ -90,7 +90,6 @@ void GoalPanel::draw(PanelContext& context) {
                    "goals it follows the recording.");
     for (std::size_t g = 0; g < trial.goals.size(); ++g) draw_goal(context, g);
     draw_add(context);
-    if (!context.state.refused.empty()) notice(context.theme, commands::LogLevel::warning, context.state.refused);
 }
 
 void GoalPanel::draw_number(PanelContext& context, std::size_t index, const char* key, const NumberField& field,

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "commands/scene_at_time.hpp"
+#include "panels/escape.hpp"
 #include "panels/view_points.hpp"
 #include "toml/toml_text.hpp"
 #include "viewport/picking.hpp"
@@ -113,7 +114,7 @@ void GoalTool::update(PanelContext& context, const viewport::ViewportState& view
         drag_->moved = drag_->moved || place != drag_->place_m;
         drag_->place_m = place;
     }
-    if (drag_ && escape_pressed()) drag_.reset();
+    if (drag_ && escape_closes()) drag_.reset();
     draw(context, view);
     if (drag_ && !held) release(context);
 }

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "mesh/cell_topology.hpp"
+#include "panels/escape.hpp"
 #include "panels/view_points.hpp"
 
 namespace myo::ui::panels {
@@ -36,7 +37,7 @@ void InspectTool::update(PanelContext& context, const viewport::DrawnScene& scen
     const bool on_card = picked_ && card_.contains(ImGui::GetIO().MousePos);
     if (view.clicked && !view.measuring && state.brush.tool == commands::BrushTool::none && !on_card)
         click(context, scene, view);
-    if (escape_pressed()) picked_.reset();
+    if (escape_closes()) picked_.reset();
     // While a new mesh replaces the old one, the drawn body is still the old one for a frame.
     if (!picked_ || (picked_->marker < 0 && scene.positions.cols() != state.body->mesh.node_count())) return;
     draw_highlight(context, scene, view);

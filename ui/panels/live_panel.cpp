@@ -21,10 +21,8 @@ void LivePanel::draw(PanelContext& context) {
                    "stays.");
         return;
     }
-    if (!state.live->problem.empty()) {
-        notice(context.theme, commands::LogLevel::warning, state.live->problem);
-        context.items.mark("live/problem");
-    }
+    notice_in_place(context.theme, commands::LogLevel::warning, state.live->problem, 2);
+    if (!state.live->problem.empty()) context.items.mark("live/problem");
     if (!state.live->ready) return;
     draw_levels(context);
     draw_spring(context);

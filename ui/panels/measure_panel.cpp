@@ -81,11 +81,6 @@ void MeasurePanel::draw(PanelContext& context) {
         if (state.scene) draw_import_button(context);
         return;
     }
-    // The errors below belong to the preview or to an outdated run; the note says so.
-    if (state.previewing())
-        notice(theme, commands::LogLevel::information, commands::preview_text(state));
-    else if (state.run && !state.run_is_current())
-        notice(theme, commands::LogLevel::information, "The settings changed since this run.");
     draw_trial_errors(context, "measure/trial/", state.shown_run().get());
     const commands::SceneTrial* const trial = state.scene_trial();
     draw_import_button(context);

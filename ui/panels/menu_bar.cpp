@@ -79,7 +79,6 @@ void draw_menus(PanelContext& context, viewport::ViewportState& viewport) {
         ImGui::SetNextWindowSize({260.0f * theme.scale, 0.0f});
         if (ImGui::BeginPopup(id(menu).c_str())) {
             draw_menu(context, viewport, menu);
-            if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) ImGui::CloseCurrentPopup();
             ImGui::EndPopup();
         }
     }

@@ -120,7 +120,6 @@ void ObstaclePanel::draw(PanelContext& context) {
         ImGui::SameLine();
     }
     ImGui::NewLine();
-    if (!context.state.refused.empty()) notice(context.theme, commands::LogLevel::warning, context.state.refused);
 }
 
 void ObstaclePanel::draw_obstacle(PanelContext& context, std::size_t index) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "commands/picked_place.hpp"
+#include "panels/escape.hpp"
 
 namespace myo::ui::panels {
 namespace {
@@ -100,9 +101,15 @@ void PaintTool::go_on(const commands::WorkbenchState& state, const Touch& touch)
 /// Escape, another mesh and another muscle end a stroke without a result.
 void PaintTool::update(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view) {
     const commands::WorkbenchState& state = context.state;
+    const bool escape = can_paint(state) && escape_closes(), stops = escape && stroke_;
+    // Without a stroke, Escape puts the brush away.
+    if (escape && !stroke_) {
+        commands::BrushSettings brush = state.brush;
+        brush.tool = commands::BrushTool::none;
+        context.emit(commands::ChangeBrush{brush});
+    }
     // The state contains the finished stroke by now, so the tool's copy is no longer needed.
-    if (handed_over_ || !can_paint(state) || (stroke_ && (ground_ != state.ground || muscle_ != state.muscle)) ||
-        ImGui::IsKeyPressed(ImGuiKey_Escape, false))
+    if (handed_over_ || !can_paint(state) || (stroke_ && (ground_ != state.ground || muscle_ != state.muscle)) || stops)
         drop();
     // The view decides who gets the drag; here only its course is followed.
     const bool held = view.tool_held && can_paint(state), pressed = held && !was_held_;

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "base/letter_case.hpp"
+#include "panels/escape.hpp"
 #include "panels/offered_actions.hpp"
 #include "panels/tables.hpp"
 #include "panels/widgets.hpp"
@@ -81,7 +82,7 @@ void Palette::draw(PanelContext& context, viewport::ViewportState& viewport,
     ImGui::SetNextWindowPos({0.5f * display.x, 72.0f * s}, ImGuiCond_Always, {0.5f, 0.0f});
     // In a popup: a click elsewhere closes the palette.
     ImGui::SetNextWindowSize({std::min(560.0f * s, display.x - 40.0f), std::min(420.0f * s, display.y - 120.0f * s)});
-    if (!ImGui::BeginPopup("palette")) return;
+    if (!ImGui::BeginPopup("palette", ImGuiWindowFlags_NoNav)) return;
     if (focus_) ImGui::SetKeyboardFocusHere();
     focus_ = false;
     ImGui::SetNextItemWidth(-1.0f);
@@ -95,7 +96,7 @@ void Palette::draw(PanelContext& context, viewport::ViewportState& viewport,
     const Action* const wanted = draw_found(context, found);
     // After the loop, as an action may change what the loop reads.
     if (wanted) wanted->perform(context, viewport);
-    if (wanted || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) ImGui::CloseCurrentPopup();
+    if (wanted || escape_closes()) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 

@@ -79,7 +79,6 @@ void PartPanel::draw(PanelContext& context) {
     tooltip(context.theme,
             "A box of the body with a material of its own, at first the half away from the support with the body's "
             "modulus. Where parts overlap, the later one counts.");
-    if (!context.state.refused.empty()) notice(context.theme, commands::LogLevel::warning, context.state.refused);
 }
 
 void PartPanel::draw_part(PanelContext& context, std::size_t index) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "panels/escape.hpp"
 #include "panels/file_dialogs.hpp"
 #include "platform/film.hpp"
 
@@ -212,8 +213,7 @@ void PictureDialog::draw(PanelContext& context) {
     ImGui::EndDisabled();
     context.items.mark("picture/where");
     ImGui::SameLine();
-    if (ImGui::Button("Cancel", {width, 0.0f}) ||
-        (ImGui::IsKeyPressed(ImGuiKey_Escape, false) && !ImGui::GetIO().WantTextInput)) {
+    if (ImGui::Button("Cancel", {width, 0.0f}) || escape_closes()) {
         open_ = false;
         ImGui::CloseCurrentPopup();
     }

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "commands/picked_place.hpp"
+#include "panels/escape.hpp"
 #include "panels/view_points.hpp"
 
 namespace myo::ui::panels {
@@ -57,7 +58,7 @@ bool update_placing(PanelContext& context, const viewport::DrawnScene& scene, co
     const std::string& label = import.file.recording->labels[static_cast<std::size_t>(import.label)];
     // Without declared markers a click gives a position instead of a name.
     const bool plain = import.declared.empty();
-    if (escape_pressed()) context.emit(commands::ChooseLabel{import.label, false});
+    if (escape_closes()) context.emit(commands::ChooseLabel{import.label, false});
     if (view.clicked) {
         // A click that hits nothing leaves everything as it is. A hit continues with the next label.
         commands::ImportChoices choices = import.choices;

@@ -1,5 +1,6 @@
 #include "panels/placing_tools.hpp"
 
+#include "panels/escape.hpp"
 #include "panels/view_points.hpp"
 
 namespace myo::ui::panels {
@@ -35,7 +36,7 @@ void PlacingTools::follow(PanelContext& context, viewport::ViewportState& view) 
 
 bool PlacingTools::update(PanelContext& context, const viewport::DrawnScene& scene, viewport::ViewportState& view) {
     follow(context, view);
-    if (context.placing.on() && escape_pressed() && !cancel()) context.placing = {};
+    if (context.placing.on() && escape_closes() && !cancel()) context.placing = {};
     kind_ = context.placing.kind;
     if (!context.placing.on()) {
         cancel();

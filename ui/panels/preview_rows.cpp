@@ -20,10 +20,8 @@ void draw_preview_state(PanelContext& context) {
     const commands::LivePreview& preview = state.preview;
     // A run may fail to start, or end early with frames up to the failure.
     const bool failed = !preview.problem.empty() || (preview.run && !preview.run->problem.empty());
-    if (failed)
-        notice(context.theme, commands::LogLevel::warning, commands::preview_text(state));
-    else
-        muted_text(context.theme, commands::preview_text(state));
+    notice_in_place(context.theme, failed ? commands::LogLevel::warning : commands::LogLevel::information,
+                    commands::preview_text(state), 2);
     context.items.mark("preview/state");
 }
 

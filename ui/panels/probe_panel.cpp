@@ -46,7 +46,6 @@ void ProbePanel::draw(PanelContext& context) {
             {commands::SetDeclared{{"markers", "max_standoff_m"}, toml::toml_number(standoff_m)}},
             field.name,
             goes_on});
-    if (!context.state.refused.empty()) notice(context.theme, commands::LogLevel::warning, context.state.refused);
 }
 
 void ProbePanel::draw_placing(PanelContext& context) {

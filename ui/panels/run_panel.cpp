@@ -25,12 +25,6 @@ void RunPanel::draw(PanelContext& context) {
         }
         return;
     }
-    if (!state.run_is_current() && !state.busy()) {
-        notice(context.theme, commands::LogLevel::information,
-               state.previewing() ? "The settings changed since this run; the view shows their preview."
-                                  : "The settings changed since this run.");
-        context.items.mark("run/outdated");
-    }
     draw_errors(context);
 }
 
@@ -128,18 +122,17 @@ void draw_run_controls(PanelContext& context) {
 void RunPanel::draw_errors(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
-    if (!state.run->problem.empty()) notice(theme, commands::LogLevel::warning, state.run->problem);
-    for (const std::string& warning : state.run->warnings) notice(theme, commands::LogLevel::warning, warning);
     checks_line(context, state.run->checks, "run/checks");
     // Without markers there is no error to show.
-    if (!std::isfinite(state.run->rms_m)) {
-        text_row(theme, "Time taken", duration_label(state.run->seconds));
-        return;
+    if (std::isfinite(state.run->rms_m)) {
+        heading(theme, "Error against the markers");
+        draw_trial_errors(context, "run/trial/", state.previewing() ? state.run.get() : state.shown_run().get());
+        text_row(theme, "All trials", plot::millimetres(state.run->rms_m) + " rms");
     }
-    heading(theme, "Error against the markers");
-    draw_trial_errors(context, "run/trial/", state.previewing() ? state.run.get() : state.shown_run().get());
-    text_row(theme, "All trials", plot::millimetres(state.run->rms_m) + " rms");
     text_row(theme, "Time taken", duration_label(state.run->seconds));
+    // Messages come last, so that they move nothing.
+    if (!state.run->problem.empty()) notice(theme, commands::LogLevel::warning, state.run->problem);
+    for (const std::string& warning : state.run->warnings) notice(theme, commands::LogLevel::warning, warning);
 }
 
 }  // namespace myo::ui::panels

@@ -107,8 +107,8 @@ void SignalPanel::draw_generator(PanelContext& context) {
     draw_recipe(context);
     const bool fits = can_be_generated(recipe_);
     // The button is disabled, too; the notice says why.
-    if (!fits)
-        notice(context.theme, commands::LogLevel::warning, "The end must lie after the start, by at most 200 periods.");
+    notice_in_place(context.theme, commands::LogLevel::warning,
+                    fits ? "" : "The end must lie after the start, by at most 200 periods.", 2);
     ImGui::BeginDisabled(!fits);
     if (primary_button(context.theme, "Apply", {-1.0f, 0.0f})) {
         give_signal(context, commands::make_signal(recipe_), "generated signal", false);

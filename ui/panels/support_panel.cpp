@@ -58,7 +58,6 @@ void SupportPanel::draw(PanelContext& context) {
     }
     draw_support(context);
     draw_gravity(context);
-    if (!context.state.refused.empty()) notice(context.theme, commands::LogLevel::warning, context.state.refused);
     if (!context.state.settings.declaration.text) return;
     if (ImGui::Button("Save to the experiment's file", {-1.0f, 0.0f})) context.emit(commands::SaveDeclaration{});
     context.items.mark("support/save");

@@ -76,15 +76,20 @@ void draw_task_rail(PanelContext& context, commands::Task chosen, bool narrow) {
     }
 }
 
-/// An outdated task is a warning; a task that is done has the severity of its checks.
+/// An outdated task is a warning; a task that is done has the severity of its checks. A refused edit takes the place,
+/// as it is what the user has just done.
 void draw_task_head(PanelContext& context, commands::Task task) {
     const commands::TaskStatus status = commands::task_status(context.state, task);
-    const platform::Theme& theme = context.theme;
     // Severity for each TaskState, in its order.
     const commands::LogLevel levels[] = {commands::LogLevel::information, commands::LogLevel::information,
                                          commands::LogLevel::warning, commands::log_level(status.checks)};
-    notice(theme, levels[static_cast<int>(status.state)], status.next);
-    context.items.mark("task/next");
+    constexpr int lines = 3;
+    const std::string& refused = context.state.refused;
+    if (refused.empty())
+        notice_in_place(context.theme, levels[static_cast<int>(status.state)], status.next, lines);
+    else
+        notice_in_place(context.theme, commands::LogLevel::warning, refused, lines);
+    context.items.mark(refused.empty() ? "task/next" : "task/refused");
     ImGui::Spacing();
     ImGui::Separator();
     ImGui::Spacing();

@@ -47,7 +47,6 @@ void TendonPanel::draw(PanelContext& context) {
         }
         draw_tendon(context, chosen_);
     }
-    if (!context.state.refused.empty()) notice(context.theme, commands::LogLevel::warning, context.state.refused);
 }
 
 void TendonPanel::draw_new(PanelContext& context) {

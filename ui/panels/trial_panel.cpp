@@ -52,7 +52,6 @@ void TrialPanel::draw(PanelContext& context) {
     draw_list(context);
     draw_trial(context);
     draw_loads(context);
-    if (!context.state.refused.empty()) notice(context.theme, commands::LogLevel::warning, context.state.refused);
 }
 
 void TrialPanel::draw_list(PanelContext& context) {

@@ -47,7 +47,6 @@ void UnknownPanel::draw(PanelContext& context) {
         tooltip(context.theme, unknown.tip);
     }
     draw_bounds(context, edits_);
-    if (!context.state.refused.empty()) notice(context.theme, commands::LogLevel::warning, context.state.refused);
 }
 
 }  // namespace myo::ui::panels

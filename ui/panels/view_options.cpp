@@ -9,6 +9,7 @@
 
 #include "commands/field_store.hpp"
 #include "panels/clip_options.hpp"
+#include "panels/escape.hpp"
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
 #include "viewport/color_map.hpp"
@@ -200,8 +201,7 @@ void draw_view_options(PanelContext& context, const viewport::Camera& camera, Nu
     const ImVec2 below{ImGui::GetItemRectMin().x, ImGui::GetItemRectMax().y + 4.0f * context.theme.scale};
     ImGui::SetNextWindowPos(below);
     if (!ImGui::BeginPopup("view options")) return;
-    // In a text field Escape restores the text.
-    if (ImGui::IsKeyPressed(ImGuiKey_Escape, false) && !ImGui::GetIO().WantTextInput) ImGui::CloseCurrentPopup();
+    if (escape_closes()) ImGui::CloseCurrentPopup();
     // All controls edit a copy; one command is emitted if anything changed.
     commands::ViewOptions view = context.state.view;
     for (const ViewSwitch& option : view_switches) {

@@ -24,12 +24,6 @@ inline std::optional<ImVec2> window_pixel(const viewport::ViewportState& view, c
 /// Distance from a marker within which a click selects it [pixels at scale 1].
 inline constexpr float marker_reach = 10.0f;
 
-/// Whether Escape was pressed for the view; text fields and popups handle the key first.
-inline bool escape_pressed() {
-    return ImGui::IsKeyPressed(ImGuiKey_Escape, false) && !ImGui::GetIO().WantTextInput &&
-           !ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId);
-}
-
 /// Draws a text in a small box over the view. `at`: upper left corner of the text [pixels in the window].
 void draw_note(ImDrawList& list, const platform::Theme& theme, const ImVec2& at, const std::string& text);
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "panels/escape.hpp"
+#include "panels/tables.hpp"
 #include "panels/wrapped_text.hpp"
 #include "platform/fonts.hpp"
 #include "plot/number_text.hpp"
@@ -107,6 +109,22 @@ void notice(const platform::Theme& theme, commands::LogLevel level, const std::s
     wrapped_text(text);
 }
 
+void notice_in_place(const platform::Theme& theme, commands::LogLevel level, const std::string& text, int lines) {
+    const ImVec2 at = ImGui::GetCursorPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float height = static_cast<float>(lines) * ImGui::GetTextLineHeightWithSpacing();
+    if (!text.empty()) {
+        ImGui::BeginGroup();
+        const float icon = ImGui::CalcTextSize(platform::icon::information).x + 12.0f * theme.scale;
+        notice(theme, level, elided_lines(text, width - icon, lines));
+        ImGui::EndGroup();
+    }
+    // The place itself, over the text: it takes the mouse and always has the same size.
+    ImGui::SetCursorPos(at);
+    ImGui::Dummy({width, height});
+    tooltip(theme, text);
+}
+
 bool primary_button(const platform::Theme& theme, const std::string& label, const ImVec2& size) {
     // Darker shades of the accent for hovered and pressed.
     const auto shade = [&](float f) {
@@ -193,8 +211,7 @@ bool begin_popup_above(const platform::Theme& theme, const char* name, float wid
     ImGui::SetNextWindowPos(above, ImGuiCond_Always, {0.0f, 1.0f});
     ImGui::SetNextWindowSize({width * theme.scale, 0.0f});
     if (!ImGui::BeginPopup(name)) return false;
-    // In a text field Escape restores the text.
-    if (ImGui::IsKeyPressed(ImGuiKey_Escape, false) && !ImGui::GetIO().WantTextInput) ImGui::CloseCurrentPopup();
+    if (escape_closes()) ImGui::CloseCurrentPopup();
     return true;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "panels/about_dialog.hpp"
+#include "panels/escape.hpp"
 #include "panels/file_dialogs.hpp"
 #include "panels/import_panel.hpp"
 #include "panels/menu_bar.hpp"
@@ -109,10 +110,11 @@ bool WorkbenchWindow::must_draw() const {
 
 void WorkbenchWindow::draw_task_panels(PanelContext& context) {
     const ImVec2 padding = ImGui::GetStyle().WindowPadding;
-    // The buttons that start and stop jobs stay visible at the foot; everything else scrolls above them.
+    // Messages have their place at the head, the buttons that start and stop jobs at the foot; all else scrolls
+    // between.
+    draw_task_head(context, task_);
     ImGui::BeginChild((std::string("##scrolling ") + commands::task_id(task_)).c_str(),
                       {0.0f, -(foot_height_ + padding.y)});
-    draw_task_head(context, task_);
     bool first = true;
     for (const auto& panel : panels_) {
         if (panel->place() != PanelPlace::side || panel->task() != task_ || !panel->offered(context.state)) continue;
@@ -260,7 +262,7 @@ void WorkbenchWindow::draw_edges(PanelContext& context) {
 
 void WorkbenchWindow::react_to_keys(PanelContext& context) {
     react_to_shortcuts(context, viewport_);
-    if (ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId)) return;
+    if (ImGui::GetIO().WantTextInput || keys_belong_to_popup()) return;
     // One sample interval per key press.
     const auto step = [&](double frames) {
         const commands::SceneTrial* trial = context.state.scene_trial();

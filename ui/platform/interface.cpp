@@ -1,6 +1,7 @@
 #include "platform/interface.hpp"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 
@@ -42,6 +43,12 @@ void Interface::begin_frame(int width, int height, float seconds) {
     io.DeltaTime = std::clamp(seconds, 1e-4f, 0.25f);
     input_->apply_to_next_frame(io);
     items_->clear();
+    // Arrow keys and Escape work in lists and menus. Elsewhere they belong to the view; dialogs handle them themselves.
+    const auto& popups = ImGui::GetCurrentContext()->OpenPopupStack;
+    const ImGuiWindow* const front = popups.empty() ? nullptr : popups.back().Window;
+    const bool navigable = front && (front->Flags & (ImGuiWindowFlags_Modal | ImGuiWindowFlags_NoNavInputs)) == 0;
+    io.ConfigFlags = navigable ? io.ConfigFlags | ImGuiConfigFlags_NavEnableKeyboard
+                               : io.ConfigFlags & ~ImGuiConfigFlags_NavEnableKeyboard;
     ImGui::NewFrame();
 }
 
