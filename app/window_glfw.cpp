@@ -48,6 +48,7 @@ struct DestroyWindow {
 /// ImGui's number of a key that has no letter; -1: another key.
 int named_key(int key) {
     static constexpr std::pair<int, int> keys[] = {{GLFW_KEY_TAB, ImGuiKey_Tab},
+                                                   {GLFW_KEY_F1, ui::platform::key_f1},
                                                    {GLFW_KEY_LEFT, ImGuiKey_LeftArrow},
                                                    {GLFW_KEY_RIGHT, ImGuiKey_RightArrow},
                                                    {GLFW_KEY_UP, ImGuiKey_UpArrow},

@@ -58,6 +58,26 @@ TEST(Fonts, HoldTheLettersOfTheField) {
     }
 }
 
+TEST(Fonts, LoadLettersOfOtherScriptsWhenTheyAreNeeded) {
+    auto context = platform::OffscreenContext::make(64, 64);
+    ASSERT_TRUE(context);
+    auto interface = platform::Interface::make(platform::ThemeName::dark, 1.0f);
+    ASSERT_TRUE(interface) << interface.error().text();
+    const auto frame = [&] {
+        interface->begin_frame(64, 64, 0.02f);
+        interface->end_frame();
+    };
+    frame();
+    constexpr ImWchar zhe = 0x436, not_a_letter = 0xfffd;
+    if (!interface->theme().regular->FindGlyphNoFallback(not_a_letter)) GTEST_SKIP() << "skipped: no DejaVu";
+    EXPECT_EQ(interface->theme().regular->FindGlyphNoFallback(zhe), nullptr);
+    interface->need_letters("\xd0\xb6 \xe9\xad\x9a");
+    frame();
+    EXPECT_NE(interface->theme().regular->FindGlyphNoFallback(zhe), nullptr);
+    EXPECT_NE(interface->theme().strong->FindGlyphNoFallback(zhe), nullptr);
+    EXPECT_EQ(interface->theme().regular->FallbackChar, not_a_letter) << "what no font has is no question mark";
+}
+
 class InputRules : public testing::Test {
 protected:
     InputRules() { ImGui::CreateContext(); }

@@ -9,6 +9,7 @@
 #include "panels/escape.hpp"
 #include "panels/export_actions.hpp"
 #include "panels/file_dialogs.hpp"
+#include "panels/help_actions.hpp"
 #include "platform/input_queue.hpp"
 
 namespace myo::ui::panels {
@@ -347,18 +348,6 @@ void add_step_actions(std::vector<Action>& all) {
                        commands::task_title(task),
                        {},
                        [task](PanelContext& context, viewport::ViewportState&) { context.window.task = task; }});
-}
-
-/// Menu Help.
-void add_help_actions(std::vector<Action>& all) {
-    all.push_back({"help.palette",
-                   "Help",
-                   "Find a command\xe2\x80\xa6",
-                   {platform::key_k, true, false, "Ctrl+K"},
-                   [](PanelContext& context, viewport::ViewportState&) { context.window.palette = true; }});
-    all.push_back({"help.about", "Help", "About Myoloop", {}, [](PanelContext& context, viewport::ViewportState&) {
-                       context.window.about = true;
-                   }});
 }
 
 }  // namespace

@@ -34,4 +34,14 @@ Layout make_layout(float width, float height, float scale, const commands::Layou
     return layout;
 }
 
+Layout beside_help(Layout layout, float scale) {
+    constexpr float preferred = 380.0f, share = 0.55f;
+    const float right = layout.view.highest.x,
+                left = right - std::round(std::min(preferred * scale, share * layout.view.width()));
+    layout.help = {{left, layout.view.lowest.y}, {right, layout.strip.highest.y}};
+    for (platform::Rectangle* part : {&layout.view, &layout.timeline, &layout.strip, &layout.strip_edge})
+        part->highest.x = left;
+    return layout;
+}
+
 }  // namespace myo::ui::panels

@@ -28,6 +28,7 @@ struct Layout {
     platform::Rectangle view;        // 3D view
     platform::Rectangle timeline;    // below the view
     platform::Rectangle strip;       // panels below the view
+    platform::Rectangle help;        // right of view, timeline and strip; empty while the help is closed
     platform::Rectangle rail_edge;   // handle between side panel and view
     platform::Rectangle strip_edge;  // handle above the strip
 };
@@ -37,5 +38,8 @@ struct Layout {
 ///
 /// @param sizes  preferred sizes [pixels at scale 1]
 Layout make_layout(float width, float height, float scale, const commands::LayoutSizes& sizes);
+
+/// The same with the help at the right edge, which takes its width from view, timeline and strip.
+Layout beside_help(Layout layout, float scale);
 
 }  // namespace myo::ui::panels

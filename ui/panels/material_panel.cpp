@@ -13,21 +13,21 @@ namespace {
 /// Limits are in SI units, the smallest step of a drag is in the shown unit; see NumberField.
 const std::vector<SettingField>& material_fields() {
     static const std::vector<SettingField> fields{
-        {{"E", "model/youngs_modulus", commands::Dimension::pressure, "kPa",
+        {{"Young's modulus E", "model/youngs_modulus", commands::Dimension::pressure, "kPa",
           "Young's modulus E [Pa]: stress over strain in small tension. With Poisson's ratio it gives the shear "
           "modulus "
           "μ = E / (2 (1 + ν)) and the bulk modulus "
           "κ = E / (3 (1 − 2ν)).",
           commands::youngs_modulus_limits, 0.1, "Young's modulus"},
          &commands::Settings::youngs_modulus_Pa},
-        {{"ν", "model/poissons_ratio", commands::Dimension::ratio, "",
+        {{"Poisson's ratio ν", "model/poissons_ratio", commands::Dimension::ratio, "",
           "Poisson's ratio ν, dimensionless: transverse contraction of a bar in tension, ν = −ε_across / ε_along. "
           "Silicone "
           "is nearly incompressible, ν ≈ 0.49 to "
           "0.499. Lamé's λ = E ν / ((1 + ν) (1 − 2ν)).",
           commands::poissons_ratio_limits, 1e-4, "Poisson's ratio"},
          &commands::Settings::poissons_ratio},
-        {{"ρ", "model/density", commands::Dimension::density, "kg/m³",
+        {{"Density ρ", "model/density", commands::Dimension::density, "kg/m³",
           "Density ρ [kg/m³] at rest. The mass matrix M in M dv/dt = f is ρ times the integrals of the shape "
           "functions' products, m = ρ V in all.",
           commands::density_limits, 1.0, "density"},

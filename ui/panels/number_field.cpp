@@ -153,7 +153,7 @@ bool number_field(PanelContext& context, const NumberField& field, NumberEdits& 
 
 bool number_row(PanelContext& context, const NumberField& field, NumberEdits& edits, double& value, bool& goes_on,
                 const std::string& subject) {
-    row_label(context.theme, field.label, field.tip);
+    explained_label(context, field.label, field.name, field.tip);
     return number_field(context, field, edits, value, goes_on, subject);
 }
 

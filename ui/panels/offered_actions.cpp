@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "commands/field_store.hpp"
+#include "help/manual_pages.hpp"
 
 namespace myo::ui::panels {
 namespace {
@@ -46,19 +47,65 @@ std::string without_icon(const std::string& title) {
     return {letter, title.end()};
 }
 
-/// Shows a panel below the view. Panels at the side are reached through their task.
+/// Shows a panel below the view, or one at the side with its task.
 void add_panels(std::vector<Action>& all, const commands::WorkbenchState& state,
                 const std::vector<std::unique_ptr<Panel>>& panels) {
     if (!state.scene) return;
     for (const auto& panel : panels) {
-        if (panel->place() != PanelPlace::strip || !panel->offered(state)) continue;
+        if (!panel->offered(state)) continue;
+        const bool below = panel->place() == PanelPlace::strip;
         all.push_back(
             {"panel/" + panel->name(),
-             "Below the view",
+             below ? "Below the view" : std::string("Panel of ") + commands::task_title(*panel->task()),
              without_icon(panel->title()),
              {},
              [name = panel->name()](PanelContext& context, viewport::ViewportState&) { context.window.panel = name; }});
     }
+}
+
+/// A tool of the view whose clicks declare something, with the task that has its panel.
+struct PlacingTool {
+    const char* id;
+    const char* label;
+    commands::Task task;
+    Placing::Kind kind;
+};
+constexpr PlacingTool placing_tools[] = {
+    {"tool/markers", "Place markers and probes", commands::Task::measure, Placing::Kind::markers},
+    {"tool/tendon", "Draw a tendon", commands::Task::fibres, Placing::Kind::guides},
+    {"tool/chamber", "Pick the wall of a chamber", commands::Task::fibres, Placing::Kind::cavity}};
+
+void add_tools(std::vector<Action>& all, const commands::WorkbenchState& state) {
+    if (!state.scene) return;
+    // Tools that have a menu entry, under the word by which they are sought.
+    for (const Action& action : all_actions())
+        for (const char* id : {"view.distance", "edit.paint", "edit.erase"})
+            if (action.id == id) {
+                all.push_back(action);
+                all.back().id = std::string("tool/") + id;
+                all.back().menu = "Tool";
+            }
+    for (const PlacingTool& tool : placing_tools) {
+        Action action{tool.id, "Tool", tool.label, {}, [tool](PanelContext& context, viewport::ViewportState&) {
+                          context.placing = {};
+                          context.placing.kind = tool.kind;
+                          context.window.task = tool.task;
+                      }};
+        // Places are declared in an experiment, on a mesh.
+        action.enabled = [](const commands::WorkbenchState& s) { return s.body && s.scene->is_experiment; };
+        all.push_back(std::move(action));
+    }
+}
+
+void add_pages(std::vector<Action>& all) {
+    for (const help::ManualPage& page : help::manual_pages)
+        all.push_back({std::string("page/") + page.name,
+                       "Help",
+                       std::string("Manual: ") + page.title,
+                       {},
+                       [name = page.name](PanelContext& context, viewport::ViewportState&) {
+                           context.window.help = HelpRequest{HelpRequest::Part::manual, name, ""};
+                       }});
 }
 
 /// Fields that need a run or a diagnosis are listed, but disabled until it exists.
@@ -87,7 +134,9 @@ std::vector<Action> offered_actions(const commands::WorkbenchState& state, const
     std::vector<Action> all;
     add_trials(all, state);
     add_panels(all, state, panels);
+    add_tools(all, state);
     add_fields(all, state, backend);
+    add_pages(all);
     add_files(all, state);
     return all;
 }

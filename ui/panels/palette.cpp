@@ -86,7 +86,8 @@ void Palette::draw(PanelContext& context, viewport::ViewportState& viewport,
     if (focus_) ImGui::SetKeyboardFocusHere();
     focus_ = false;
     ImGui::SetNextItemWidth(-1.0f);
-    if (ImGui::InputTextWithHint("##command", "Find a command, file, trial, panel or quantity", &text_)) chosen_ = 0;
+    if (ImGui::InputTextWithHint("##command", "Find a command, tool, panel, trial, quantity or page", &text_))
+        chosen_ = 0;
     context.items.mark("palette/text");
     // Commands first, then files, trials, panels and fields.
     const std::vector<Action> offered = offered_actions(context.state, context.backend, panels);

@@ -49,6 +49,14 @@ struct HandledBox {
     Box box;           // [m]
 };
 
+/// A request to show a part of the help.
+struct HelpRequest {
+    enum class Part { tutorial, manual, shortcuts };
+    Part part = Part::tutorial;
+    std::string page = {};    // of the manual; empty: the page shown last
+    std::string phrase = {};  // text of the paragraph to scroll to; empty: the beginning
+};
+
 /// Requests of panels to the window itself: dialogs, panels to show, images to write. Filled during a frame and
 /// executed at its end.
 struct WindowRequests {
@@ -60,6 +68,7 @@ struct WindowRequests {
     std::optional<WindowPart> part;         // part of the window to write, without dialogs in front
     bool save_view = false;                 // open the dialog for images of the view
     bool export_body = false;               // open the dialog that writes the body for other programs
+    std::optional<HelpRequest> help;        // part of the help to show
     bool palette = false;                   // open the command palette
     bool about = false;                     // open the dialog with version and licences
     bool clear_distances = false;           // remove all measured distances

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "help/field_links.hpp"
 #include "panels/escape.hpp"
 #include "panels/tables.hpp"
 #include "panels/wrapped_text.hpp"
@@ -15,13 +16,24 @@ namespace myo::ui::panels {
 namespace {
 
 /// Width of the left column of the side panel [pixels].
-float label_width() { return std::floor(0.42f * ImGui::GetWindowContentRegionMax().x); }
+float label_width() { return std::floor(0.47f * ImGui::GetWindowContentRegionMax().x); }
 
 }  // namespace
 
 void tooltip(const platform::Theme& theme, const std::string& text, float width) {
     // Disabled items show their tooltip, too: there the user needs the explanation most.
     if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    // Below what it explains, or above it where there is no room: it must not cover it. Tall items, such as plots, are
+    // explained at the mouse.
+    const ImVec2 lowest = ImGui::GetItemRectMin(), highest = ImGui::GetItemRectMax(),
+                 display = ImGui::GetIO().DisplaySize;
+    const float gap = 4.0f * theme.scale;
+    if (highest.y - lowest.y < 3.0f * ImGui::GetFrameHeight()) {
+        const bool above = highest.y > 0.6f * display.y, left = lowest.x > 0.6f * display.x;
+        ImGui::SetNextWindowPos({left ? std::min(highest.x, display.x) : std::max(lowest.x, 0.0f),
+                                 above ? lowest.y - gap : highest.y + gap},
+                                ImGuiCond_Always, {left ? 1.0f : 0.0f, above ? 1.0f : 0.0f});
+    }
     ImGui::BeginTooltip();
     // In a small window with large text the tooltip would extend beyond the window.
     wrapped_text(text, std::min(width * theme.scale, ImGui::GetIO().DisplaySize.x - 24.0f * theme.scale));
@@ -71,6 +83,25 @@ void row_label(const platform::Theme& theme, const std::string& label, const std
     ImGui::PopStyleColor();
     tooltip(theme, tip);
     ImGui::SameLine(label_width());
+    ImGui::SetNextItemWidth(-1.0f);
+}
+
+void explained_label(PanelContext& context, const std::string& label, const std::string& name, const std::string& tip) {
+    const platform::Theme& theme = context.theme;
+    const help::FieldLink* const link = help::link_of(name);
+    const ImVec2 begin = ImGui::GetCursorPos();
+    row_label(theme, label, tip);
+    const float right = label_width(), sign = right - ImGui::CalcTextSize("?").x - 6.0f * theme.scale;
+    // A long label leaves no room; then the tooltip alone explains.
+    if (link == nullptr || begin.x + ImGui::CalcTextSize(label.c_str()).x + 4.0f * theme.scale > sign) return;
+    ImGui::SetCursorPos({sign, begin.y});
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextColored(theme.muted, "?");
+    context.items.mark(name + "/help");
+    if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+    tooltip(theme, "Opens the paragraph of the manual that defines it");
+    if (ImGui::IsItemClicked()) context.window.help = HelpRequest{HelpRequest::Part::manual, link->page, link->phrase};
+    ImGui::SameLine(right);
     ImGui::SetNextItemWidth(-1.0f);
 }
 
@@ -168,7 +199,7 @@ bool slider_row(PanelContext& context, const std::string& name, commands::Limits
 
 bool choice_row(PanelContext& context, const std::string& label, const std::string& name, const std::string& tip,
                 const std::vector<commands::Choice>& choices, std::string& id) {
-    row_label(context.theme, label, tip);
+    explained_label(context, label, name, tip);
     // An unknown id is shown as it is.
     const auto current = std::find_if(choices.begin(), choices.end(),
                                       [&](const commands::Choice& c) { return c.id == id; });

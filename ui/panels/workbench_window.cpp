@@ -217,7 +217,14 @@ void WorkbenchWindow::draw_view(PanelContext& context) {
     if (!placing) box_tool_.update(context, viewport_);
     distances_.update(context, scene_, viewport_);
     if (!placing && !update_placing(context, scene_, viewport_)) inspect_.update(context, scene_, viewport_);
-    ImGui::SameLine();
+    // In a narrow view the options stand below the buttons.
+    const float options = ImGui::CalcTextSize("Show").x + 4.0f * ImGui::GetFrameHeight(),
+                row_end = ImGui::GetItemRectMax().x;
+    if (row_end + options < viewport_.pixels.highest.x)
+        ImGui::SameLine();
+    else
+        ImGui::SetCursorScreenPos({viewport_.pixels.lowest.x + 12.0f * context.theme.scale,
+                                   ImGui::GetItemRectMax().y + 4.0f * context.theme.scale});
     draw_view_options(context, viewport_.camera, view_edits_);
     if (two) draw_run_name(context.theme, viewport_.pixels, "shown run");
     ImGui::End();
@@ -288,6 +295,11 @@ void WorkbenchWindow::draw_parts(PanelContext& context) {
         ImGui::End();
         draw_strip(context);
     }
+    if (help_.is_open()) {
+        begin_part("##help", layout_.help, still);
+        help_.draw(context);
+        ImGui::End();
+    }
     draw_edges(context);
     // Dialogs belong to no part. Their window is one pixel large and takes no input.
     begin_part("##dialogs", {{0.0f, 0.0f}, {1.0f, 1.0f}},
@@ -316,6 +328,7 @@ void WorkbenchWindow::follow(WindowRequests& requests) {
     box_tool_.offer(std::move(requests.boxes));
     if (requests.task) show_task(*requests.task);
     if (!requests.panel.empty()) show_panel(requests.panel);
+    if (requests.help) help_.open(*requests.help);
     if (requests.palette) palette_.open();
     if (requests.about) about_ = true;
     if (requests.clear_distances) distances_.clear();

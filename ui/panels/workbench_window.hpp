@@ -3,6 +3,7 @@
 #include <chrono>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "commands/body_cut.hpp"
@@ -15,6 +16,7 @@
 #include "panels/file_browser.hpp"
 #include "panels/film_job.hpp"
 #include "panels/goal_tool.hpp"
+#include "panels/help_panel.hpp"
 #include "panels/inspect_tool.hpp"
 #include "panels/layout.hpp"
 #include "panels/live_tool.hpp"
@@ -121,6 +123,8 @@ private:
     void begin_pictures();
     /// Writes the next image of a running job.
     void add_picture();
+    /// Loads the letters of names in other scripts, when there are new names.
+    void load_names();
     /// Writes a part of the window as an image.
     void write_part(int width, int height);
 
@@ -157,7 +161,9 @@ private:
     commands::Task task_ = commands::Task::body;  // shown in the side panel
     FileBrowser browser_;
     Palette palette_;
-    bool about_ = false;        // the dialog is open
+    HelpPanel help_;
+    std::pair<const commands::Scene*, std::size_t> named_{};  // scene and number of messages whose letters are loaded
+    bool about_ = false;                                      // the dialog is open
     bool asked_where_ = false;  // the dialog for the project's file name was opened for the present request
     std::optional<PictureRequest> picture_;  // starts after the view has been rendered
     std::optional<WindowPart> part_;         // written once the dialog that requested it has disappeared

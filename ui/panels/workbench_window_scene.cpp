@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "panels/workbench_window.hpp"
 #include "platform/gl.hpp"
@@ -120,6 +121,19 @@ Result<void> WorkbenchWindow::render_view(int height, bool moving) {
     return {};
 }
 
+void WorkbenchWindow::load_names() {
+    const commands::WorkbenchState& state = workbench_->state();
+    const auto key = std::pair(state.scene.get(), state.logged + state.preferences.recent.size());
+    if (std::exchange(named_, key) == key) return;
+    if (!state.log.empty()) interface_.need_letters(state.log.back().text);
+    for (const std::filesystem::path& path : state.preferences.recent) interface_.need_letters(path.string());
+    if (!state.scene) return;
+    interface_.need_letters(state.scene->name + state.scene->path.string());
+    for (const commands::SceneTrial& trial : state.scene->trials) interface_.need_letters(trial.name);
+    for (const commands::SceneMarker& marker : state.scene->markers) interface_.need_letters(marker.name);
+    for (const commands::Muscle& muscle : state.settings.muscles) interface_.need_letters(muscle.name);
+}
+
 /// The order within a frame: results of jobs, input, scene, panels, requests, rendering, and finally the commands.
 Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) {
     // After a pause without frames, playing must not jump.
@@ -127,6 +141,7 @@ Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) 
     workbench_->advance(seconds);
     const commands::WorkbenchState& state = workbench_->state();
     interface_.set_theme(state.preferences.theme, state.scale());
+    load_names();
     interface_.begin_frame(width, height, static_cast<float>(seconds));
     // Before the panels, so that they draw over the scene of this frame.
     update_scene();
@@ -134,6 +149,8 @@ Result<void> WorkbenchWindow::draw_frame(int width, int height, double seconds) 
         compared_.update(state, interface_.theme(), workbench_->backend(), scene_, revision_);
     layout_ = make_layout(static_cast<float>(width), static_cast<float>(height), interface_.theme().scale,
                           state.preferences.layout);
+    help_.follow(state);
+    if (help_.is_open()) layout_ = beside_help(layout_, interface_.theme().scale);
     const std::vector<commands::Command> commands = draw_panels();
     interface_.end_frame();
     clear_window(interface_.theme().background);

@@ -20,9 +20,10 @@ std::string first_existing(const std::vector<std::string>& files) {
 
 // Latin, Greek, superscripts and subscripts, dashes and quotes, arrows, and the mathematical symbols that labels use.
 // Each range costs space in the font texture, so only these are rasterised.
-const ImWchar text_ranges[] = {0x0020, 0x024f, 0x02b0, 0x02ff, 0x0370, 0x03ff, 0x1d2c, 0x1d6a, 0x2010, 0x2027, 0x2030,
-                               0x2033, 0x2070, 0x209c, 0x2190, 0x2195, 0x2202, 0x2202, 0x2207, 0x2207, 0x2212, 0x2212,
-                               0x221a, 0x221e, 0x223c, 0x223c, 0x2248, 0x2248, 0x2260, 0x2265, 0x22c5, 0x22c5, 0};
+const ImWchar text_ranges[] = {0x0020, 0x024f, 0x02b0, 0x036f, 0x0370, 0x03ff, 0x1d2c, 0x1d6a, 0x2010, 0x2027,
+                               0x2030, 0x2033, 0x2070, 0x209c, 0x2150, 0x215e, 0x2190, 0x2195, 0x2202, 0x2202,
+                               0x2207, 0x2207, 0x2212, 0x2212, 0x221a, 0x221e, 0x223c, 0x223c, 0x2248, 0x2248,
+                               0x2260, 0x2265, 0x22c5, 0x22c5, 0xfffd, 0xfffd, 0};
 // Fonts of exported images are rasterised at a large size, so they hold only what names, units and numbers need.
 const ImWchar label_ranges[] = {0x0020, 0x017f, 0x0370, 0x03ff, 0x2010, 0x2027, 0x2070,
                                 0x209c, 0x2190, 0x2195, 0x2212, 0x2212, 0};
@@ -31,6 +32,21 @@ const ImWchar icon_ranges[] = {0xf000, 0xf2e0, 0};
 
 const std::string inter = "/usr/share/fonts/opentype/inter/Inter-";
 const std::string dejavu = "/usr/share/fonts/truetype/dejavu/DejaVuSans";
+
+// For Chinese, Japanese and Korean names. None of them is required.
+const std::vector<std::string> wide_fonts{"/usr/share/fonts-droid-fallback/truetype/DroidSansFallback.ttf",
+                                          "/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf",
+                                          "/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc",
+                                          "/usr/share/fonts/truetype/wqy/wqy-microhei.ttc"};
+
+/// Merges letters into the font that was added last, each from the first file that has it.
+void merge_letters(ImFontAtlas& atlas, const std::vector<ImWchar>& letters, float pixels) {
+    if (letters.empty()) return;
+    ImFontConfig merge;
+    merge.MergeMode = true;
+    for (const std::string& file : {first_existing({dejavu + ".ttf"}), first_existing(wide_fonts)})
+        if (!file.empty()) atlas.AddFontFromFileTTF(file.c_str(), pixels, &merge, letters.data());
+}
 
 /// Returns the font atlas of the current ImGui context, emptied and set to rasterise through FreeType.
 ImFontAtlas& empty_atlas() {
@@ -63,7 +79,7 @@ ImFont* add_font(ImFontAtlas& atlas, const std::string& file, const std::string&
 
 }  // namespace
 
-FontReport load_fonts(Theme& theme) {
+FontReport load_fonts(Theme& theme, const std::vector<ImWchar>& letters) {
     ImFontAtlas& atlas = empty_atlas();
     const std::string regular = first_existing({inter + "Regular.otf"});
     const std::string strong = first_existing({inter + "SemiBold.otf", inter + "Bold.otf"});
@@ -71,9 +87,13 @@ FontReport load_fonts(Theme& theme) {
     const std::string strong_fallback = first_existing({dejavu + "-Bold.ttf", dejavu + ".ttf"});
     const std::string icons = first_existing({"/usr/share/fonts/opentype/font-awesome/FontAwesome.otf",
                                               "/usr/share/fonts/truetype/font-awesome/fontawesome-webfont.ttf"});
-    theme.regular = add_font(atlas, regular, fallback, icons, std::round(15.0f * theme.scale));
-    theme.strong = add_font(atlas, strong, strong_fallback, icons, std::round(15.0f * theme.scale));
-    theme.small = add_font(atlas, regular, fallback, icons, std::round(13.0f * theme.scale));
+    const float text = std::round(15.0f * theme.scale), small = std::round(13.0f * theme.scale);
+    theme.regular = add_font(atlas, regular, fallback, icons, text);
+    merge_letters(atlas, letters, text);
+    theme.strong = add_font(atlas, strong, strong_fallback, icons, text);
+    merge_letters(atlas, letters, text);
+    theme.small = add_font(atlas, regular, fallback, icons, small);
+    merge_letters(atlas, letters, small);
     theme.large = add_font(atlas, strong, strong_fallback, icons, std::round(26.0f * theme.scale), latin_ranges);
     ImGui::GetIO().FontDefault = theme.regular;
     return {regular.empty() ? fallback : regular, icons};

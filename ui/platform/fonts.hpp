@@ -1,5 +1,7 @@
 #pragma once
 
+#include <imgui.h>
+
 #include <string>
 #include <vector>
 
@@ -70,7 +72,10 @@ struct FontReport {
 /// The text font is Inter, with DejaVu Sans for glyphs that Inter lacks; DejaVu Sans alone if Inter is not installed;
 /// ImGui's built-in font if neither is. The atlas owns the fonts: pointers in the theme are valid until the atlas is
 /// cleared.
-FontReport load_fonts(Theme& theme);
+///
+/// @param letters  further letters to load, as ranges of ImGui, ended by 0: those of names in other scripts. What no
+///                 installed font has is drawn as U+FFFD. Must live until the atlas is built
+FontReport load_fonts(Theme& theme, const std::vector<ImWchar>& letters = {});
 
 /// Builds an atlas with only the theme's small font, for labels in exported images. The theme's other fonts become
 /// null.

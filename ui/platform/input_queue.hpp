@@ -28,6 +28,7 @@ enum ExtraKey {
     key_4,
     key_plus,
     key_minus,
+    key_f1,
     key_count
 };
 

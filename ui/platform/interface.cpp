@@ -30,7 +30,7 @@ Result<Interface> Interface::make(ThemeName theme, float scale) {
 
 void Interface::rebuild() {
     apply_theme(theme_, ImGui::GetStyle());
-    load_fonts(theme_);
+    load_fonts(theme_, letters_);
     renderer_.upload_fonts(*ImGui::GetIO().Fonts);
     rebuild_ = false;
 }
@@ -50,6 +50,20 @@ void Interface::begin_frame(int width, int height, float seconds) {
     io.ConfigFlags = navigable ? io.ConfigFlags | ImGuiConfigFlags_NavEnableKeyboard
                                : io.ConfigFlags & ~ImGuiConfigFlags_NavEnableKeyboard;
     ImGui::NewFrame();
+}
+
+void Interface::need_letters(const std::string& text) {
+    if (theme_.regular == nullptr) return;
+    for (const char* at = text.c_str(); *at != '\0';) {
+        unsigned int letter = 0;
+        at += ImTextCharFromUtf8(&letter, at, text.c_str() + text.size());
+        const auto wide = static_cast<ImWchar>(letter);
+        const bool missing = letter >= 0x20 && letter <= 0xffff && !theme_.regular->FindGlyphNoFallback(wide);
+        if (!missing || std::find(letters_.begin(), letters_.end(), wide) != letters_.end()) continue;
+        if (letters_.empty()) letters_.push_back(0);
+        letters_.insert(letters_.end() - 1, 2, wide);  // a range of one
+        rebuild_ = true;
+    }
 }
 
 void Interface::end_frame() { ImGui::Render(); }

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "base/result.hpp"
 #include "platform/fonts.hpp"
@@ -40,6 +42,9 @@ public:
     /// Changes theme and scale from the next frame on; fonts and their texture are rebuilt then. The scale is limited
     /// to 0.75 … 3.
     void set_theme(ThemeName name, float scale);
+    /// Loads the letters of a text that the fonts lack, from the next frame on: names in other scripts. Quick if there
+    /// are none.
+    void need_letters(const std::string& text);
 
     const Theme& theme() const { return theme_; }
     InputQueue& input() { return *input_; }
@@ -56,7 +61,8 @@ private:
     std::unique_ptr<ImGuiContext, DestroyContext> context_;
     ImguiRenderer renderer_;
     Theme theme_;
-    bool rebuild_ = true;                                                 // the theme changed since the last frame
+    std::vector<ImWchar> letters_;  // loaded in addition, as ranges of one, ended by 0
+    bool rebuild_ = true;           // the theme changed since the last frame
     std::unique_ptr<InputQueue> input_ = std::make_unique<InputQueue>();  // on the heap: callbacks keep its address
     // on the heap: panels keep its address
     std::unique_ptr<ItemRectangles> items_ = std::make_unique<ItemRectangles>();

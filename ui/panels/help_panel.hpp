@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "help/markdown.hpp"
+#include "panels/panel.hpp"
+#include "panels/tutorial.hpp"
+
+namespace myo::ui::panels {
+
+/// Help at the right edge of the window: the tutorial, the pages of the manual, and the list of shortcuts. It lies
+/// beside the view and covers nothing.
+class HelpPanel {
+public:
+    void open(const HelpRequest& request);
+    void close() { open_ = false; }
+    bool is_open() const { return open_; }
+    /// Ticks the steps of the tutorial, also while it is closed.
+    void follow(const commands::WorkbenchState& state) { progress_.follow(state); }
+    /// Draws the content into the current ImGui window. Escape closes it.
+    void draw(PanelContext& context);
+
+private:
+    void draw_tutorial(PanelContext& context);
+    void draw_step(PanelContext& context, std::size_t index);
+    void draw_manual(PanelContext& context);
+    void draw_shortcuts(PanelContext& context);
+    void show_page(const std::string& name);
+
+    bool open_ = false;
+    HelpRequest::Part part_ = HelpRequest::Part::tutorial;
+    TutorialProgress progress_;
+    std::string page_;                   // name of the page that is shown
+    std::vector<help::Block> blocks_;    // of that page
+    std::optional<std::size_t> target_;  // block to scroll to in the next frame
+    int draws_ = 0;                      // frames in which the target is still sought, as heights settle
+};
+
+}  // namespace myo::ui::panels
