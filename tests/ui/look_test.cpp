@@ -235,5 +235,27 @@ TEST(Translucent, WhatIsInsideTheBodyIsSeenAsFarAsTheBodyLetsThrough) {
     EXPECT_GT(through_glass, 110) << "of 255: the arrows of forces stand out";
 }
 
+TEST(MenuBar, NothingLiesUnderAnotherInASmallWindowWithLargeLetters) {
+    Driver driver(900, 600);
+    driver.open_beam();
+    for (const float scale : {1.0f, 1.5f, 2.0f}) {
+        driver.workbench->execute(commands::SetTheme{platform::ThemeName::dark, scale});
+        driver.settle();
+        std::vector<platform::Rectangle> shown;
+        for (const auto& [item, place] : driver.window->items().all())
+            if (item.rfind("bar/", 0) == 0 || item == "menu/file" || item == "menu/edit" || item == "menu/view" ||
+                item == "menu/run" || item == "menu/help")
+                shown.push_back(place);
+        ASSERT_GE(shown.size(), 5u);
+        for (std::size_t a = 0; a < shown.size(); ++a) {
+            EXPECT_LE(shown[a].highest.x, 900.0f) << scale;
+            for (std::size_t b = 0; b < a; ++b)
+                EXPECT_TRUE(shown[a].highest.x <= shown[b].lowest.x + 1.0f ||
+                            shown[b].highest.x <= shown[a].lowest.x + 1.0f)
+                    << "at scale " << scale;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace myo::ui

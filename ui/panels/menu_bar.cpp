@@ -158,34 +158,72 @@ void draw_theme_button(PanelContext& context, float width) {
     tooltip(context.theme, "Light or dark colours");
 }
 
+constexpr float theme_button_width = 72.0f, scale_list_width = 84.0f, bar_gap = 12.0f;  // [pixels at scale 1]
+
+/// What the bar has room for besides its menus, which are always there.
+struct BarParts {
+    bool name = true, theme = true, signs = true, scale = true;
+};
+
+/// With large letters in a small window not everything fits. What has a menu entry or a key goes first.
+BarParts parts_that_fit(const platform::Theme& theme, float width) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const auto button = [&](const char* label) {
+        return ImGui::CalcTextSize(label).x + 2.0f * style.FramePadding.x + style.ItemSpacing.x;
+    };
+    float left = 2.0f * style.WindowPadding.x + bar_gap * theme.scale;
+    for (const char* menu : menus) left += button(menu);
+    BarParts parts;
+    const auto needed = [&] {
+        float all = left;
+        if (parts.name) all += ImGui::CalcTextSize("Myoloop").x + 2.0f * bar_gap * theme.scale;
+        if (parts.signs)
+            for (const char* sign : {platform::icon::save, platform::icon::undo, platform::icon::redo})
+                all += button(sign);
+        if (parts.theme) all += theme_button_width * theme.scale + style.ItemSpacing.x;
+        if (parts.scale) all += scale_list_width * theme.scale + style.ItemSpacing.x;
+        return all;
+    };
+    for (bool BarParts::*part : {&BarParts::name, &BarParts::theme, &BarParts::signs, &BarParts::scale})
+        if (needed() > width) parts.*part = false;
+    return parts;
+}
+
 }  // namespace
 
 /// Menus and buttons on the left, checks, scale and theme on the right, the newest message in the room between them.
 void draw_menu_bar(PanelContext& context, viewport::ViewportState& viewport) {
     const platform::Theme& theme = context.theme;
     ImGui::SetCursorPosY(0.5f * (ImGui::GetWindowHeight() - ImGui::GetFrameHeight()));
-    ImGui::AlignTextToFramePadding();
-    ImGui::PushFont(theme.strong);
-    ImGui::TextColored(theme.accent, "Myoloop");
-    ImGui::PopFont();
-    ImGui::SameLine(0.0f, 12.0f * theme.scale);
+    const BarParts parts = parts_that_fit(theme, ImGui::GetWindowWidth());
+    if (parts.name) {
+        ImGui::AlignTextToFramePadding();
+        ImGui::PushFont(theme.strong);
+        ImGui::TextColored(theme.accent, "Myoloop");
+        ImGui::PopFont();
+        ImGui::SameLine(0.0f, bar_gap * theme.scale);
+    }
     draw_menus(context, viewport);
-    ImGui::SameLine(0.0f, 12.0f * theme.scale);
-    draw_sign_buttons(context);
+    ImGui::SameLine(0.0f, bar_gap * theme.scale);
+    if (parts.signs) draw_sign_buttons(context);
     // The checks and the message take the room between the buttons on the left and on the right.
-    const float theme_width = 72.0f * theme.scale, scale_width = 84.0f * theme.scale,
-                spacing = ImGui::GetStyle().ItemSpacing.x;
-    const float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x - theme_width - scale_width -
-                        spacing;
+    const float spacing = ImGui::GetStyle().ItemSpacing.x;
+    float right = ImGui::GetWindowWidth() - ImGui::GetStyle().WindowPadding.x;
+    if (parts.theme) right -= theme_button_width * theme.scale;
+    if (parts.scale) right -= scale_list_width * theme.scale + (parts.theme ? spacing : 0.0f);
     const float left = ImGui::GetCursorPosX();
-    const float message_right = checks_mark(context, left, right - 16.0f * theme.scale);
-    ImGui::SameLine();
-    ImGui::SetCursorPosX(left);
-    draw_message(context, message_right);
+    // Without room for its icon, the checks are found in their tab.
+    const float line = ImGui::GetFrameHeight(), room = right - left - 16.0f * theme.scale;
+    if (room > line) {
+        const float message_right = checks_mark(context, left, right - 16.0f * theme.scale);
+        ImGui::SameLine();
+        ImGui::SetCursorPosX(left);
+        draw_message(context, message_right);
+    }
     ImGui::SetCursorPosX(right);
-    draw_scale_list(context, scale_width);
-    ImGui::SameLine();
-    draw_theme_button(context, theme_width);
+    if (parts.scale) draw_scale_list(context, scale_list_width * theme.scale);
+    if (parts.scale && parts.theme) ImGui::SameLine();
+    if (parts.theme) draw_theme_button(context, theme_button_width * theme.scale);
 }
 
 }  // namespace myo::ui::panels
