@@ -1,6 +1,8 @@
 #include <algorithm>
 
 #include "check/checks.hpp"
+#include "measurement/marker_binding.hpp"
+#include "mesh/closest_point.hpp"
 #include "mesh/quality.hpp"
 #include "report/length.hpp"
 #include "setup/setting_words.hpp"
@@ -14,13 +16,32 @@ struct MarkersPolicy {
 };
 constexpr MarkersPolicy markers_policy;
 
-}  // namespace
+/// Markers farther from the mesh than they may be from the surface: its cells are too coarse to reach them.
+std::vector<Finding> off_the_mesh(const setup::Setup& setup,
+                                  const std::vector<experiment::MarkerDeclaration>& markers) {
+    std::vector<Finding> findings;
+    const mesh::BoundaryLocator locator(setup.mesh.mesh);
+    const double reach_m = setup.experiment.markers.max_standoff_m;
+    for (const experiment::MarkerDeclaration& marker : markers) {
+        const double standoff_m = measurement::bind_marker(setup.mesh.mesh, locator, marker.rest_m).standoff_m();
+        if (standoff_m <= reach_m) continue;
+        Finding finding = passed_finding(
+            marker.name, "marker " + marker.name + " is " + report::length_words(standoff_m) +
+                             " off the mesh, whose cells do not follow the body there; it may be off by " +
+                             report::length_words(reach_m));
+        finding.level = CheckLevel::doubtful;
+        finding.figure = standoff_m;
+        finding.threshold = reach_m;
+        finding.unit = "m";
+        finding.way_out = std::string("choose shorter edges (") + setup::edge_setting + ") or tetrahedra";
+        findings.push_back(std::move(finding));
+    }
+    return findings;
+}
 
-std::vector<Finding> check_markers(const CheckedJob& job) {
-    // Probes are compared with nothing, so they may lie anywhere.
-    std::vector<experiment::MarkerDeclaration> markers = job.setup.experiment.markers.on_body;
-    std::erase_if(markers, [](const experiment::MarkerDeclaration& marker) { return marker.probe; });
-    const double edge = mesh::mean_edge_length(job.setup.mesh.mesh);
+/// The nearest two markers, against the length over which the mesh resolves a strain.
+Finding nearest_markers(const setup::Setup& setup, const std::vector<experiment::MarkerDeclaration>& markers) {
+    const double edge = mesh::mean_edge_length(setup.mesh.mesh);
     std::size_t first = 0, second = 0;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t a = 0; a < markers.size(); ++a)
@@ -30,19 +51,30 @@ std::vector<Finding> check_markers(const CheckedJob& job) {
                 first = b;
                 second = a;
             }
-    if (markers.size() < 2) return {passed_finding("", "one marker, which any mesh holds")};
+    if (markers.size() < 2) return passed_finding("", "one marker, which any mesh holds");
     const std::string pair = "markers " + markers[first].name + " and " + markers[second].name + " are " +
                              report::length_words(nearest) + " apart";
     Finding finding = passed_finding("", pair + ", the nearest ones, with edges of " + report::length_words(edge));
     finding.figure = nearest;
     finding.threshold = markers_policy.min_edge_share * edge;
     finding.unit = "m";
-    if (nearest >= finding.threshold) return {finding};
+    if (nearest >= finding.threshold) return finding;
     finding.level = CheckLevel::doubtful;
     finding.sentence = pair + " and the mesh's edges " + report::length_words(edge) +
                        " long: the strain between them is lost";
     finding.way_out = std::string("choose shorter edges (") + setup::edge_setting + "), or compare one of them";
-    return {finding};
+    return finding;
+}
+
+}  // namespace
+
+std::vector<Finding> check_markers(const CheckedJob& job) {
+    // Probes are compared with nothing, so they may lie anywhere.
+    std::vector<experiment::MarkerDeclaration> markers = job.setup.experiment.markers.on_body;
+    std::erase_if(markers, [](const experiment::MarkerDeclaration& marker) { return marker.probe; });
+    std::vector<Finding> findings{nearest_markers(job.setup, markers)};
+    for (Finding& finding : off_the_mesh(job.setup, markers)) findings.push_back(std::move(finding));
+    return findings;
 }
 
 }  // namespace myo::check

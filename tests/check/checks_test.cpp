@@ -131,6 +131,18 @@ TEST(CheckMarkers, KnowsThoseThatTheMeshTakesForOne) {
     EXPECT_THAT(found[0].way_out, HasSubstr("(--resolution, or Edge length of Mesh in the window)"));
 }
 
+TEST(CheckMarkers, WarnsOfThoseThatTheMeshLeavesInTheAir) {
+    setup::Setup setup = setup_of(test::swung_beam_toml());
+    const std::size_t before = check_markers({setup}).size();
+    // A mesh that ends before the body does, as that of coarse cells around a thin fin.
+    setup.mesh.mesh.nodes.row(0) *= 0.9;
+    const std::vector<Finding> found = check_markers({setup});
+    ASSERT_GT(found.size(), before);
+    EXPECT_EQ(found.back().level, CheckLevel::doubtful);
+    EXPECT_THAT(found.back().sentence, HasSubstr("off the mesh, whose cells do not follow the body"));
+    EXPECT_THAT(found.back().way_out, HasSubstr("choose shorter edges"));
+}
+
 TEST(CheckAfter, TakesOverWhatWasAskedBefore) {
     const test::Folder folder("taken_over");  // whose traces are compared
     const setup::Setup setup = test::swung_beam(folder, 0.3);
