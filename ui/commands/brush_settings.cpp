@@ -1,17 +1,37 @@
 #include "commands/brush_settings.hpp"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace myo::ui::commands {
 
-BrushSettings brush_for(const Eigen::Vector3d& size_m) {
+namespace {
+
+double surface_area(const mesh::SurfaceMesh& surface) {
+    double area_m2 = 0.0;
+    for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) {
+        const Eigen::Matrix3d X = surface.vertices(Eigen::all, surface.triangles.col(t));
+        area_m2 += 0.5 * (X.col(1) - X.col(0)).cross(X.col(2) - X.col(0)).norm();
+    }
+    return area_m2;
+}
+
+}  // namespace
+
+BrushSettings brush_for(const mesh::SurfaceMesh& surface) {
+    const Eigen::Vector3d size_m = mesh::bounding_box(surface.vertices).size();
     BrushSettings brush;
     // Multiples of half a millimetre, as a user would type them.
     const auto rounded = [](double metres) { return std::max(1.0, std::round(metres / 5e-4)) * 5e-4; };
     brush.radius_m = rounded(0.06 * size_m.norm());
-    brush.depth_m = rounded(0.4 * size_m.minCoeff());
+    // Twice the volume over the area is the thickness of a plate and half of that of a rod. A body that tapers is
+    // thinner than its box: a muscle on one of its sides must not come out on the other.
+    const double area_m2 = surface_area(surface),
+                 plate_m = area_m2 > 0.0 ? 2.0 * mesh::enclosed_volume(surface) / area_m2 : size_m.minCoeff();
+    brush.depth_m = rounded(std::min(0.4 * size_m.minCoeff(), plate_m > 0.0 ? 0.6 * plate_m : size_m.minCoeff()));
     return brush;
 }
 

@@ -23,8 +23,10 @@ struct BrushSettings {
     bool operator==(const BrushSettings&) const = default;
 };
 
-/// Returns brush settings that suit a body of this size [m].
-BrushSettings brush_for(const Eigen::Vector3d& size_m);
+/// Returns brush settings that suit a body: its size and how thick it is on average.
+///
+/// @param surface  vertices [m]; a closed one tells the thickness
+BrushSettings brush_for(const mesh::SurfaceMesh& surface);
 
 /// Converts the settings to a brush of the core. Radius and depth are at least a fraction of a cell.
 ///

@@ -121,8 +121,7 @@ void Workbench::show_scene(Scene scene, std::optional<double> metres_per_unit) {
     // The request that opened the scene continues with meshing, for which it needs the new scene and settings.
     if (request_) request_->scene = state_.scene, request_->settings = state_.settings;
     forget_scene();
-    if (state_.scene->surface.vertices.cols() > 0)
-        state_.brush = brush_for(mesh::bounding_box(state_.scene->surface.vertices).size());
+    if (state_.scene->surface.vertices.cols() > 0) state_.brush = brush_for(state_.scene->surface);
     place_muscles();
     undo_.clear();
     state_.can_undo = state_.can_redo = false;
