@@ -4,6 +4,8 @@
 #include <map>
 #include <system_error>
 
+#include "backend/example_picture.hpp"
+#include "experiment/check_body.hpp"
 #include "experiment/read_experiment.hpp"
 
 namespace myo::backend {
@@ -21,7 +23,9 @@ std::vector<ui::commands::Example> bundled_examples() {
             if (!fs::is_regular_file(home / "experiment.toml", ignored)) continue;
             const Result<experiment::Experiment> experiment = experiment::read_experiment(home);
             if (!experiment) continue;
-            examples.push_back({home, experiment->name, experiment->description});
+            const Result<mesh::SurfaceMesh> body = experiment::read_body_surface(*experiment);
+            examples.push_back({home, experiment->name, experiment->description,
+                                body ? picture_of(*body) : ui::commands::ExamplePicture{}});
             trials[home] = experiment->trials.size();
         }
         ignored.clear();

@@ -197,10 +197,21 @@ struct RunExtent {
 };
 
 /// An example experiment that comes with the program.
+struct ExamplePicture {
+    struct Triangle {
+        std::array<float, 6> corners;  // x, y of each; the longer side of the picture is 1 long, y points down
+        float light = 1.0f;            // 0 to 1
+    };
+    std::vector<Triangle> triangles;  // far ones first; empty: no picture
+    float width = 0.0f, height = 0.0f;
+};
+
+/// An experiment that comes with the program.
 struct Example {
     std::filesystem::path path;
     std::string name;
     std::string description;
+    ExamplePicture picture = {};  // of its body
 };
 
 /// A third-party library or font in the program, for the dialog with its licences.

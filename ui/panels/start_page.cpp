@@ -14,8 +14,10 @@ namespace myo::ui::panels {
 namespace {
 
 /// A large button with an icon, a title and some lines of text below the icon; next to it if the button is low.
+///
+/// @param picture_width  room that the text leaves at the right [pixels]
 bool card(PanelContext& context, const std::string& item, const char* sign, const std::string& title,
-          const std::string& text, const ImVec2& size) {
+          const std::string& text, const ImVec2& size, float picture_width = 0.0f) {
     const platform::Theme& theme = context.theme;
     const float s = theme.scale, pad = 14.0f * s;
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -29,7 +31,8 @@ bool card(PanelContext& context, const std::string& item, const char* sign, cons
     list.AddText(theme.large, theme.large->FontSize, {at.x + pad, at.y + pad}, platform::packed(theme.accent), sign);
     // A low card has no room for text below its icon.
     const bool low = size.y < 4.0f * theme.large->FontSize;
-    const float left = at.x + pad + (low ? 2.0f * theme.large->FontSize : 0.0f), wrap = end.x - pad - left;
+    const float left = at.x + pad + (low ? 2.0f * theme.large->FontSize : 0.0f),
+                wrap = end.x - pad - picture_width - left;
     const float text_top = at.y + pad + (low ? 0.0f : 1.35f * theme.large->FontSize),
                 body_top = text_top + 1.5f * theme.strong->FontSize;
     list.AddText(theme.strong, theme.strong->FontSize, {left, text_top}, platform::packed(theme.text),
@@ -45,6 +48,34 @@ bool card(PanelContext& context, const std::string& item, const char* sign, cons
     return pressed;
 }
 
+/// The body of an example at the right of its card.
+void draw_picture(PanelContext& context, const commands::ExamplePicture& picture, const ImVec2& at, const ImVec2& size,
+                  float picture_width) {
+    const float pad = 12.0f * context.theme.scale;
+    // Above the title, or at the right of a low card.
+    const bool low = picture_width > 0.0f;
+    const float room_x = low ? picture_width : size.x - 2.0f * pad,
+                room_y = low ? size.y - 2.0f * pad : 1.9f * context.theme.large->FontSize;
+    if (picture.triangles.empty() || !(room_x > 0.0f)) return;
+    const float scale = std::min(room_x / std::max(picture.width, 1e-3f), room_y / std::max(picture.height, 1e-3f));
+    const ImVec2 corner{at.x + size.x - pad - scale * picture.width,
+                        at.y + (low ? 1.0f : 0.5f) * pad + 0.5f * (room_y - scale * picture.height)};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec4& body = context.theme.body;
+    // Smoothed edges of single triangles would show as seams.
+    const ImDrawListFlags flags = list.Flags;
+    list.Flags &= ~ImDrawListFlags_AntiAliasedFill;
+    for (const commands::ExamplePicture::Triangle& triangle : picture.triangles) {
+        const auto place = [&](std::size_t k) {
+            return ImVec2(corner.x + scale * triangle.corners[2 * k], corner.y + scale * triangle.corners[2 * k + 1]);
+        };
+        const float l = triangle.light;
+        list.AddTriangleFilled(place(0), place(1), place(2),
+                               platform::packed({body.x * l, body.y * l, body.z * l, 1.0f}));
+    }
+    list.Flags = flags;
+}
+
 /// Cards of the examples, up to four in a row.
 void draw_examples(PanelContext& context, float room) {
     const std::vector<commands::Example>& examples = context.state.examples;
@@ -53,13 +84,16 @@ void draw_examples(PanelContext& context, float room) {
                                      std::max(1, std::min(4, static_cast<int>(room / (200.0f * s)))));
     const ImVec2 size{std::floor((room - static_cast<float>(columns - 1) * gap) / static_cast<float>(columns)),
                       (columns > 1 ? 150.0f : 92.0f) * s};
+    const float picture_width = columns > 1 ? 0.0f : 0.25f * size.x;
     // Rows are filled from the left.
     int column = 0;
     for (const commands::Example& example : examples) {
         if (column++ % columns != 0) ImGui::SameLine();
+        const ImVec2 at = ImGui::GetCursorScreenPos();
         if (card(context, "start/example/" + example.path.filename().string(), platform::icon::cube, example.name,
-                 example.description, size))
+                 example.description, size, picture_width))
             context.emit(commands::Open{example.path, std::nullopt});
+        draw_picture(context, example.picture, at, size, picture_width);
     }
 }
 

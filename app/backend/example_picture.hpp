@@ -1,0 +1,14 @@
+#pragma once
+
+#include "commands/backend.hpp"
+#include "mesh/surface_mesh.hpp"
+
+namespace myo::backend {
+
+/// Picture of a body seen from obliquely above, for the start page.
+///
+/// @param surface  closed, outward, vertices [m]
+/// @return         no triangles for a surface that has none, or too many to be drawn small
+ui::commands::ExamplePicture picture_of(const mesh::SurfaceMesh& surface);
+
+}  // namespace myo::backend
