@@ -61,6 +61,28 @@ TEST(Import, MarkersAreChosenInTheTable) {
     EXPECT_TRUE(driver.has("measure/import"));
 }
 
+TEST(Import, ChoicesAreUndoneOneByOne) {
+    Driver driver;
+    driver.open_beam();
+    ASSERT_NO_FATAL_FAILURE(read(driver, "/takes/drop.c3d"));
+    const auto name_of = [&](std::size_t label) { return driver.state().import->choices.markers[label].name; };
+    const std::string first = name_of(0), second = name_of(1);
+    for (const char* label : {"0", "1"}) {
+        driver.click(std::string("import/marker/label ") + label);
+        driver.click(std::string("import/marker/label ") + label + "/none");
+    }
+    ASSERT_TRUE(name_of(0).empty() && name_of(1).empty());
+    const commands::Settings settings = driver.state().settings;
+    driver.key(ImGuiKey_Z, {.ctrl = true});
+    EXPECT_EQ(name_of(1), second);
+    EXPECT_TRUE(name_of(0).empty()) << "one marker at a time";
+    driver.key(ImGuiKey_Z, {.ctrl = true});
+    EXPECT_EQ(name_of(0), first);
+    driver.key(ImGuiKey_Y, {.ctrl = true});
+    EXPECT_TRUE(name_of(0).empty());
+    EXPECT_EQ(driver.state().settings, settings);
+}
+
 TEST(Import, AClickOnADeclaredMarkerSaysThatTheLabelIsThisOne) {
     Driver driver;
     driver.open_beam();

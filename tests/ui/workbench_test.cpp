@@ -197,6 +197,9 @@ TEST(Workbench, AFinerMeshIsNotForetoldFewerElementsThanThereAre) {
     driver.workbench->execute(commands::ChangeSettings{finer, "resolution"});
     EXPECT_GE(driver.state().prediction.elements, static_cast<double>(driver.state().body->mesh.cell_count()));
     EXPECT_GE(driver.state().prediction.dofs, driver.state().body->dofs);
+    const commands::MeshPrediction own = driver.backend->predict(*driver.state().scene, finer);
+    EXPECT_NEAR(driver.state().prediction.dofs / driver.state().prediction.elements, own.dofs / own.elements, 1e-9)
+        << "elements and unknowns belong together";
 }
 
 /// As of every other number.

@@ -59,8 +59,8 @@ void Workbench::log_failure(const Error& error, const std::string& what) {
 void Workbench::execute(const Command& asked) {
     std::visit([this](const auto& command) { on(command); }, asked);
     // Values that follow from others are updated once here, not in each handler.
-    state_.can_undo = undo_.can_undo();
-    state_.can_redo = undo_.can_redo();
+    state_.can_undo = state_.import ? import_undo_.can_undo() : undo_.can_undo();
+    state_.can_redo = state_.import ? import_undo_.can_redo() : undo_.can_redo();
     if (job_) state_.job = job_->view();
 }
 

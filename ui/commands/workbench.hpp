@@ -266,6 +266,8 @@ private:
     void begin_import(RecordingFile file);
     void change_import(const ImportChoices& choices);
     void propose_markers();
+    /// Undoes or repeats a choice of the import. Returns false if none is open: then the settings are meant.
+    bool step_import(bool back);
 
     // Settings: workbench_settings.cpp.
     /// Applies an edit of the user, with an undo entry.
@@ -313,8 +315,9 @@ private:
         std::optional<Error> refusal;  // another window has the file
     };
     Claim claim_;
-    Settings autosaved_;            // settings in the recovery file
-    bool autosave_failed_ = false;  // the last attempt failed and was logged
+    UndoStack<ImportChoices> import_undo_;  // of the import that is open
+    Settings autosaved_;                    // settings in the recovery file
+    bool autosave_failed_ = false;          // the last attempt failed and was logged
     // Recovery file of the shown project; removed after it is saved.
     std::filesystem::path recovered_;
     bool preview_given_up_ = false;  // the result of the running preview is not wanted

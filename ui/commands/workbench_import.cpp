@@ -34,6 +34,7 @@ void Workbench::begin_import(RecordingFile file) {
                        state_.import->file.recording->labels.size() == file.recording->labels.size();
     const bool had_no_unit = known && state_.import->file.asks_unit && !state_.import->file.reading.metres_per_unit;
     RecordingImport import;
+    if (!known) import_undo_.clear();
     if (known)
         import = *state_.import;
     else {
@@ -85,6 +86,7 @@ void Workbench::propose_markers() {
     const auto proposed = backend_->propose_markers(*state_.scene, *state_.body, state_.import->file,
                                                     state_.import->choices);
     if (!proposed) return log(LogLevel::warning, proposed.error().text());
+    import_undo_.record(state_.import->choices, "proposal", false);
     change_import(*proposed);
     const auto named = std::count_if(proposed->markers.begin(), proposed->markers.end(),
                                      [](const ImportedMarker& m) { return !m.name.empty(); });
@@ -102,6 +104,7 @@ void Workbench::on(const AlignImport&) {
     if (!start) return log(LogLevel::warning, "Not aligned. " + start.error().text());
     ImportChoices choices = state_.import->choices;
     choices.start_s = *start;
+    import_undo_.record(state_.import->choices, "start", false);
     change_import(choices);
 }
 
@@ -154,7 +157,20 @@ void Workbench::on(const CancelImport&) {
 
 void Workbench::on(const ReadRecording& c) { read_recording(c.path, c.reading); }
 
-void Workbench::on(const ChangeImport& c) { change_import(c.choices); }
+void Workbench::on(const ChangeImport& c) {
+    if (!state_.import) return;
+    // A drag or a text that is typed is one step; each marker is one.
+    const bool same_markers = c.choices.markers == state_.import->choices.markers;
+    import_undo_.record(state_.import->choices, same_markers ? "choices" : "markers", same_markers);
+    change_import(c.choices);
+}
+
+bool Workbench::step_import(bool back) {
+    if (!state_.import) return false;
+    if (back ? import_undo_.can_undo() : import_undo_.can_redo())
+        change_import(back ? import_undo_.undo(state_.import->choices) : import_undo_.redo(state_.import->choices));
+    return true;
+}
 
 void Workbench::on(const ProposeMarkers&) { propose_markers(); }
 

@@ -15,8 +15,12 @@ MeshPrediction no_smaller_than_coarser(MeshPrediction prediction, const Workbenc
     if (!state.body || prediction.exact || state.body_settings.element != settings.element ||
         state.body_settings.resolution_m < settings.resolution_m)
         return prediction;
-    prediction.elements = std::max(prediction.elements, static_cast<double>(state.body->mesh.cell_count()));
-    prediction.dofs = std::max(prediction.dofs, state.body->dofs);
+    if (!(prediction.elements > 0.0) || !(prediction.dofs > 0.0)) return prediction;
+    // One factor for both: their ratio is that of the element.
+    const double factor = std::max({1.0, static_cast<double>(state.body->mesh.cell_count()) / prediction.elements,
+                                    state.body->dofs / prediction.dofs});
+    prediction.elements *= factor;
+    prediction.dofs *= factor;
     return prediction;
 }
 
@@ -57,9 +61,13 @@ void Workbench::check_stability() {
 
 void Workbench::on(const ChangeSettings& c) { change_settings(c); }
 
-void Workbench::on(const Undo&) { set_settings(undo_.undo(state_.settings)); }
+void Workbench::on(const Undo&) {
+    if (!step_import(true)) set_settings(undo_.undo(state_.settings));
+}
 
-void Workbench::on(const Redo&) { set_settings(undo_.redo(state_.settings)); }
+void Workbench::on(const Redo&) {
+    if (!step_import(false)) set_settings(undo_.redo(state_.settings));
+}
 
 void Workbench::on(const SetDampingFrequency& c) {
     state_.damping_frequency_Hz = std::clamp(c.frequency_Hz, damping_frequency_limits.lowest,
