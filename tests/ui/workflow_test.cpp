@@ -64,6 +64,23 @@ TEST(Workflow, EachStepShowsItsPanelsAndWhatBelongsToItBelow) {
     EXPECT_FALSE(driver.has("model/density"));
 }
 
+TEST(Workflow, AnotherMeshIsNoMaterial) {
+    Driver driver;
+    driver.window->open("/body.stl");
+    driver.settle();
+    driver.click("unit/mm");
+    ASSERT_TRUE(driver.wait_for_job());
+    // A body alone: its material is assumed until it is set.
+    commands::WorkbenchState state = driver.state();
+    commands::Scene alone = *state.scene;
+    for (commands::SceneTrial& trial : alone.trials) trial.role = "simulate";
+    state.scene = std::make_shared<const commands::Scene>(alone);
+    state.settings.resolution_m *= 0.5;
+    EXPECT_EQ(commands::task_status(state, commands::Task::material).state, commands::TaskState::ready);
+    state.settings.density_kg_m3 += 1.0;
+    EXPECT_EQ(commands::task_status(state, commands::Task::material).state, commands::TaskState::done);
+}
+
 TEST(Workflow, WritesAReport) {
     Driver driver;
     driver.open_beam();
@@ -81,6 +98,7 @@ TEST(Workflow, WritesAReport) {
     ASSERT_EQ(driver.backend->reports.size(), 1u);
     EXPECT_EQ(driver.backend->reports.front(), folder);
     EXPECT_TRUE(std::filesystem::exists(folder / "picture.png"));
+    EXPECT_NE(driver.state().log.back().text.find(": 2 files."), std::string::npos) << driver.state().log.back().text;
     std::filesystem::remove_all(folder);
 }
 

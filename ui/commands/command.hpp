@@ -265,6 +265,7 @@ struct CancelImport {};
 /// Writes pages and tables of the results into a folder.
 struct WriteReport {
     std::filesystem::path folder;
+    int others = 0;  // number of files that the window itself writes there
 };
 
 /// All commands.

@@ -132,8 +132,9 @@ void Workbench::on(const WriteReport& command) {
     const auto written = backend_->write_report(command.folder, *state_.scene, *state_.run, state_.found.get(),
                                                 state_.diagnosis.get());
     if (!written) return log_failure(written.error(), "Cannot write the report");
-    log(LogLevel::done, "Report written to " + command.folder.string() + ": " + std::to_string(written->size()) +
-                            (written->size() == 1 ? " file." : " files."));
+    const std::size_t files = written->size() + static_cast<std::size_t>(command.others);
+    log(LogLevel::done, "Report written to " + command.folder.string() + ": " + std::to_string(files) +
+                            (files == 1 ? " file." : " files."));
 }
 
 void Workbench::remember_recent(const fs::path& path) {

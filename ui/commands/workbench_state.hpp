@@ -193,6 +193,11 @@ struct WorkbenchState {
     }
 };
 
+/// Whether the model has exactly the effects of a row of the diagnosis.
+inline bool is_in_model(const WorkbenchState& state, const DiagnosisRow& row) {
+    return !row.settings.effects.empty() && row.settings.effects == state.settings.effects;
+}
+
 /// First and last time that can be shown [s], of measurement and simulation together; of the recording during an
 /// import. {0, 0} if there is nothing.
 std::array<double, 2> time_span(const WorkbenchState& state);

@@ -30,11 +30,17 @@ TaskStatus mesh_status(const WorkbenchState& state) {
                                  " elements of " + to_string(state.body->mesh.type) + "."};
 }
 
+bool same_material(const Settings& a, const Settings& b) {
+    return a.material == b.material && a.law == b.law && a.youngs_modulus_Pa == b.youngs_modulus_Pa &&
+           a.poissons_ratio == b.poissons_ratio && a.density_kg_m3 == b.density_kg_m3 && a.damping_s == b.damping_s;
+}
+
 TaskStatus material_status(const WorkbenchState& state) {
-    const std::string values = "E = " + plot::plain_label(1e-3 * state.settings.youngs_modulus_Pa, 4) +
-                               " kPa, \xce\xbd = " + plot::plain_label(state.settings.poissons_ratio, 4) + ".";
+    const std::string values = "Young's modulus E = " + plot::plain_label(1e-3 * state.settings.youngs_modulus_Pa, 4) +
+                               " kPa, Poisson's ratio \xce\xbd = " +
+                               plot::plain_label(state.settings.poissons_ratio, 4) + ".";
     // Default values of a plain mesh have not been checked by anyone, so the task is not done yet.
-    if (!is_measured(*state.scene) && state.settings == state.scene->settings)
+    if (!is_measured(*state.scene) && same_material(state.settings, state.scene->settings))
         return {TaskState::ready, "A silicone is assumed; set the values of your material. " + values};
     return {TaskState::done, values};
 }
@@ -94,6 +100,9 @@ TaskStatus diagnose_status(const WorkbenchState& state) {
     bare.effects.clear(), then.effects.clear();
     bare.youngs_modulus_Pa = then.youngs_modulus_Pa, bare.damping_s = then.damping_s;
     if (!(bare == then)) return {TaskState::stale, "The settings changed since the diagnosis."};
+    const DiagnosisRow* const verdict = state.diagnosis->chosen_row();
+    if (verdict && is_in_model(state, *verdict))
+        return {TaskState::done, verdict->name + " was missing and is in the model now."};
     return {TaskState::done, state.diagnosis->headline + "."};
 }
 

@@ -50,10 +50,6 @@ bool can_be_added(const commands::DiagnosisRow* row) {
 }
 
 /// The effects of the row are those of the settings.
-bool is_in_model(const commands::WorkbenchState& state, const commands::DiagnosisRow& row) {
-    return row.settings.effects == state.settings.effects;
-}
-
 /// Fitted value as far as the cell has room; the tooltip shows all of it.
 std::string value_text(const commands::DiagnosisRow& row, float width) {
     const bool fits = ImGui::CalcTextSize(row.value.c_str()).x <= width;
@@ -94,8 +90,8 @@ void draw_running_diagnosis(PanelContext& context, const ImVec2& button) {
 /// Text of the button that adds the effect of the row; empty: no button.
 std::string add_label(const commands::WorkbenchState& state, const commands::DiagnosisRow* row) {
     if (!can_be_added(row)) return {};
-    return is_in_model(state, *row) ? std::string(platform::icon::done) + "  Added to the model"
-                                    : std::string(platform::icon::plus) + "  Add " + lower_first(row->name);
+    return commands::is_in_model(state, *row) ? std::string(platform::icon::done) + "  Added to the model"
+                                              : std::string(platform::icon::plus) + "  Add " + lower_first(row->name);
 }
 
 /// Reasons of the verdict and indistinguishable effects, as one text.
@@ -146,7 +142,7 @@ void draw_add_button(PanelContext& context, const commands::DiagnosisRow& row, c
     const platform::Theme& theme = context.theme;
     ImGui::SameLine();
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + std::max(0.0f, ImGui::GetContentRegionAvail().x - add_width));
-    ImGui::BeginDisabled(is_in_model(context.state, row));
+    ImGui::BeginDisabled(commands::is_in_model(context.state, row));
     if (primary_button(theme, add, {add_width, 0.0f})) context.emit(commands::AddEffect{row.key});
     context.items.mark("diagnose/add");
     ImGui::EndDisabled();

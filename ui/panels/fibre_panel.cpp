@@ -130,7 +130,7 @@ void draw_stiffness(PanelContext& context, NumberEdits& edit) {
         change(context, "stiffness of a muscle", goes_on, [&](commands::Muscle& m) { m.stiffness_Pa = stiffness; });
 }
 
-/// One of three buttons in a row. Returns true if it was pressed.
+/// A button of this width. Returns true if it was pressed.
 bool paint_button(PanelContext& context, float width, const char* label, const char* name, const char* tip) {
     const bool pressed = ImGui::Button(label, {width, 0.0f});
     context.items.mark(name);
@@ -151,7 +151,8 @@ commands::Settings without_chosen_muscle(const commands::WorkbenchState& state) 
 /// Declared muscles cannot be removed.
 void draw_remove_button(PanelContext& context, float width) {
     ImGui::BeginDisabled(!context.state.chosen_muscle()->declared.empty());
-    if (paint_button(context, width, "Remove", "fibres/remove", "Remove the muscle from the model"))
+    if (paint_button(context, width, "Remove the muscle", "fibres/remove",
+                     "Removes the muscle with its paint and its signal from the model"))
         context.emit(commands::ChangeSettings{without_chosen_muscle(context.state), "remove muscle", false});
     ImGui::EndDisabled();
 }
@@ -312,10 +313,14 @@ void FibrePanel::draw_paint_actions(PanelContext& context) {
     ImGui::SameLine();
     if (button("Straighten", "fibres/straighten", "Align all its fibres with its longest axis"))
         repaint("straighten", straightened(*paint, state.body->mesh));
-    if (button("Clear", "fibres/clear", "Remove all its paint")) repaint("clear", fibre::blank_paint(state.body->mesh));
+    if (paint_button(context, -1.0f, "Clear the paint", "fibres/clear", "Removes all paint of the muscle, which stays"))
+        repaint("clear", fibre::blank_paint(state.body->mesh));
     ImGui::EndDisabled();
-    ImGui::SameLine();
-    draw_remove_button(context, third);
+    // Apart from the paint: this removes the muscle itself.
+    ImGui::Spacing();
+    ImGui::Separator();
+    ImGui::Spacing();
+    draw_remove_button(context, -1.0f);
 }
 
 }  // namespace myo::ui::panels

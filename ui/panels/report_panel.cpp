@@ -85,7 +85,7 @@ void ReportPanel::draw(PanelContext& context) {
     ImGui::BeginDisabled(folder_.empty());
     if (primary_button(theme, "Write the report", {-1.0f, 0.0f})) {
         // The pages are written by the workbench, the image by the window, which owns the view.
-        context.emit(commands::WriteReport{folder_});
+        context.emit(commands::WriteReport{folder_, 1});
         context.window.picture = PictureRequest{std::filesystem::path(folder_) / "picture.png"};
     }
     context.items.mark("report/write");

@@ -76,10 +76,10 @@ void draw_instability(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const std::string scheme = state.integrator()->label, first = state.integrators.front().label;
     notice(context.theme, commands::LogLevel::warning,
-           "\xce\x9b = " + plot::value_label(state.settings.velocity_force_1_s, 3) +
+           "Velocity force \xce\x9b = " + plot::value_label(state.settings.velocity_force_1_s, 3) +
                " 1/s is above \xce\x9b_crit = " + plot::value_label(*state.critical_velocity_force_1_s, 3) +
                " 1/s of " + scheme + " at " + plot::value_label(state.damping_frequency_Hz, 3) +
-               " Hz and h = " + plot::value_label(1e3 * state.settings.time_step_s, 3) +
+               " Hz and time step h = " + plot::value_label(1e3 * state.settings.time_step_s, 3) +
                " ms: the motion will grow without bound. Try a smaller \xce\x9b, or none with " + first + ".");
     context.items.mark("run/unstable");
 }

@@ -66,8 +66,14 @@ void VerdictPanel::draw(PanelContext& context) {
                                            ? commands::log_level(commands::worst_state(d.checks))
                                            : commands::LogLevel::warning;
     const commands::LogLevel level = d.complete ? verdict : commands::LogLevel::information;
-    notice(theme, level, d.complete ? d.headline + "." : "Cancelled before a verdict; interim results are shown.");
-    context.items.mark("verdict/headline");
+    const commands::DiagnosisRow* const verdict_row = d.chosen_row();
+    const bool added = verdict_row && commands::is_in_model(state, *verdict_row);
+    if (added)
+        notice(theme, commands::LogLevel::information,
+               verdict_row->name + " was missing and is in the model now. Run to see what it changes.");
+    else
+        notice(theme, level, d.complete ? d.headline + "." : "Cancelled before a verdict; interim results are shown.");
+    context.items.mark(added ? "verdict/added" : "verdict/headline");
     if (!d.complete) return;
     checks_line(context, d.checks, "verdict/checks");
     draw_verdict_numbers(context, d);
