@@ -118,6 +118,19 @@ TEST(Help, StepsOfTheTutorialTickThemselves) {
     EXPECT_TRUE(driver.has("help/done/diagnose"));
 }
 
+TEST(Help, FitsSmallWindowsAndLargeLetters) {
+    Driver driver(1000, 640);
+    driver.open_beam();
+    for (const char* part : {"tutorial", "manual", "keys"})
+        for (const float scale : {1.0f, 2.0f}) {
+            driver.workbench->execute(commands::SetTheme{platform::ThemeName::light, scale});
+            ASSERT_TRUE(driver.window->show_panel(part));
+            driver.settle();
+            EXPECT_LE(driver.item("help/close").highest.x, 1000.0f) << part << scale;
+            EXPECT_GT(driver.window->viewport().pixels.width(), 100.0f) << part << scale;
+        }
+}
+
 TEST(Help, EveryShortcutIsListed) {
     Driver driver(1280, 2000);
     driver.open_beam();

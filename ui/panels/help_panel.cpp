@@ -54,7 +54,9 @@ void HelpPanel::draw(PanelContext& context) {
         context.items.mark(each.item);
     }
     const float cross = ImGui::CalcTextSize(platform::icon::remove).x + 2.0f * ImGui::GetStyle().FramePadding.x;
-    ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - cross);
+    const float corner = ImGui::GetWindowContentRegionMax().x - cross,
+                tabs_end = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
+    if (tabs_end + ImGui::GetStyle().ItemSpacing.x < corner) ImGui::SameLine(corner);
     // Escape belongs to the panel only while the mouse or the keyboard is in it: elsewhere it ends tools.
     const bool escape = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) && escape_closes();
     if (ImGui::Button(platform::icon::remove) || escape) close();

@@ -46,6 +46,11 @@ float strip_width(const std::vector<std::unique_ptr<Panel>>& panels, const comma
     return all;
 }
 
+// Parts of the help can be shown by name, as panels can.
+constexpr std::pair<HelpRequest::Part, const char*> help_parts[] = {{HelpRequest::Part::tutorial, "tutorial"},
+                                                                    {HelpRequest::Part::manual, "manual"},
+                                                                    {HelpRequest::Part::shortcuts, "keys"}};
+
 void draw_front(PanelContext& context, Panel& panel) {
     ImGui::BeginChild(panel.name().c_str());
     panel.draw(context);
@@ -84,6 +89,12 @@ void WorkbenchWindow::show_task(commands::Task task) {
 
 // A side panel is shown by showing its task.
 bool WorkbenchWindow::show_panel(const std::string& name) {
+    for (const auto& [part, word] : help_parts)
+        if (name == word) {
+            help_.open({part});
+            wake();
+            return true;
+        }
     for (const auto& panel : panels_) {
         if (panel->name() != name) continue;
         if (panel->place() == PanelPlace::strip)
@@ -99,6 +110,7 @@ bool WorkbenchWindow::show_panel(const std::string& name) {
 std::vector<std::string> WorkbenchWindow::panel_names() const {
     std::vector<std::string> names;
     for (const auto& panel : panels_) names.push_back(panel->name());
+    for (const auto& [part, word] : help_parts) names.emplace_back(word);
     return names;
 }
 
