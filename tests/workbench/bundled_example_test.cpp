@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "backend/examples.hpp"
 #include "backend/workbench_backend.hpp"
 #include "commands/scene_at_time.hpp"
 #include "ui/driver.hpp"
@@ -30,6 +31,20 @@ int seen_markers(Driver& driver, bool simulated) {
             << marker.label;
     }
     return count;
+}
+
+TEST(BundledExample, EachHasAPictureOfItsOwn) {
+    const std::vector<ui::commands::Example> examples = backend::bundled_examples();
+    ASSERT_GE(examples.size(), 2u);
+    for (std::size_t a = 0; a < examples.size(); ++a) {
+        EXPECT_FALSE(examples[a].picture.triangles.empty()) << examples[a].name;
+        for (std::size_t b = 0; b < a; ++b) {
+            const auto &one = examples[a].picture, &other = examples[b].picture;
+            EXPECT_TRUE(one.width != other.width || one.height != other.height ||
+                        one.triangles.size() != other.triangles.size())
+                << examples[a].name << " and " << examples[b].name;
+        }
+    }
 }
 
 TEST(BundledExample, OpensRunsAndScrubs) {
