@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "panels/declared_rows.hpp"
+#include "panels/escape.hpp"
 #include "panels/view_points.hpp"
 #include "panels/widgets.hpp"
 #include "plot/number_text.hpp"
@@ -102,7 +103,7 @@ void BoxTool::update(PanelContext& context, const viewport::ViewportState& view)
             drag_->side_m = side;
         }
     }
-    if (drag_ && escape_pressed()) drag_.reset();
+    if (drag_ && escape_closes()) drag_.reset();
     draw(context, view);
     if (!drag_ || held) return;
     if (drag_->moved)
