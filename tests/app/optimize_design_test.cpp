@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "app/json_at.hpp"
 #include "app/program.hpp"
 #include "app/small_experiment.hpp"
 #include "support/experiment_folder.hpp"
@@ -17,8 +18,6 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 using testing_support::replaced;
-
-json json_at(const Folder& folder, const char* path) { return json::parse(content_of(folder.path() / path)); }
 
 const std::string contraction = "time_s,upper\n0,1\n0.1,0.9\n0.4,0.9\n";
 

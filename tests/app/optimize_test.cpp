@@ -5,6 +5,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
+#include "app/json_at.hpp"
 #include "app/program.hpp"
 #include "app/small_experiment.hpp"
 #include "base/text.hpp"
@@ -18,8 +19,6 @@ namespace {
 using nlohmann::json;
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
-
-json json_at(const Folder& folder, const char* path) { return json::parse(content_of(folder.path() / path)); }
 
 const std::vector<double> wave{1.0, 0.96, 0.9, 0.93, 1.0, 1.04, 1.02, 0.97, 0.95};  // at 20 Hz
 

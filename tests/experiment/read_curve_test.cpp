@@ -13,7 +13,7 @@ using testing::HasSubstr;
 using testing_support::replaced;
 
 /// A held block with a tendon, in one trial that is only simulated.
-const std::string driven = R"(schema = "experiment/1"
+const std::string driven_toml = R"(schema = "experiment/1"
 name = "driven"
 [geometry]
 kind = "box"
@@ -53,7 +53,7 @@ Result<Experiment> read(const std::string& toml) {
 }
 
 TEST(Curves, AreRead) {
-    const Result<Experiment> experiment = read(driven);
+    const Result<Experiment> experiment = read(driven_toml);
     ASSERT_TRUE(experiment) << experiment.error().text();
     const TrialDeclaration& trial = experiment->trials[0];
     EXPECT_EQ(*trial.loads[0].curve, (fibre::Signal{{0.0, 0.2}, {0.0, 1.0}}));
@@ -63,7 +63,7 @@ TEST(Curves, AreRead) {
 
 TEST(Curves, RefuseWhatIsNoCurve) {
     const auto error = [](const std::string& from, const std::string& to) {
-        const Result<Experiment> result = read(replaced(driven, from, to));
+        const Result<Experiment> result = read(replaced(driven_toml, from, to));
         EXPECT_FALSE(result) << to;
         return result ? std::string() : result.error().text();
     };
