@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/program.hpp"
+#include "support/folder.hpp"
 
 namespace myo::test {
 
