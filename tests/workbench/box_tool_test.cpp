@@ -19,6 +19,8 @@ Eigen::Vector3d side_of(const Box& box, int axis, bool upper) {
 TEST(BoxTool, MovesOneSideOfTheSupportAsOneStep) {
     OpenedBeam beam("box_tool");
     test::Driver& driver = beam.driver;
+    driver.window->show_panel("fit");
+    driver.settle();
     EXPECT_FALSE(driver.has("view/support/box/x_to")) << "its numbers are not shown";
     driver.window->show_panel("support");
     driver.settle();

@@ -96,6 +96,9 @@ TEST(BoundsInWindow, AValueGetsBoundsAndATolerance) {
     driver.window->show_panel("unknown");
     driver.settle();
     const std::string item = "unknown/bounds/youngs_modulus_Pa";
+    EXPECT_FALSE(driver.has(item + "/kind")) << "a row per value until it is opened";
+    driver.click(item);
+    driver.settle();
     driver.click(item + "/kind");
     driver.click(item + "/kind/bounds");
     driver.settle();

@@ -17,7 +17,7 @@ using test::Driver;
 
 class Person : public ::testing::Test {
 protected:
-    Driver driver{backend::make_core_backend(), 1400, 900};
+    Driver driver{backend::make_core_backend(), 1400, 1100};
 
     const ui::commands::WorkbenchState& state() const { return driver.state(); }
     ui::commands::TaskState task(ui::commands::Task which) const {

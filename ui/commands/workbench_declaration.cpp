@@ -76,10 +76,14 @@ bool Workbench::redeclare(const Declaration& declaration) {
         state_.history.clear();
     }
     state_.refused.clear();
+    // An edit of the trial that is shown leaves the time where it is.
+    const std::string shown = state_.scene_trial() ? state_.scene_trial()->name : "";
+    const double time_s = state_.time_s;
     state_.scene = std::make_shared<const Scene>(std::move(*scene));
     if (state_.body) state_.actuators = backend_->actuators(*state_.scene, *state_.body);
     state_.marker = std::clamp(state_.marker, 0, std::max(0, static_cast<int>(state_.scene->markers.size()) - 1));
     choose_trial(state_.trial);
+    if (state_.scene_trial() && state_.scene_trial()->name == shown) on(SetTime{time_s});
     return true;
 }
 

@@ -50,9 +50,22 @@ const char* seek_explanation(const std::string& word) {
     return "Young's modulus E [kPa], from a tenth to ten times its present value.";
 }
 
-/// Ticks of what the search may change.
-void draw_seek_rows(PanelContext& context, commands::OptimizeRequest& request) {
+/// What is ticked, in short: "signals, 2 of the body".
+std::string seek_words(const commands::OptimizeRequest& request) {
+    const std::size_t count = request.seek.size();
+    std::string words = request.signals ? "signals" : "";
+    if (count > 0) words += (words.empty() ? "" : ", ") + std::to_string(count) + " of the body";
+    return words.empty() ? "nothing" : words;
+}
+
+/// Ticks of what the search may change, in a list that opens.
+void draw_seek_row(PanelContext& context, commands::OptimizeRequest& request) {
     const commands::WorkbenchState& state = context.state;
+    row_label(context.theme, "Change", "What the search may change: signals, and quantities of the body.");
+    ImGui::SetNextItemWidth(-1.0f);
+    const bool open = ImGui::BeginCombo("##seek", seek_words(request).c_str());
+    context.items.mark("fit/seek");
+    if (!open) return;
     const auto tick = [&](const std::string& label, const std::string& word, const char* explanation, bool& on) {
         ImGui::Checkbox((label + "##seek/" + word).c_str(), &on);
         context.items.mark("fit/seek/" + word);
@@ -70,6 +83,7 @@ void draw_seek_rows(PanelContext& context, commands::OptimizeRequest& request) {
         if (on && !was) request.seek.push_back(choice.word);
         if (!on && was) request.seek.erase(found);
     }
+    ImGui::EndCombo();
 }
 
 /// Density of the knots and bounds of the search for signals.
@@ -152,7 +166,7 @@ void FitPanel::draw_optimize(PanelContext& context) {
     const commands::OptimizeRequest offered = request;
     text_row(theme, "Follow", commands::target_words(*trial));
     tooltip(theme, "Goals of the trial that the timeline shows, or else its recording, are the target.");
-    draw_seek_rows(context, request);
+    draw_seek_row(context, request);
     if (request.signals) draw_optimize_rows(context, edit_, request);
     draw_evaluations_row(context, edit_, request);
     if (!(request == offered)) context.emit(commands::ChangeOptimize{request});

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "panels/declared_list.hpp"
 #include "plot/number_text.hpp"
 #include "toml/toml_text.hpp"
 
@@ -87,8 +88,12 @@ void draw_unknown(PanelContext& context, const commands::SceneUnknown& unknown, 
     const std::string unit = shown_unit(unknown.unit);
     const std::string words = plot::plain_label(unknown.lowest / per_unit, 3) + " to " +
                               plot::plain_label(unknown.highest / per_unit, 3) + (unit.empty() ? "" : " " + unit);
-    text_row(context.theme, unknown.label, words);
+    row_label(context.theme, unknown.label);
+    if (ImGui::Button((words + "##" + item).c_str(), {-1.0f, 0.0f}))
+        open_item(context, is_open(context, item) ? "" : item);
     context.items.mark(item);
+    tooltip(context.theme, "Within which values a fit searches. A click shows how they are given.");
+    if (!is_open(context, item)) return;
     const std::vector<commands::Choice> choices{
         {usual_id, "As usual",
          "The bounds that the program takes: a tolerance of the modulus, else what has a meaning."},
