@@ -40,10 +40,10 @@ setup::Setup with_design(setup::Setup setup, const inverse::Design& design, cons
 /// A value of the experiment that a search changed.
 struct FoundItem {
     SoughtItem item;
-    std::size_t index = 0;                            // as in DesignedItem
-    std::optional<Eigen::Vector3d> fibre = {};        // the one direction of a muscle, unit
+    std::size_t index = 0;                                // as in DesignedItem
+    std::optional<Eigen::Vector3d> fibre = {};            // the one direction of a muscle, unit
     std::shared_ptr<const fibre::PaintedMask> mask = {};  // paint of a muscle, directions and weights; else null
-    double youngs_modulus_Pa = 0.0;                   // of a part or the body's material; 0: of a muscle
+    double youngs_modulus_Pa = 0.0;                       // of a part or the body's material; 0: of a muscle
     // The change in one number: largest angle of a direction from the declared one, volume of a muscle, modulus.
     double before = 0.0, after = 0.0;
     std::string unit = {};    // "°", "cm³", "kPa"

@@ -19,7 +19,6 @@ namespace myo::calibration {
 namespace {
 
 using Eigen::Index;
-using Eigen::Vector3d;
 using testing::HasSubstr;
 using testing_support::replaced;
 

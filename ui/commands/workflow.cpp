@@ -85,7 +85,7 @@ TaskStatus fit_status(const WorkbenchState& state) {
     if (!state.found)
         return {TaskState::ready, state.scene->calibrated.empty()
                                       ? "Optimise the muscles' signals."
-                                      : "Calibrate the values that are unknown, or optimise the muscles' signals."};
+                                      : "Calibrate the values that are unknown, or optimise signals and design."};
     if (!(state.settings == state.found->settings)) return {TaskState::stale, "The settings changed since the fit."};
     return {TaskState::done, state.found->title + ": " + plot::millimetres(state.found->rms_before_m) +
                                  " \xe2\x86\x92 " + plot::millimetres(state.found->rms_after_m) + "."};

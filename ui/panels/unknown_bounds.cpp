@@ -71,7 +71,7 @@ void set_kind(PanelContext& context, const std::string& kind, const commands::Sc
     context.emit(commands::EditDeclaration{std::move(edits), item + "/kind"});
 }
 
-void number(PanelContext& context, const commands::SceneUnknown& unknown, NumberField field, const char* key,
+void number(PanelContext& context, const commands::SceneUnknown& unknown, const NumberField& field, const char* key,
             double value, NumberEdits& edits) {
     bool goes_on = false;
     if (number_row(context, field, edits, value, goes_on, unknown.name))
