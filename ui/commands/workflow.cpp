@@ -80,11 +80,11 @@ TaskStatus measure_status(const WorkbenchState& state) {
 TaskStatus fit_status(const WorkbenchState& state) {
     if (!is_measured(*state.scene) && !any_goals(*state.scene))
         return {TaskState::missing, "A fit needs measured markers or goals."};
-    if (state.scene->calibrated.empty() && state.settings.muscles.empty())
-        return {TaskState::missing, "Unknown parameters: none. No muscle to optimise."};
+    if (state.scene->calibrated.empty() && !has_actuators(*state.scene, state.settings))
+        return {TaskState::missing, "Unknown parameters: none. Tick one, or add a muscle, chamber or tendon."};
     if (!state.found)
         return {TaskState::ready, state.scene->calibrated.empty()
-                                      ? "Optimise the muscles' signals."
+                                      ? "Optimise signals and design."
                                       : "Calibrate the values that are unknown, or optimise signals and design."};
     if (!(state.settings == state.found->settings)) return {TaskState::stale, "The settings changed since the fit."};
     return {TaskState::done, state.found->title + ": " + plot::millimetres(state.found->rms_before_m) +
