@@ -158,7 +158,7 @@ Result<void> write_results(const OptimizeCall& call, const experiment::Experimen
 
 /// Reports an incomplete search and returns the exit status.
 int end_status(const OptimizeCall& call, const calibration::Optimization& result, Console& console) {
-    const std::string kept = "; the best signals so far are written to " + call.out.string() +
+    const std::string kept = "; the best values so far are written to " + call.out.string() +
                              ", --resume continues from them";
     if (result.stopped) {
         console.complain("stopped before the search converged" + kept);
