@@ -1,7 +1,5 @@
 #include "fibre/cell_paint.hpp"
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <cassert>
 #include <vector>
@@ -24,9 +22,7 @@ CellPaint paint_of_group(const mesh::VolumeMesh& mesh, const FibreGroup& group) 
     std::vector<Eigen::Matrix3d> dyads(static_cast<std::size_t>(mesh.cell_count()), Eigen::Matrix3d::Zero());
     for (std::size_t i = 0; i < group.points.size(); ++i) {
         const FibrePoint& point = group.points[i];
-        const auto& gradient = group.gradients[i];
-        // Least squares: nodes-per-cell equations shape = gradient m for three unknowns.
-        const Eigen::Vector3d line = (gradient.transpose() * gradient).ldlt().solve(gradient.transpose() * point.shape);
+        const Eigen::Vector3d line = direction_of(group, i);
         paint.weights(point.cell) += point.volume;
         dyads[static_cast<std::size_t>(point.cell)] += point.volume * line * line.transpose();
     }

@@ -1,8 +1,10 @@
 #include "fibre/fibre_group.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <cassert>
 
 #include "fem/reference_coordinates.hpp"
 #include "fibre/cell_parts.hpp"
@@ -80,6 +82,12 @@ double FibreGroup::volume() const {
     double sum = 0.0;
     for (const FibrePoint& point : points) sum += point.volume;
     return sum;
+}
+
+Eigen::Vector3d direction_of(const FibreGroup& group, std::size_t point) {
+    assert(group.gradients.size() == group.points.size());
+    const auto& gradient = group.gradients[point];
+    return (gradient.transpose() * gradient).ldlt().solve(gradient.transpose() * group.points[point].shape);
 }
 
 FibreGroup fibres_in_box(const mesh::VolumeMesh& mesh, const Box& box, const Eigen::Vector3d& direction,

@@ -30,6 +30,9 @@ struct FibreGroup {
     double volume() const;
 };
 
+/// Direction m of a fibre point, from shape = gradient m by least squares. Asserts that the group has its gradients.
+Eigen::Vector3d direction_of(const FibreGroup& group, std::size_t point);
+
 /// Fibres along a direction in the part of the body inside a box.
 ///
 /// The intersection of each cell with the box is integrated exactly for flat faces and strains linear in the rest

@@ -209,7 +209,8 @@ ActuationEvaluation evaluate_actuation(const ActuationProblem& problem, const Ma
         return mean_square(target, motion);
     };
     sensitivity::AdjointOptions adjoint;
-    adjoint.fibre_points = !problem.design.empty();
+    adjoint.fibre_points = std::any_of(problem.design.begin(), problem.design.end(),
+                                       [](const DesignVariablePointer& each) { return each->changes_fibres(); });
     sensitivity::GradientRun run = sensitivity::simulate_with_gradient(model, problem.options,
                                                                        {target.markers.nodes, loss}, adjoint, progress);
     result.placement = target.placement;

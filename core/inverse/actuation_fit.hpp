@@ -57,7 +57,7 @@ struct ActuationEvaluation {
 /// @param design  values of problem.design
 ActuationEvaluation evaluate_actuation(const ActuationProblem& problem, const Eigen::MatrixXd& values,
                                        const Eigen::VectorXd& design, const Progress& progress = {});
-/// The same with the declared design.
+/// Runs the model with the declared design, see above.
 ActuationEvaluation evaluate_actuation(const ActuationProblem& problem, const Eigen::MatrixXd& values,
                                        const Progress& progress = {});
 

@@ -1,7 +1,5 @@
 #include "inverse/design.hpp"
 
-#include <cassert>
-
 namespace myo::inverse {
 namespace {
 

@@ -33,9 +33,11 @@ public:
     /// Chain rule: derivative with respect to the values.
     ///
     /// @param model     with these values applied
-    /// @param gradient  with the derivatives at the points of the fibres
+    /// @param gradient  with the derivatives at the points of the fibres if changes_fibres()
     virtual Eigen::VectorXd gradient(const Eigen::VectorXd& values, const model::Model& model,
                                      const sensitivity::ModelGradient& gradient) const = 0;
+    /// Whether gradient() needs the derivatives at the points of the fibres, which cost time.
+    virtual bool changes_fibres() const { return false; }
     /// Dimensionless measure of how uneven the change over the body is. Adds `weight` times its derivative to
     /// `gradient`.
     virtual double roughness(const Eigen::VectorXd& values, double weight, Eigen::VectorXd& gradient) const;

@@ -61,6 +61,7 @@ public:
             by_weight(cells_.of_point[k]) += volumes_[k] * gradient.fibre_volume_m3[group_][k];
         return by_weight;
     }
+    bool changes_fibres() const override { return true; }
     double roughness(const VectorXd& values, double weight, VectorXd& gradient) const override {
         if (pairs_.empty()) return 0.0;
         const double across = std::cbrt(static_cast<double>(values.size()));

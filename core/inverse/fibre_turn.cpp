@@ -1,43 +1,21 @@
 #include "inverse/fibre_turn.hpp"
 
-#include <Eigen/Geometry>
-#include <Eigen/LU>
-
 #include <array>
 #include <cassert>
 #include <cmath>
 #include <utility>
 
-#include "base/cross_matrix.hpp"
+#include "measurement/rigid_motion.hpp"
 #include "mesh/cell_traits.hpp"
 
 namespace myo::inverse {
 namespace {
 
 using Eigen::Index;
-using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-/// exp([theta]) and the left Jacobian J of rotations: a change d of theta turns a direction m by (J d) x m.
-/// Source: Chirikjian 2011, "Stochastic Models, Information Theory, and Lie Groups", vol. 2, section 10.
-struct Rotation {
-    Matrix3d turn, jacobian;
-};
-Rotation rotation_of(const Vector3d& theta) {
-    const double angle = theta.norm();
-    const Matrix3d K = cross_matrix(theta);
-    // Series near zero, where the quotients lose their digits.
-    const bool small = angle < 1e-4;
-    const double s2 = angle * angle;
-    const double a = small ? 1.0 - s2 / 6.0 : std::sin(angle) / angle,
-                 b = small ? 0.5 - s2 / 24.0 : (1.0 - std::cos(angle)) / s2,
-                 c = small ? 1.0 / 6.0 - s2 / 120.0 : (1.0 - a) / s2;
-    const Matrix3d one = Matrix3d::Identity();
-    return {one + a * K + b * K * K, one + b * K + c * K * K};
-}
 
 /// Legendre polynomials of degree 0 ... degree at x, and their derivatives.
 struct Legendre {
@@ -130,7 +108,8 @@ public:
         fibre::FibreGroup& group = (*fibres)[group_];
         assert(static_cast<Index>(group.points.size()) == basis_.values.cols());
         for (std::size_t k = 0; k < group.points.size(); ++k)
-            group.points[k].shape = group.gradients[k] * (rotation_of(theta(values, k)).turn * direction(group, k));
+            group.points[k].shape = group.gradients[k] *
+                                    (measurement::small_rotation(theta(values, k)) * fibre::direction_of(group, k));
         model.fibres = std::move(fibres);
     }
     VectorXd gradient(const VectorXd& values, const model::Model& model,
@@ -139,12 +118,14 @@ public:
         Matrix3Xd by_term = Matrix3Xd::Zero(3, basis_.values.rows());
         for (std::size_t k = 0; k < group.points.size(); ++k) {
             const Vector3d by_direction = group.gradients[k].transpose() * gradient.fibre_shape[group_][k],
-                           by_theta = rotation_of(theta(values, k)).jacobian.transpose() *
-                                      direction(group, k).cross(by_direction);
+                           turn = theta(values, k),
+                           declared = measurement::small_rotation(-turn) * fibre::direction_of(group, k),
+                           by_theta = measurement::d_rotated_d_omega(turn, declared).transpose() * by_direction;
             by_term += by_theta * basis_.values.col(static_cast<Index>(k)).transpose();
         }
         return by_term.reshaped();
     }
+    bool changes_fibres() const override { return true; }
     double roughness(const VectorXd& values, double weight, VectorXd& gradient) const override {
         const Eigen::Map<const Matrix3Xd> terms(values.data(), 3, basis_.values.rows());
         const Matrix3Xd product = terms * basis_.roughness;
@@ -153,12 +134,6 @@ public:
     }
 
 private:
-    /// shape = gradient m: the gradients of a cell that is no flat figure have full rank.
-    static Vector3d direction(const fibre::FibreGroup& group, std::size_t point) {
-        const auto& gradient = group.gradients[point];
-        const Matrix3d square = gradient.transpose() * gradient;
-        return square.inverse() * (gradient.transpose() * group.points[point].shape);
-    }
     Vector3d theta(const VectorXd& values, std::size_t point) const {
         const Eigen::Map<const Matrix3Xd> terms(values.data(), 3, basis_.values.rows());
         return terms * basis_.values.col(static_cast<Index>(point));
