@@ -1,3 +1,4 @@
+#include "base/text.hpp"
 #include "calibration/values_at_bounds.hpp"
 #include "check/checks.hpp"
 
@@ -16,6 +17,20 @@ std::vector<Finding> check_bounds(const CheckedJob& job) {
         finding.threshold = at.bound;
         finding.unit = parameter.unit;
         finding.warned = true;  // bound_sentence() is a warning of the calibration already
+        findings.push_back(std::move(finding));
+    }
+    for (const prediction::ModelParameter& unmet : prediction::unmet_bounds(job.setup)) {
+        const auto number = [&](double value) {
+            return format_number(value, 3) + (unmet.unit.empty() ? "" : " ") + unmet.unit;
+        };
+        Finding finding = passed_finding(unmet.parameter.name,
+                                         unmet.parameter.name +
+                                             ": its bounds in [[unknown]] leave nothing of those that it may "
+                                             "have, " +
+                                             number(unmet.parameter.lower) + " to " + number(unmet.parameter.upper) +
+                                             ", which hold");
+        finding.level = CheckLevel::doubtful;
+        finding.way_out = "declare bounds within these";
         findings.push_back(std::move(finding));
     }
     if (findings.empty()) findings.push_back(passed_finding("", "all values lie within their bounds"));

@@ -63,8 +63,24 @@ std::vector<UnknownDeclaration> read_unknowns(const toml::TomlReader& document) 
     return unknowns;
 }
 
+/// The modulus that a name means, as declared [Pa]; empty: it means another value.
+static std::optional<double> declared_modulus_Pa(const Experiment& experiment, const std::string& name) {
+    if (name == "youngs_modulus_Pa") return experiment.material.youngs_modulus_Pa;
+    for (const PartDeclaration& part : experiment.parts)
+        if (name == part.name + ".youngs_modulus_Pa") return part.youngs_modulus_Pa;
+    return std::nullopt;
+}
+
 void check_unknowns(const Experiment& experiment) {
     const std::vector<std::string> names = names_of_unknowns(experiment);
+    for (std::size_t i = 0; i < experiment.unknowns.size(); ++i) {
+        const UnknownDeclaration& unknown = experiment.unknowns[i];
+        const std::optional<double> modulus = declared_modulus_Pa(experiment, unknown.name);
+        if (modulus && unknown.tolerance && !(*unknown.tolerance < *modulus))
+            throw toml::TomlFailure{declaration_error(
+                experiment, "unknown[" + std::to_string(i) + "].tolerance",
+                "must be below the modulus, " + format_number(*modulus) + " Pa, or the modulus could be zero")};
+    }
     for (std::size_t i = 0; i < experiment.unknowns.size(); ++i) {
         const std::string& name = experiment.unknowns[i].name;
         if (std::find(names.begin(), names.end(), name) != names.end() || is_of_effect(experiment, name)) continue;

@@ -101,34 +101,35 @@ void add_trial_unknowns(const setup::Setup& setup, ParameterList& list) {
     }
 }
 
-/// Bounds that [[unknown]] declares. Those of moduli, registration and start replace the usual ones, which only say
-/// what is plausible; the others stay within theirs, beyond which a model has no meaning.
-void declare_bounds(const std::vector<experiment::UnknownDeclaration>& unknowns, ModelParameter& entry) {
-    const auto declared = std::find_if(unknowns.begin(), unknowns.end(),
-                                       [&](const auto& unknown) { return unknown.name == entry.parameter.name; });
-    if (declared == unknowns.end()) return;
-    inverse::Parameter& p = entry.parameter;
-    std::optional<double> lowest = declared->lowest, highest = declared->highest;
-    if (declared->tolerance) {
-        lowest = p.value - *declared->tolerance;
-        highest = p.value + *declared->tolerance;
+/// Bounds of a parameter with those that [[unknown]] declares. Those of moduli, registration and start replace the
+/// usual ones, which only say what is plausible; the others stay within theirs, beyond which a model has no meaning.
+///
+/// @return  empty range, lower >= upper, if nothing is left
+std::pair<double, double> declared_range(const experiment::UnknownDeclaration& declared, const ModelParameter& entry) {
+    const inverse::Parameter& p = entry.parameter;
+    std::optional<double> lowest = declared.lowest, highest = declared.highest;
+    if (declared.tolerance) {
+        lowest = p.value - *declared.tolerance;
+        highest = p.value + *declared.tolerance;
     }
-    const bool replaced = entry.kind == Kind::youngs_modulus || entry.kind == Kind::part_modulus ||
-                          entry.kind == Kind::translation || entry.kind == Kind::rotation ||
+    const bool is_modulus = entry.kind == Kind::youngs_modulus || entry.kind == Kind::part_modulus;
+    // The tolerance may exceed a modulus that was set after reading.
+    if (is_modulus && lowest && !(*lowest > 0.0)) lowest.reset();
+    const bool replaced = is_modulus || entry.kind == Kind::translation || entry.kind == Kind::rotation ||
                           entry.kind == Kind::start_shift;
     const double lower = lowest.value_or(p.lower), upper = highest.value_or(p.upper);
-    const double within_lower = replaced ? lower : std::max(lower, p.lower),
-                 within_upper = replaced ? upper : std::min(upper, p.upper);
-    // One bound may lie beyond the usual other one, which then leaves nothing to fit.
-    if (!(within_lower < within_upper)) return;
-    p.lower = within_lower;
-    p.upper = within_upper;
-    p.value = std::clamp(p.value, p.lower, p.upper);
+    if (replaced) return {lower, upper};
+    return {std::max(lower, p.lower), std::min(upper, p.upper)};
 }
 
-}  // namespace
+const experiment::UnknownDeclaration* declaration_of(const setup::Setup& setup, const ModelParameter& entry) {
+    for (const experiment::UnknownDeclaration& unknown : setup.experiment.unknowns)
+        if (unknown.name == entry.parameter.name) return &unknown;
+    return nullptr;
+}
 
-std::vector<ModelParameter> free_parameters(const setup::Setup& setup, const std::vector<std::string>& names) {
+/// All unknowns with their usual bounds.
+std::vector<ModelParameter> usual_parameters(const setup::Setup& setup, const std::vector<std::string>& names) {
     ParameterList list{declared_values(setup), {}};
     add_material(setup, names, list);
     add_parts(setup, list);
@@ -138,8 +139,35 @@ std::vector<ModelParameter> free_parameters(const setup::Setup& setup, const std
         if (list.start.effects[e].calibrate)
             for (ModelParameter& parameter : effect_parameters(setup, list.start.effects[e], e))
                 list.parameters.push_back(std::move(parameter));
-    for (ModelParameter& parameter : list.parameters) declare_bounds(setup.experiment.unknowns, parameter);
-    return list.parameters;
+    return std::move(list.parameters);
+}
+
+}  // namespace
+
+std::vector<ModelParameter> free_parameters(const setup::Setup& setup, const std::vector<std::string>& names) {
+    std::vector<ModelParameter> parameters = usual_parameters(setup, names);
+    for (ModelParameter& entry : parameters) {
+        const experiment::UnknownDeclaration* const declared = declaration_of(setup, entry);
+        if (declared == nullptr) continue;
+        const auto [lower, upper] = declared_range(*declared, entry);
+        if (!(lower < upper)) continue;  // told, see unmet_bounds()
+        inverse::Parameter& p = entry.parameter;
+        p.lower = lower;
+        p.upper = upper;
+        p.value = std::clamp(p.value, p.lower, p.upper);
+    }
+    return parameters;
+}
+
+std::vector<ModelParameter> unmet_bounds(const setup::Setup& setup) {
+    std::vector<ModelParameter> unmet;
+    for (const ModelParameter& entry : usual_parameters(setup, {})) {
+        const experiment::UnknownDeclaration* const declared = declaration_of(setup, entry);
+        if (declared == nullptr) continue;
+        const auto [lower, upper] = declared_range(*declared, entry);
+        if (!(lower < upper)) unmet.push_back(entry);
+    }
+    return unmet;
 }
 
 }  // namespace myo::prediction

@@ -68,6 +68,9 @@ std::vector<ModelParameter> effect_parameters(const setup::Setup& setup, const e
 /// @param names  if not empty: replaces material.calibrate for youngs_modulus, damping and the law
 std::vector<ModelParameter> free_parameters(const setup::Setup& setup, const std::vector<std::string>& names = {});
 
+/// Unknowns whose bounds in [[unknown]] leave nothing of their usual ones, which therefore hold.
+std::vector<ModelParameter> unmet_bounds(const setup::Setup& setup);
+
 /// Current value of a parameter, SI.
 double value_of(const ModelParameter& parameter, const ParameterValues& values);
 /// Sets a parameter, SI; bounds are not checked.

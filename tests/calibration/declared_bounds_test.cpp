@@ -71,6 +71,18 @@ lowest = 1e-4
     EXPECT_NEAR(with.after.values.damping_s / without.after.values.damping_s, 1.0, 1e-9);
 }
 
+/// A damping time of 5 s and more is none that a model may have: the usual bounds hold, and the check says so.
+TEST(DeclaredBounds, ThatCannotHoldAreTold) {
+    const test::Folder folder("declared_bounds_unmet");
+    const setup::Setup setup = recorded(folder, "[[unknown]]\nname = \"damping_s\"\nlowest = 5.0\n");
+    const Calibration calibration = calibrate(setup);
+    EXPECT_NEAR(calibration.after.values.damping_s, 0.005, 0.0005);
+    const std::vector<check::Finding> found = check::check_bounds({setup, nullptr, &calibration});
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found.front().level, check::CheckLevel::doubtful);
+    EXPECT_THAT(found.front().sentence, HasSubstr("damping_s: its bounds in [[unknown]] leave nothing"));
+}
+
 TEST(DeclaredBounds, RefusesWhatBoundsNothing) {
     const auto error = [](const std::string& table) {
         const test::Folder folder("declared_bounds_bad");
@@ -84,6 +96,7 @@ TEST(DeclaredBounds, RefusesWhatBoundsNothing) {
     EXPECT_THAT(error("name = \"damping_s\"\nlowest = 2.0\nhighest = 1.0\n"), HasSubstr("is not below highest"));
     EXPECT_THAT(error("name = \"damping_s\"\nlowest = 0.1\ntolerance = 1.0\n"), HasSubstr("cannot be combined"));
     EXPECT_THAT(error("name = \"youngs_modulus_Pa\"\nlowest = -1.0\n"), HasSubstr("must be positive"));
+    EXPECT_THAT(error("name = \"youngs_modulus_Pa\"\ntolerance = 3.0e6\n"), HasSubstr("must be below the modulus"));
 }
 
 }  // namespace
