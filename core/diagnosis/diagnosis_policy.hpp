@@ -260,6 +260,7 @@ struct VerdictPolicy {
     /// remaining share. All such answers of seed 1 were right.
     double nearly_explained = 0.8;
     double unexplained_growth = 0.4;
+    double least_systematic = 1e-9;  // of the declared model, for that share [noise levels]: no division by zero
     /// The prediction of trials that took no part is worse if its rms grows by this factor and exceeds this many noise
     /// levels; the confidence is then multiplied by the third value.
     double worse_prediction = 1.1;

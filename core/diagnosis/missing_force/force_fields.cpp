@@ -28,7 +28,8 @@ VectorXd places(const model::Body& body) {
     if (!(way.norm() > 0.0)) way = Vector3d::UnitX();
     const VectorXd along = X.transpose() * way;
     const double lowest = along.minCoeff(), highest = along.maxCoeff();
-    return (along.array() - lowest) / std::max(highest - lowest, 1e-30);
+    if (!(highest > lowest)) return VectorXd::Zero(X.cols());
+    return (along.array() - lowest) / (highest - lowest);
 }
 
 double mean_value(const fibre::Signal& signal, double end_s, int samples) {

@@ -65,7 +65,7 @@ Conclusion unexplained(const VerdictEvidence& e) {
     const VerdictPolicy& policy = e.policy.verdict;
     const bool by_pair = e.pair && e.single && e.pair->criterion < e.single->criterion;
     const JudgedFit& best = by_pair ? *e.pair : e.single ? *e.single : d.declared;
-    const double left = best.tests.systematic.rms / std::max(1e-9, d.declared.tests.systematic.rms);
+    const double left = best.tests.systematic.rms / std::max(policy.least_systematic, d.declared.tests.systematic.rms);
     Verdict verdict{VerdictKind::unknown};
     verdict.confidence = policy.undoubted * std::min(1.0, policy.nearly_explained + policy.unexplained_growth * left);
     verdict.reason =
