@@ -213,12 +213,10 @@ Result<void> state_commands(const ui::commands::Scene& scene, std::size_t trial,
                             ui::commands::SearchResult& result) {
     const experiment::Experiment& experiment = source_of(scene).experiment;
     if (problem.sought.signals.empty() || experiment.chambers.size() + experiment.tendons.size() == 0) return {};
-    // The muscles of the settings come first, which may be others than those declared.
-    std::vector<fibre::Signal> commands = calibration::found_commands(problem.sought, fit.values);
-    const auto muscles = static_cast<std::ptrdiff_t>(commands.size() - experiment.chambers.size() -
-                                                     experiment.tendons.size());
-    commands.erase(commands.begin(), commands.begin() + muscles);
-    commands.insert(commands.begin(), experiment.muscles.size(), fibre::Signal::constant(1.0));
+    // Behind those of the muscles.
+    const std::vector<fibre::Signal> all = calibration::found_commands(problem.sought, fit.values);
+    const auto count = static_cast<std::ptrdiff_t>(experiment.chambers.size() + experiment.tendons.size());
+    const std::vector<fibre::Signal> commands(all.end() - count, all.end());
     const std::vector<ui::commands::DeclarationEdit> edits = found_command_edits(experiment, trial, commands);
     if (edits.empty()) {
         result.notes.emplace_back(

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "commands/curve_text.hpp"
 #include "experiment/actuators.hpp"
 #include "measurement/actuation_csv.hpp"
 #include "toml/toml_text.hpp"
@@ -19,16 +20,6 @@ bool is_recorded(const experiment::TrialDeclaration& trial, const experiment::Ac
     return !table || std::find(table->muscles.begin(), table->muscles.end(), actuator.column) != table->muscles.end();
 }
 
-/// Rows "[t_s, value]" from t = 0 on.
-std::string rows_of(const fibre::Signal& signal) {
-    std::vector<Eigen::Vector2d> rows;
-    for (std::size_t k = 0; k < signal.times_s.size(); ++k)
-        if (signal.times_s[k] >= 0.0) rows.emplace_back(signal.times_s[k], signal.values[k]);
-    return toml::toml_list(rows, [](const Eigen::Vector2d& row) {
-        return toml::toml_list(row, [](double number) { return toml::toml_number(number); });
-    });
-}
-
 }  // namespace
 
 std::vector<ui::commands::DeclarationEdit> found_command_edits(const experiment::Experiment& experiment,
@@ -37,13 +28,14 @@ std::vector<ui::commands::DeclarationEdit> found_command_edits(const experiment:
     std::vector<ui::commands::DeclarationEdit> edits;
     const std::vector<experiment::Actuator> actuators = experiment::actuators(experiment);
     const experiment::TrialDeclaration& declared = experiment.trials[trial];
-    for (std::size_t i = 0; i < actuators.size() && i < commands.size(); ++i) {
-        if (actuators[i].kind == experiment::ActuatorKind::muscle) continue;
-        if (is_recorded(declared, actuators[i])) return {};
-        edits.push_back(RemoveDeclared{{"trial", trial, "actuation_step", actuators[i].name}});
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+        const experiment::Actuator& actuator = actuators[experiment.muscles.size() + i];
+        if (is_recorded(declared, actuator)) return {};
+        edits.push_back(RemoveDeclared{{"trial", trial, "actuation_step", actuator.name}});
         const bool is_constant = declared.hold || commands[i].times_s.size() < 2;
-        edits.push_back(SetDeclared{{"trial", trial, experiment::constant_key(actuators[i].kind), actuators[i].name},
-                                    is_constant ? toml::toml_number(commands[i].value(0.0)) : rows_of(commands[i])});
+        edits.push_back(SetDeclared{
+            {"trial", trial, experiment::constant_key(actuator.kind), actuator.name},
+            is_constant ? toml::toml_number(commands[i].value(0.0)) : ui::commands::curve_text(commands[i])});
     }
     return edits;
 }

@@ -12,8 +12,8 @@ namespace myo::backend {
 /// or as constants of a hold.
 ///
 /// @param trial     index in the experiment
-/// @param commands  per actuator, muscles first: those are left out
-/// @return  empty if there are no chambers and tendons, or if the trial's actuation file holds commands of one
+/// @param commands  per chamber, then per tendon
+/// @return  empty if there are none, or if the trial's actuation file holds commands of one
 std::vector<ui::commands::DeclarationEdit> found_command_edits(const experiment::Experiment& experiment,
                                                                std::size_t trial,
                                                                const std::vector<fibre::Signal>& commands);

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "commands/curve_text.hpp"
 #include "panels/curve_rows.hpp"
 #include "toml/toml_text.hpp"
 
@@ -20,7 +21,8 @@ toml::TomlPath command_path(const DeclaredActuator& actuator, std::size_t trial,
 
 /// A number, or the rows of a curve.
 std::string command_text(const DeclaredCommand& command) {
-    return command.kind == DeclaredCommand::Kind::curve ? curve_text(command.curve) : toml::toml_number(command.value);
+    return command.kind == DeclaredCommand::Kind::curve ? commands::curve_text(command.curve)
+                                                        : toml::toml_number(command.value);
 }
 
 /// The command of an actuator in a trial that a key of the declaration holds; null if there is none.

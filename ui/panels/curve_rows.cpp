@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "platform/fonts.hpp"
-#include "toml/toml_text.hpp"
 
 namespace myo::ui::panels {
 namespace {
@@ -16,6 +15,7 @@ struct CurveRowPolicy {
     double rise_s = 0.5;      // in which a new curve reaches its value
     double spacing_s = 0.1;   // of a row behind a jump or behind the only row
     double longest_s = 3600;  // largest time of a row
+    double apart_s = 1e-6;    // least distance of a row from a jump
 };
 constexpr CurveRowPolicy curve_row_policy;
 
@@ -23,7 +23,7 @@ constexpr CurveRowPolicy curve_row_policy;
 /// that a row next to one keeps off it.
 commands::Limits time_limits(const fibre::Signal& curve, std::size_t row) {
     const std::vector<double>& t = curve.times_s;
-    const double apart = 1e-6;
+    const double apart = curve_row_policy.apart_s;
     commands::Limits limits{-curve_row_policy.longest_s, curve_row_policy.longest_s};
     if (row > 0) limits.lowest = t[row - 1] + (row > 1 && t[row - 2] == t[row - 1] ? apart : 0.0);
     if (row + 1 < t.size())
@@ -81,14 +81,6 @@ std::optional<CurveEdit> curve_rows(PanelContext& context, const NumberField& va
     context.items.mark(value.name + "/add");
     tooltip(context.theme, "Linear between the rows, constant before the first and after the last.");
     return edit;
-}
-
-std::string curve_text(const fibre::Signal& curve) {
-    std::string text;
-    for (std::size_t row = 0; row < curve.times_s.size(); ++row)
-        text += (row > 0 ? ", [" : "[") + toml::toml_number(curve.times_s[row]) + ", " +
-                toml::toml_number(curve.values[row]) + "]";
-    return "[" + text + "]";
 }
 
 fibre::Signal new_curve(double value) { return {{0.0, curve_row_policy.rise_s}, {0.0, value}}; }

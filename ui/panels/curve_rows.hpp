@@ -22,9 +22,6 @@ struct CurveEdit {
 std::optional<CurveEdit> curve_rows(PanelContext& context, const NumberField& value, NumberEdits& edits,
                                     const fibre::Signal& curve, const std::string& subject);
 
-/// The rows as TOML: "[[0.0, 1.0], [0.5, 2.0]]".
-std::string curve_text(const fibre::Signal& curve);
-
 /// A curve that rises from 0 to a value after the start.
 fibre::Signal new_curve(double value);
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "commands/curve_text.hpp"
 #include "panels/curve_rows.hpp"
 #include "toml/toml_text.hpp"
 
@@ -40,7 +41,7 @@ void set_kind(PanelContext& context, const std::string& kind, const toml::TomlPa
         edits.push_back(commands::SetDeclared{inside(path, "from_s"), toml::toml_number(new_window_policy.from_s)});
         edits.push_back(commands::SetDeclared{inside(path, "until_s"), toml::toml_number(new_window_policy.until_s)});
     } else if (kind == curve_id) {
-        edits.push_back(commands::SetDeclared{inside(path, "curve"), curve_text(new_curve(1.0))});
+        edits.push_back(commands::SetDeclared{inside(path, "curve"), commands::curve_text(new_curve(1.0))});
     }
     context.emit(commands::EditDeclaration{std::move(edits), item + "/when"});
 }
@@ -99,8 +100,10 @@ void load_time_rows(PanelContext& context, const commands::SceneLoad& load, cons
                              {-1000.0, 1000.0},
                              0.005};
     if (const auto edit = curve_rows(context, factor, edits, *load.curve, item))
-        context.emit(commands::EditDeclaration{
-            {commands::SetDeclared{inside(path, "curve"), curve_text(edit->curve)}}, item + "/curve", edit->goes_on});
+        context.emit(
+            commands::EditDeclaration{{commands::SetDeclared{inside(path, "curve"), commands::curve_text(edit->curve)}},
+                                      item + "/curve",
+                                      edit->goes_on});
 }
 
 }  // namespace myo::ui::panels
