@@ -6,8 +6,8 @@
 #include "commands/typed_quantity.hpp"
 #include "ui/driver.hpp"
 
-// The same texts in fields of six dimensions: each is the value that it says or is refused with a sentence, never
-// another number.
+// Thirty-two texts, each typed into fields of six dimensions: a text is the value that it says or is refused with a
+// sentence, never another number.
 
 namespace myo::ui {
 namespace {

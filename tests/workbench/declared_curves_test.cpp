@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "workbench/by_hand.hpp"
 #include "workbench/opened_beam.hpp"
 
 // Curves over time, and bounds of unknown values, edited in rows.
@@ -10,14 +11,6 @@ namespace {
 using test::Driver;
 using test::OpenedBeam;
 using ui::commands::Undo;
-
-void type_number(Driver& driver, const std::string& item, const std::string& text) {
-    driver.double_click(item);
-    driver.key(ImGuiKey_A, {.ctrl = true});
-    driver.type(text);
-    driver.key(ImGuiKey_Enter);
-    driver.settle();
-}
 
 TEST(LoadCurveInWindow, AForceIsGivenAWindowAndThenACurve) {
     OpenedBeam beam("load_curve");
@@ -34,14 +27,14 @@ TEST(LoadCurveInWindow, AForceIsGivenAWindowAndThenACurve) {
     driver.settle();
     EXPECT_EQ(load().from_s, 0.0) << driver.state().refused;
     EXPECT_EQ(load().until_s, 0.5);
-    type_number(driver, "trial/load/0/until", "200 ms");
+    test::type_into(driver, "trial/load/0/until", "200 ms");
     EXPECT_NEAR(load().until_s, 0.2, 1e-12);
     driver.click("trial/load/0/when");
     driver.click("trial/load/0/when/curve");
     driver.settle();
     ASSERT_TRUE(load().curve) << driver.state().refused;
     EXPECT_TRUE(std::isinf(load().until_s));
-    type_number(driver, "trial/load/0/curve/1/value", "-2");
+    test::type_into(driver, "trial/load/0/curve/1/value", "-2");
     EXPECT_EQ(load().curve->values, (std::vector<double>{0.0, -2.0}));
     driver.click("trial/load/0/curve/add");
     driver.settle();
@@ -78,7 +71,7 @@ TEST(CommandCurveInWindow, ThePressureOfAChamberFollowsRows) {
     };
     ASSERT_EQ(command().kind, ui::commands::DeclaredCommand::Kind::curve) << driver.state().refused;
     ASSERT_EQ(command().curve.times_s.size(), 2u);
-    type_number(driver, item + "/curve/1/value", "12 kPa");
+    test::type_into(driver, item + "/curve/1/value", "12 kPa");
     EXPECT_NEAR(command().curve.values[1], 12e3, 1e-9);
     EXPECT_NEAR(driver.state().scene_trial()->commands.at(name).signal.value(0.25), 6e3, 1e-6)
         << "what runs and what the signals show";
@@ -104,13 +97,13 @@ TEST(BoundsInWindow, AValueGetsBoundsAndATolerance) {
     driver.settle();
     ASSERT_TRUE(modulus().declared_highest) << driver.state().refused;
     EXPECT_NEAR(modulus().highest, usual, 1e-6 * usual) << "begins with the usual bounds";
-    type_number(driver, item + "/highest", "1 MPa");
+    test::type_into(driver, item + "/highest", "1 MPa");
     EXPECT_NEAR(modulus().highest, 1e6, 1e-6);
     driver.click(item + "/kind");
     driver.click(item + "/kind/tolerance");
     driver.settle();
     ASSERT_TRUE(modulus().declared_tolerance) << driver.state().refused;
-    type_number(driver, item + "/tolerance", "20 kPa");
+    test::type_into(driver, item + "/tolerance", "20 kPa");
     EXPECT_NEAR(modulus().highest - modulus().lowest, 40e3, 1e-3);
     driver.click(item + "/kind");
     driver.click(item + "/kind/usual");

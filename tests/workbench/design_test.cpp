@@ -3,8 +3,10 @@
 
 #include "backend/workbench_backend.hpp"
 #include "experiment/new_trial.hpp"
+#include "support/experiment_folder.hpp"
 #include "support/folder.hpp"
 #include "ui/driver.hpp"
+#include "workbench/arm.hpp"
 
 // Optimise changes the body: ticks in the window, a result that is one edit.
 
@@ -14,48 +16,18 @@ namespace {
 using test::Driver;
 using testing::HasSubstr;
 
-const std::string bent_arm_toml = R"(schema = "experiment/1"
-name = "arm"
-[geometry]
-kind = "box"
-size_m = [0.08, 0.02, 0.02]
-[clamp]
-box_m = [[-0.0005, -0.001, -0.001], [0.0005, 0.021, 0.021]]
-[material]
-model = "neo_hookean"
-youngs_modulus_Pa = 2.0e5
-poissons_ratio = 0.45
-density_kg_m3 = 1000
-damping_s = 0.005
-calibrate = []
-[[part]]
-name = "end"
-box_m = [[0.04, 0.0, 0.0], [0.08, 0.02, 0.02]]
-youngs_modulus_Pa = 2.0e5
-[[muscle]]
-name = "upper"
-box_m = [[0.0, -0.001, 0.0133], [0.08, 0.021, 0.021]]
-fibre = [1.0, 0.0, 0.0]
-stiffness_Pa = 1.0e5
-[markers]
-[markers.rest_m]
-tip = [0.08, 0.01, 0.02]
-[[trial]]
-name = "reach"
-role = "simulate"
-duration_s = 0.3
-start = "equilibrium"
-activation = { upper = 0.9 }
-[[trial.goal]]
-marker = "tip"
-time_s = 0.2
-place_m = [0.08, 0.012, 0.021]
-axes = ["y", "z"]
-)";
+/// The arm with its muscle contracted, a further part, and a goal beside where the tip goes.
+std::string bent_arm_toml() {
+    const std::string
+        part = "[[part]]\nname = \"end\"\nbox_m = [[0.04, 0.0, 0.0], [0.08, 0.02, 0.02]]\nyoungs_modulus_Pa = 2.0e5\n";
+    return testing_support::replaced(test::arm_toml, "[[muscle]]\n", part + "[[muscle]]\n") +
+           "activation = { upper = 0.9 }\n[[trial.goal]]\nmarker = \"tip\"\ntime_s = 0.2\nplace_m = [0.08, 0.012, "
+           "0.021]\naxes = [\"y\", \"z\"]\n";
+}
 
 TEST(DesignInWindow, DirectionAndModulusAreTickedFoundAndUndone) {
     const test::Folder folder("design_in_window");
-    folder.write("arm/experiment.toml", bent_arm_toml);
+    folder.write("arm/experiment.toml", bent_arm_toml());
     Driver driver(backend::make_core_backend(), 1280, 1400);
     driver.window->open(folder.path() / "arm");
     ASSERT_TRUE(driver.wait_for_job(60)) << driver.state().log.back().text;
@@ -101,7 +73,7 @@ TEST(DesignInWindow, DirectionAndModulusAreTickedFoundAndUndone) {
 /// A painted muscle has weights to be sought; the paint that is found replaces the one of before.
 TEST(DesignInWindow, PaintIsFoundAndUndone) {
     const test::Folder folder("paint_in_window");
-    folder.write("arm/experiment.toml", bent_arm_toml);
+    folder.write("arm/experiment.toml", bent_arm_toml());
     Driver driver(backend::make_core_backend(), 1280, 1400);
     driver.window->open(folder.path() / "arm");
     ASSERT_TRUE(driver.wait_for_job(60)) << driver.state().log.back().text;

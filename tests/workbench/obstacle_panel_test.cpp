@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "workbench/by_hand.hpp"
 #include "workbench/opened_beam.hpp"
 
 // Obstacles and parts of an experiment, from their panels to the run.
@@ -11,14 +12,6 @@ namespace {
 using test::Driver;
 using test::OpenedBeam;
 using testing::HasSubstr;
-
-void set_number(Driver& driver, const std::string& item, const std::string& text) {
-    driver.double_click(item);
-    driver.key(ImGuiKey_A, {.ctrl = true});
-    driver.type(text);
-    driver.key(ImGuiKey_Enter);
-    driver.settle();
-}
 
 double lowest_height_m(const Driver& driver) {
     double lowest = 0.0;
@@ -48,9 +41,9 @@ TEST(ObstaclesInWindow, AFloorUnderTheBeamStopsIt) {
     EXPECT_GT(lowest_height_m(driver), plane.point_m.z() - 0.0005);
     driver.window->show_panel("obstacle");
     driver.settle();
-    set_number(driver, "obstacle/0/point/z", "-500 mm");
+    test::type_into(driver, "obstacle/0/point/z", "-500 mm");
     EXPECT_EQ(std::get<ui::commands::ScenePlane>(driver.state().scene->obstacles[0].shape).point_m.z(), -0.5);
-    set_number(driver, "obstacle/0/friction", "0,4");
+    test::type_into(driver, "obstacle/0/friction", "0,4");
     EXPECT_EQ(driver.state().scene->obstacles[0].friction, 0.4);
     ASSERT_NO_FATAL_FAILURE(beam.run());
     EXPECT_NEAR(lowest_height_m(driver), falls_to, 1e-9) << "too far below to be reached";
@@ -72,7 +65,7 @@ TEST(ObstaclesInWindow, SpheresAndBoxesBeginBesideTheBodyAndCannotMoveIntoIt) {
     EXPECT_TRUE(std::holds_alternative<Box>(driver.state().scene->obstacles[1].shape));
     driver.click("obstacle/0");
     driver.settle();
-    set_number(driver, "obstacle/0/centre/z", "0");
+    test::type_into(driver, "obstacle/0/centre/z", "0");
     EXPECT_THAT(driver.state().refused, HasSubstr("the body lies in it at rest"));
     driver.click("obstacle/0/remove");
     ASSERT_EQ(driver.state().scene->obstacles.size(), 1u);
@@ -97,7 +90,7 @@ TEST(PartsInWindow, AStiffPartBendsLessAndOnlyItsBoxAsksForAMesh) {
     const double soft = beam.last_height_m();
     driver.window->show_panel("part");
     driver.settle();
-    set_number(driver, "part/0/youngs_modulus", "5 MPa");
+    test::type_into(driver, "part/0/youngs_modulus", "5 MPa");
     EXPECT_EQ(driver.state().scene->parts[0].youngs_modulus_Pa, 5e6);
     EXPECT_TRUE(driver.state().mesh_is_current()) << "a modulus leaves the mesh as it is";
     ASSERT_NO_FATAL_FAILURE(beam.run());
@@ -108,7 +101,7 @@ TEST(PartsInWindow, AStiffPartBendsLessAndOnlyItsBoxAsksForAMesh) {
     EXPECT_THAT(driver.state().scene->calibrated, testing::Contains(HasSubstr("modulus of part")));
     driver.click("part/0/own_damping");
     EXPECT_EQ(driver.state().scene->parts[0].damping_s, driver.state().settings.damping_s);
-    set_number(driver, "part/0/box/x_from", "70 mm");
+    test::type_into(driver, "part/0/box/x_from", "70 mm");
     EXPECT_FALSE(driver.state().mesh_is_current());
     driver.click("part/0/remove");
     EXPECT_TRUE(driver.state().scene->parts.empty());

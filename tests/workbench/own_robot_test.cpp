@@ -6,6 +6,7 @@
 #include "support/folder.hpp"
 #include "support/shared_data.hpp"
 #include "ui/driver.hpp"
+#include "workbench/by_hand.hpp"
 
 // A person with a body and a recording of their own: everything is set by widgets, no file is edited by hand.
 
@@ -26,17 +27,9 @@ protected:
         ASSERT_NE(state().log.back().level, ui::commands::LogLevel::failure) << state().log.back().text;
     }
     void type_into(const std::string& item, const std::string& text, bool enter = true) {
-        driver.double_click(item);
-        driver.key(ImGuiKey_A, {.ctrl = true});
-        driver.type(text);
-        if (enter) driver.key(ImGuiKey_Enter);
-        driver.settle();
+        test::type_into(driver, item, text, enter);
     }
-    void choose(const fs::path& path) {
-        type_into("browser/path", path.parent_path().string());
-        driver.click("browser/entry/" + path.filename().string());
-        driver.click("browser/open");
-    }
+    void choose(const std::filesystem::path& path) { test::choose_file(driver, path); }
     void pick(const std::string& list, const std::string& choice) {
         driver.click(list);
         driver.click(list + "/" + choice);

@@ -9,6 +9,7 @@
 #include "support/folder.hpp"
 #include "ui/driver.hpp"
 #include "workbench/beam_take.hpp"
+#include "workbench/by_hand.hpp"
 
 namespace myo {
 namespace {
@@ -30,18 +31,11 @@ protected:
         ASSERT_NE(state().log.back().level, ui::commands::LogLevel::failure) << state().log.back().text;
     }
     void type_into(const std::string& item, const std::string& text, bool enter = true) {
-        driver.double_click(item);
-        driver.key(ImGuiKey_A, {.ctrl = true});
-        driver.type(text);
-        if (enter) driver.key(ImGuiKey_Enter);
+        test::type_into(driver, item, text, enter);
     }
     /// In the dialog that is open: goes to a folder by typing where it is.
     void browse_to(const std::filesystem::path& folder) { type_into("browser/path", folder.string()); }
-    void choose(const std::filesystem::path& path) {
-        browse_to(path.parent_path());
-        driver.click("browser/entry/" + path.filename().string());
-        driver.click("browser/open");
-    }
+    void choose(const std::filesystem::path& path) { test::choose_file(driver, path); }
     void from_menu(const std::string& menu, const std::string& item) {
         driver.click("menu/" + menu);
         driver.click("menu/" + item);
