@@ -18,7 +18,7 @@ public:
     /// Errors: "DIR is used by another run of myoloop, process 1234; wait for it or choose another folder"; or the lock
     /// file cannot be created.
     static Result<FolderLock> take(const std::filesystem::path& folder);
-    /// The same for one file of a folder, by a hidden lock file beside it: `.NAME.lock`.
+    /// Takes the lock of one file without waiting, by a hidden lock file beside it: `.NAME.lock`.
     /// Errors: "FILE is open in another window of Myoloop, process 1234"; or the lock file cannot be created.
     static Result<FolderLock> take_file(const std::filesystem::path& file);
 

@@ -39,7 +39,7 @@ struct Layout {
 /// @param sizes  preferred sizes [pixels at scale 1]
 Layout make_layout(float width, float height, float scale, const commands::LayoutSizes& sizes);
 
-/// The same with the help at the right edge, which takes its width from view, timeline and strip.
+/// Adds the help at the right edge of a layout; view, timeline and strip become narrower by its width.
 Layout beside_help(Layout layout, float scale);
 
 }  // namespace myo::ui::panels

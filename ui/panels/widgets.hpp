@@ -39,7 +39,7 @@ std::string duration_label(double seconds);
 /// @param tip  tooltip of the label
 void row_label(const platform::Theme& theme, const std::string& label, const std::string& tip = {});
 
-/// The same with a "?" at the end of the label that opens the paragraph of the manual that defines the field.
+/// row_label() with a "?" at the end that opens the paragraph of the manual that defines the field.
 ///
 /// @param name  item name of the field; a field without a paragraph has no "?"
 void explained_label(PanelContext& context, const std::string& label, const std::string& name, const std::string& tip);
