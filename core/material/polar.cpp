@@ -73,11 +73,11 @@ Matrix3<Pack> polar_rotation(const Matrix3<Pack>& F) {
         const Matrix3<Pack> C = cofactor(R);
         const Pack J = R(0, 0) * C(0, 0) + R(1, 0) * C(1, 0) + R(2, 0) * C(2, 0);
         if (iteration == 0 && any_of(!(J > 0.05))) break;  // near-singular lanes need more iterations than allowed here
-        const Pack half = Pack(0.5), share = half / J;
+        const Pack half = Pack(0.5), cofactor_part = half / J;
         Pack change = 0.0;
         for (int k = 0; k < 9; ++k) {
             Pack& entry = R(k % 3, k / 3);
-            const Pack next = half * entry + share * C(k % 3, k / 3);
+            const Pack next = half * entry + cofactor_part * C(k % 3, k / 3);
             change += (next - entry) * (next - entry);
             entry = next;
         }

@@ -26,8 +26,7 @@ Eigen::Vector3d point_on_plane(const Eigen::Vector3d& a, const Eigen::Vector3d& 
 // Cuts all triangles by a plane. The new vertex of an edge is shared by both of its triangles.
 class PlaneCutter {
 public:
-    PlaneCutter(const SurfaceMesh& surface, const AxisPlane& plane, const Box& where)
-        : surface_(surface), plane_(plane) {
+    PlaneCutter(const SurfaceMesh& surface, const AxisPlane& plane, const Box& where) : plane_(plane) {
         for (Eigen::Index v = 0; v < surface.vertices.cols(); ++v) points_.push_back(surface.vertices.col(v));
         // Two passes: vertices on shared edges must exist before any triangle is split.
         for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) mark_crossings(surface.triangles.col(t), where);
@@ -109,7 +108,6 @@ private:
         triangles_.push_back({t[0], t[1], t[2]});
     }
 
-    const SurfaceMesh& surface_;
     AxisPlane plane_;
     std::vector<Eigen::Vector3d> points_;
     std::vector<std::array<int, 3>> triangles_;

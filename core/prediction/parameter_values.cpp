@@ -2,8 +2,11 @@
 #include "setup/trial_effects.hpp"
 
 namespace myo::prediction {
+namespace {
 
 using Kind = ModelParameter::Kind;
+
+}  // namespace
 
 double value_of(const ModelParameter& p, const ParameterValues& values) {
     switch (p.kind) {
