@@ -29,8 +29,8 @@ public:
     }
 
     GradientRun run(double budget_bytes) {
-        const auto steps = static_cast<int>(dynamics::step_ends(model_, options_.h_s, options_.end_s).size());
-        const Result<RunParts> plan = plan_parts(steps, tape_bytes(model_, options_.integrator, with_strains_),
+        steps_ = static_cast<int>(dynamics::step_ends(model_, options_.h_s, options_.end_s).size());
+        const Result<RunParts> plan = plan_parts(steps_, tape_bytes(model_, options_.integrator, with_strains_),
                                                  budget_bytes);
         if (!plan) return failed(plan.error().what);
         plan_ = *plan;
@@ -58,6 +58,15 @@ private:
         return std::move(result_);
     }
 
+    /// Steps forwards and backwards are one count: whoever extrapolates from it sees it grow only.
+    void report(double done) const { progress_.report({"gradient", done, 2.0 * steps_, "steps", {}}); }
+
+    Progress forward_progress() const {
+        return progress_.with_sink([this](const ProgressEvent& event) {
+            if (event.total > 0.0) report(steps_ * std::clamp(event.done / event.total, 0.0, 1.0));
+        });
+    }
+
     /// Runs a part and records its tape. Each part starts with a new solver, so that its second run is identical to the
     /// first.
     bool run_part(int part, bool first_time) {
@@ -78,7 +87,7 @@ private:
             if (point.step == of_run.until_step && part + 1 < plan_.parts) end = point;
         };
         const dynamics::Trace trace = dynamics::simulate_part(
-            *solver_, options_, of_run, first_time ? progress_ : progress_.with_sink({}), observer);
+            *solver_, options_, of_run, first_time ? forward_progress() : progress_.with_sink({}), observer);
         result_.status = trace.status;
         result_.message = trace.message;
         if (!trace.complete()) return false;
@@ -113,8 +122,8 @@ private:
                 add_loss(loss);
                 if (!follower_.step(*solver_, record)) return no_derivative(record.time_s + record.h_s);
             }
-            progress_.report(
-                {"gradient", static_cast<double>(transposed_), static_cast<double>(result_.steps), "steps", {}});
+            // A step that was halved is two on the tape.
+            report(steps_ * (1.0 + static_cast<double>(transposed_) / result_.steps));
         }
         if (!tape_->start()) return true;
         follower_.jump(*solver_, *tape_->start());
@@ -153,6 +162,7 @@ private:
     std::vector<dynamics::RunPoint> cuts_;           // start states of the parts but the first
     std::unique_ptr<dynamics::StageSolver> solver_;  // of the current part
     std::unique_ptr<RunTape> tape_;
+    int steps_ = 0;       // of the run
     int transposed_ = 0;  // number of steps
     GradientRun result_;
 };

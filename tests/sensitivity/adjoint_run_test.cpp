@@ -105,6 +105,31 @@ TEST_P(AdjointRun, EqualsTheTangents) {
     }
 }
 
+/// One count for the way there and back: it grows to its total, also where a run in parts repeats some of its steps.
+TEST(GradientRun, CountsItsStepsForwardsAndBackwards) {
+    const model::Model model = driven_beam(fem::ElementKind::hex8);
+    dynamics::SimulationOptions options = short_run(dynamics::Integrator::tr_bdf2, dynamics::StartKind::straight);
+    options.end_s = 0.15;
+    const LossOfMotion loss = rough_loss(model);
+    const double whole_bytes = simulate_with_gradient(model, options, loss).tape_bytes;
+    for (const double budget : {whole_bytes, 0.8 * whole_bytes}) {
+        std::vector<ProgressEvent> seen;
+        AdjointOptions adjoint;
+        adjoint.memory_bytes = budget;
+        const GradientRun run = simulate_with_gradient(model, options, loss, adjoint,
+                                                       Progress([&](const auto& event) { seen.push_back(event); }));
+        ASSERT_TRUE(run.complete()) << run.message;
+        ASSERT_GT(seen.size(), 2u);
+        for (std::size_t k = 1; k < seen.size(); ++k) {
+            EXPECT_EQ(seen[k].task, seen[0].task);
+            EXPECT_EQ(seen[k].total, 2.0 * run.steps);
+            EXPECT_GE(seen[k].done, seen[k - 1].done);
+        }
+        EXPECT_LT(seen.front().done, run.steps);
+        EXPECT_EQ(seen.back().done, seen.back().total);
+    }
+}
+
 /// A rise within a step is a jump; its levels and those beside it are differentiated like any other knot's.
 TEST(GradientRun, IsExactForASignalThatSwitches) {
     model::Model model = driven_beam(fem::ElementKind::hex8);

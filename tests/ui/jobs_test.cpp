@@ -260,7 +260,7 @@ TEST(Jobs, TellWhatTheyCountAndTheTimeLeft) {
     job.remaining_s = 70.0;
     job.remaining_of = commands::TimeLeft::at_most;
     EXPECT_EQ(panels::counted_text(job), "12 of 40 evaluations");
-    EXPECT_EQ(panels::time_text(job), "at most 70 s left");
+    EXPECT_EQ(panels::time_text(job), "at most 70 s left of this phase");
     EXPECT_EQ(panels::bar_text(job), "30 %");
     job.remaining_of = commands::TimeLeft::of_phase;
     EXPECT_EQ(panels::time_text(job), "less than 2 min left of this phase");
@@ -307,6 +307,26 @@ TEST(Jobs, TimeLeftIsOfThePresentCount) {
     EXPECT_GT(view.elapsed_s, 1.25);
     EXPECT_LT(*view.remaining_s, view.elapsed_s - 0.5) << "the time of the mesh does not count";
     goes_on = true;
+}
+
+/// A count that goes back and then counts on from there: what was done before it went back is no speed.
+TEST(Jobs, TimeLeftAfterACountThatWentBackIsNotTooShort) {
+    std::atomic<bool> goes_on = false;
+    const auto work = [&](const Progress& progress) -> commands::Job::Completion {
+        progress.report({"optimize", 30.9, 60.0, "evaluations", {}});
+        progress.report({"optimize", 30.0, 60.0, "evaluations", {}});
+        std::this_thread::sleep_for(std::chrono::milliseconds(600));
+        progress.report({"optimize", 33.0, 60.0, "evaluations", {}});
+        while (!goes_on) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        return [] {};
+    };
+    commands::Job job("job", work, [](const std::string&) { return [] {}; }, {}, {.searches = true});
+    while (job.view().progress.done != 33.0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    const commands::JobView view = job.view();
+    goes_on = true;
+    ASSERT_TRUE(view.remaining_s);
+    EXPECT_GT(*view.remaining_s, 0.6 / 3.0 * 27.0 - 0.1) << "three evaluations took 0.6 s, and 27 are left";
+    EXPECT_EQ(view.remaining_of, commands::TimeLeft::at_most);
 }
 
 TEST(Jobs, ASearchShowsItsBestSoFarAndLeavesEditsAlone) {

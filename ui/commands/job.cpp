@@ -28,6 +28,7 @@ struct Job::Content {
     Clock::duration paused_for{0};
     ProgressEvent progress;
     double stage_start_s = 0.0;        // working time at which the present count began
+    double stage_start = 0.0;          // fraction of it that was done then
     std::optional<Completion> result;  // set once, when the work has ended
     std::function<void()> wake;        // called on the job's thread
     std::thread thread;
@@ -40,13 +41,16 @@ struct Job::Content {
             .count();
     }
 
-    // A new task, a new unit or a count that goes back starts a new estimate of the remaining time.
+    // A new task, a new unit or a count that goes back starts a new estimate of the remaining time. What was done
+    // before does not speed it up.
     void take(const ProgressEvent& event) {
-        if (event.task != progress.task || event.unit != progress.unit ||
-            std::min(event.done, event.total > 0.0 ? event.total : event.done) < progress.done)
-            stage_start_s = working_s();
+        const bool starts = event.task != progress.task || event.unit != progress.unit ||
+                            std::min(event.done, event.total > 0.0 ? event.total : event.done) < progress.done;
         progress = event;
         if (progress.total > 0.0) progress.done = std::min(progress.done, progress.total);
+        if (!starts) return;
+        stage_start_s = working_s();
+        stage_start = progress.total > 0.0 ? progress.done / progress.total : 0.0;
     }
 };
 
@@ -113,22 +117,25 @@ void Job::pause(bool paused) {
 
 JobView Job::view() const {
     JobView view;
-    double stage_s = 0.0;
+    double stage_s = 0.0, stage_start = 0.0;
     {
         const std::lock_guard lock(content_->mutex);
         view.progress = content_->progress;
         view.paused = content_->paused;
         view.elapsed_s = content_->working_s();
         stage_s = view.elapsed_s - content_->stage_start_s;
+        stage_start = content_->stage_start;
     }
     view.name = content_->name;
     view.searches = content_->kind.searches;
     // Outside the mutex: the job's thread reports progress often and must not wait for this.
-    view.remaining_s = remaining_time(view.fraction(), stage_s);
-    if (content_->kind.staged)
-        view.remaining_of = TimeLeft::of_phase;
-    else if (view.progress.unit == "evaluations")
+    if (stage_start < 1.0)
+        view.remaining_s = remaining_time((view.fraction() - stage_start) / (1.0 - stage_start), stage_s);
+    // Behind a search come the step that its result needs, perhaps a search with it, and deviations.
+    if (content_->kind.searches && view.progress.unit == "evaluations")
         view.remaining_of = TimeLeft::at_most;
+    else if (content_->kind.staged || content_->kind.searches)
+        view.remaining_of = TimeLeft::of_phase;
     view.cancelling = content_->cancel;
     return view;
 }

@@ -13,7 +13,7 @@ namespace myo::ui::commands {
 /// What the estimate of the remaining time refers to.
 enum class TimeLeft {
     exact,     // the whole job, if it continues at the same rate
-    at_most,   // upper limit: only the maximum number of evaluations is known
+    at_most,   // upper limit of the present part: only the maximum number of its evaluations is known
     of_phase,  // the present part only; others follow
 };
 

@@ -62,7 +62,7 @@ std::string time_text(const commands::JobView& job) {
     if (!job.remaining_s) return duration_label(job.elapsed_s) + " so far";
     if (job.remaining_of == commands::TimeLeft::at_most) {
         const TimeStep step = step_for(*job.remaining_s);
-        return "at most " + in_steps(step, *job.remaining_s, true) + " " + step.unit + " left";
+        return "at most " + in_steps(step, *job.remaining_s, true) + " " + step.unit + " left of this phase";
     }
     const std::string left = time_left_range(*job.remaining_s) + " left";
     return job.remaining_of == commands::TimeLeft::of_phase ? left + " of this phase" : left;
