@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <random>
 
 #include "base/stopwatch.hpp"
@@ -192,10 +191,12 @@ void set_runs(const setup::Setup& setup, const prediction::ParameterValues& decl
     for (const prediction::TrialPrediction& prediction : before)
         result.stopped = result.stopped || prediction.status == dynamics::RunStatus::cancelled;
 
-    std::vector<std::size_t> all(setup.trials.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    result.before = prediction::scored_run(setup, declared, std::move(before), all);
-    result.after = prediction::scored_run(setup, fitted, std::move(after), all);
+    // Trials that are only simulated take no part: it is no failure that they were not run.
+    std::vector<std::size_t> compared = fit;
+    compared.insert(compared.end(), validation.begin(), validation.end());
+    std::sort(compared.begin(), compared.end());
+    result.before = prediction::scored_run(setup, declared, std::move(before), compared);
+    result.after = prediction::scored_run(setup, fitted, std::move(after), compared);
 }
 
 /// One sentence per parameter without influence, and one per group that the data determine only in combination.

@@ -42,6 +42,27 @@ TEST(Setup, CalibratesTheBundledExample) {
     EXPECT_GT(calibration.fit.deviations(0), 0.0);
 }
 
+/// A planned trial beside the recordings is not part of a fit.
+TEST(Setup, CalibratesBesideATrialThatIsOnlySimulated) {
+    const test::Folder folder("beside_planned");
+    std::filesystem::copy(std::filesystem::path(MYOLOOP_SOURCE_DIR) / "assets/examples/silicone_beam", folder.path(),
+                          std::filesystem::copy_options::recursive);
+    const std::string text = *read_file(folder.path() / "experiment.toml"), first = "[[trial]]\n";
+    const std::size_t at = text.find(first);
+    folder.write("experiment.toml",
+                 text.substr(0, at) +
+                     "[[trial]]\nname = \"planned\"\nrole = \"simulate\"\nduration_s = 0.1\nstart = \"straight\"\n" +
+                     text.substr(at));
+    CalibrationSettings settings;
+    settings.max_evaluations = 1;
+    const Calibration calibration = calibrate(prepared(folder.path(), 0.015), settings);
+    ASSERT_TRUE(calibration.usable()) << calibration.fit.message;
+    EXPECT_TRUE(calibration.before.ok()) << calibration.before.failure;
+    EXPECT_TRUE(calibration.after.ok()) << calibration.after.failure;
+    EXPECT_EQ(calibration.after.scores.size(), 3u) << "of the recorded trials";
+    for (const std::string& warning : calibration.warnings) EXPECT_EQ(warning.find("failed"), std::string::npos);
+}
+
 TEST(Setup, NeedsATrialInWhichSomethingIsSeenAndCellsThatFitTheBody) {
     const test::Folder folder("unseen");
     std::filesystem::copy(std::filesystem::path(MYOLOOP_SOURCE_DIR) / "assets/examples/silicone_beam", folder.path(),
