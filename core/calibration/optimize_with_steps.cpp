@@ -5,6 +5,7 @@
 #include "calibration/sought_signals.hpp"
 #include "prediction/shorter_steps.hpp"
 #include "prediction/time_step.hpp"
+#include "prediction/trial_goals.hpp"
 #include "prediction/trial_target.hpp"
 
 namespace myo::calibration {
@@ -32,7 +33,8 @@ Optimization search_with_chosen_steps(setup::Setup& setup, const inverse::Actuat
     if (!prediction::choosable(setup.settings) || setup.trials.front().hold) return found;
     for (int search = 1; search < prediction::shorter_steps_policy.max_fits; ++search) {
         if (!found.fit.converged() || progress.cancelled()) break;
-        const setup::Setup moved = with_found(setup, problem, found.fit);
+        // The evaluations end with the last goal, and the runs that tell their steps, too.
+        const setup::Setup moved = prediction::until_last_goal(with_found(setup, problem, found.fit));
         std::vector<setup::TrialStep> steps = prediction::choose_steps(
             moved, prediction::placed_values(moved, found.fit.best.placement), progress);
         const bool shorter = prediction::much_shorter(setup, steps);

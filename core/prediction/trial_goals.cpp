@@ -11,6 +11,7 @@
 
 #include "base/text.hpp"
 #include "experiment/read_experiment.hpp"
+#include "measurement/recording_edit.hpp"
 #include "prediction/trial_target.hpp"
 
 namespace myo::prediction {
@@ -90,6 +91,22 @@ Result<void> check_goals(const setup::Setup& setup) {
 
 bool follows_goals(const setup::Setup& setup) {
     return setup.trials.size() == 1 && !setup.trials.front().goal_weights.empty();
+}
+
+setup::Setup until_last_goal(setup::Setup setup) {
+    if (!follows_goals(setup)) return setup;
+    setup::PreparedTrial& trial = setup.trials.front();
+    double last_s = 0.0;
+    for (const experiment::GoalDeclaration& goal : setup.experiment.trials.front().goals)
+        last_s = std::max(last_s, goal.times_s(goal.times_s.size() - 1));
+    const Eigen::VectorXd& times = trial.measured.time_s;
+    const auto end = std::upper_bound(times.begin(), times.end(), last_s + trial_goals_policy.same_time_s);
+    const Index count = end - times.begin();
+    if (count < 2) return setup;  // an interval of samples is needed for the steps
+    trial.measured = measurement::slice_time(trial.measured, times(0), times(count - 1));
+    for (Matrix3Xd& weights : trial.goal_weights) weights = weights.leftCols(count).eval();
+    trial.options.end_s = std::min(trial.options.end_s, trial.measured.time_s(count - 1));
+    return setup;
 }
 
 setup::Setup without_goals(setup::Setup setup) {

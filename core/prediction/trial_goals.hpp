@@ -18,6 +18,10 @@ Result<setup::Setup> with_goals(setup::Setup setup);
 /// Whether the setup of a single trial has goals in place of its recording.
 bool follows_goals(const setup::Setup& setup);
 
+/// The setup of a single trial with goals, whose runs end with its last goal: what a search for signals needs of them.
+/// The same setup if it follows a recording.
+setup::Setup until_last_goal(setup::Setup setup);
+
 /// The setup of a single trial whose goals are no longer compared: its trial is only simulated, as for checks of what
 /// was measured. The same setup if it follows a recording.
 setup::Setup without_goals(setup::Setup setup);

@@ -60,6 +60,22 @@ TEST(TrialGoals, BecomeTheTargetInPlaceOfTheRecording) {
     EXPECT_NEAR(of_held, 0.5, 1e-12);
 }
 
+TEST(TrialGoals, EndTheRunsThatAreMadeForThem) {
+    const test::Folder folder("goals_end");
+    const setup::Setup recorded = beam_with(folder, {});
+    EXPECT_EQ(until_last_goal(recorded).trials[0].options.end_s, recorded.trials[0].options.end_s) << "no goals";
+    const Result<setup::Setup> setup = with_goals(beam_with(folder, {place("tip_low", {0.09, 0.015, -0.01}, 0.045)}));
+    ASSERT_TRUE(setup) << setup.error().text();
+    ASSERT_GT(setup->trials[0].options.end_s, 0.1);
+    const setup::Setup cut = until_last_goal(*setup);
+    const setup::PreparedTrial& trial = cut.trials[0];
+    EXPECT_DOUBLE_EQ(trial.options.end_s, 0.045);
+    EXPECT_EQ(trial.measured.time_s.size(), 6) << "samples up to 40 ms, and the goal";
+    const inverse::MarkerTarget whole = trial_target(*setup, 0, 1e9), target = trial_target(cut, 0, 1e9);
+    EXPECT_EQ(target.coordinates(), whole.coordinates());
+    for (std::size_t m = 0; m < target.weights.size(); ++m) EXPECT_EQ(target.weights[m].cols(), 6);
+}
+
 TEST(TrialGoals, OfATrialWithoutGoalsAreItsRecording) {
     const test::Folder folder("goals_none");
     const setup::Setup beam = beam_with(folder, {});
