@@ -82,15 +82,16 @@ Result<setup::Setup> setup_to_fit(const ui::commands::Scene& scene, const ui::co
     return setup;
 }
 
-/// Rows of the fitted values, with standard deviations; the live rows have none.
+/// Rows of the fitted values, with standard deviations; the live rows have none. They start from the declared values,
+/// although a fit that was repeated with shorter steps went on from those of the first.
 std::vector<ui::commands::ParameterRow> fitted_rows(const setup::Setup& setup,
                                                     const calibration::Calibration& calibration) {
+    const prediction::ParameterValues declared = prediction::declared_values(setup);
     std::vector<ui::commands::ParameterRow> rows;
-    for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
-        const auto k = static_cast<Eigen::Index>(i);
-        rows.push_back(parameter_row(calibration.parameters[i], setup, calibration.fit.start(k),
-                                     calibration.fit.values(k), calibration.deviation(i)));
-    }
+    for (std::size_t i = 0; i < calibration.parameters.size(); ++i)
+        rows.push_back(parameter_row(calibration.parameters[i], setup,
+                                     prediction::value_of(calibration.parameters[i], declared),
+                                     calibration.fit.values(static_cast<Eigen::Index>(i)), calibration.deviation(i)));
     return rows;
 }
 
@@ -123,7 +124,7 @@ ui::commands::SearchResult calibrated(const setup::Setup& setup, const calibrati
                                       const ui::commands::Settings& settings) {
     ui::commands::SearchResult result;
     result.title = "Calibrated";
-    result.evaluations = calibration.fit.evaluations;
+    result.evaluations = calibration.evaluations() + calibration.earlier_evaluations;
     result.stopped = calibration.stopped;
     result.warnings = calibration.warnings;
     if (const std::optional<std::string> untested = prediction::untested_fit(setup))
