@@ -80,6 +80,27 @@ TEST(CommandCurveInWindow, ThePressureOfAChamberFollowsRows) {
     EXPECT_NE(command().kind, ui::commands::DeclaredCommand::Kind::curve);
 }
 
+/// A recording is used up to a time of the trial, which is declared as one of the recording.
+TEST(RecordingInWindow, EndsEarlierByANumber) {
+    OpenedBeam beam("recording_end");
+    Driver& driver = beam.driver;
+    const auto last_s = [&] { return driver.state().scene->trials[0].time_s.tail(1)(0); };
+    const double whole_s = last_s(), other_s = driver.state().scene->trials[1].time_s.tail(1)(0);
+    ASSERT_GT(whole_s, 0.3);
+    driver.window->show_panel("trial");
+    driver.settle();
+    test::type_into(driver, "trial/end", "0.2 s");
+    EXPECT_LE(last_s(), 0.2 + 1e-9) << driver.state().refused;
+    EXPECT_GT(last_s(), 0.15);
+    EXPECT_EQ(driver.state().scene->trials[1].time_s.tail(1)(0), other_s) << "other trials keep theirs";
+    driver.settle();
+    test::type_into(driver, "trial/end", "100 s");
+    EXPECT_EQ(last_s(), whole_s) << "all of it";
+    for (int step = 0; step < 2; ++step) driver.workbench->execute(Undo{});
+    EXPECT_EQ(last_s(), whole_s);
+    EXPECT_FALSE(driver.state().settings.declaration.text);
+}
+
 TEST(BoundsInWindow, AValueGetsBoundsAndATolerance) {
     OpenedBeam beam("bounds");
     Driver& driver = beam.driver;

@@ -17,6 +17,7 @@ namespace {
 /// Values of what is added, for the user to change: small enough for soft bodies of centimetres.
 struct NewTrialPolicy {
     double duration_s = 1.0;
+    double shortest_s = 0.01;  // of a trial
     double force_N = 0.1;
     double mass_kg = 0.01;
 };
@@ -103,6 +104,7 @@ void TrialPanel::draw_trial(PanelContext& context) {
         context.emit(commands::EditDeclaration{{commands::SetDeclared{inside(path, "name"), toml::toml_text(name)}},
                                                "trial/name"});
     if (!ImGui::IsItemActive()) named_trial_ = -1;
+    if (trial.repairs.possible) draw_recording_end(context);
     if (!(trial.duration_s > 0.0)) return;
     double duration_s = trial.duration_s;
     bool goes_on = false;
@@ -111,11 +113,33 @@ void TrialPanel::draw_trial(PanelContext& context) {
                             commands::Dimension::time,
                             "s",
                             "Simulated time of a trial without a recording [s].",
-                            {0.01, 3600.0},
+                            {new_trial_policy.shortest_s, 3600.0},
                             0.01};
     if (number_row(context, field, edits_, duration_s, goes_on))
         context.emit(commands::EditDeclaration{
             {commands::SetDeclared{inside(path, "duration_s"), toml::toml_number(duration_s)}}, field.name, goes_on});
+}
+
+/// The declared end is a time of the recording, the shown one is of the trial.
+void TrialPanel::draw_recording_end(PanelContext& context) {
+    const commands::SceneTrial& trial = context.state.scene->trials[index_of(context.state)];
+    if (trial.time_s.size() == 0) return;
+    double end_s = trial.time_s(trial.time_s.size() - 1);
+    bool goes_on = false;
+    const NumberField field{"Used until",
+                            "trial/end",
+                            commands::Dimension::time,
+                            "s",
+                            "Time of the trial [s] after which the recording is not used: runs, fits and diagnoses end "
+                            "there. A time behind its last sample takes all of it.",
+                            {new_trial_policy.shortest_s, 3600.0},
+                            0.01};
+    if (number_row(context, field, edits_, end_s, goes_on, trial.name))
+        context.emit(
+            commands::EditDeclaration{{commands::SetDeclared{inside({"trial", index_of(context.state)}, "end_s"),
+                                                             toml::toml_number(end_s + trial.repairs.start_s)}},
+                                      field.name,
+                                      goes_on});
 }
 
 void TrialPanel::draw_loads(PanelContext& context) {
