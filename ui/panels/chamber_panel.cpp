@@ -32,8 +32,17 @@ void ChamberPanel::draw(PanelContext& context) {
                    "same file.");
         return;
     }
+    uncut(context);
     draw_pick(context);
     for (std::size_t c = 0; c < cavities.size(); ++c) draw_cavity(context, c);
+}
+
+void ChamberPanel::uncut(PanelContext& context) {
+    if (!cut_ || context.placing.sets(Placing::Kind::cavity)) return;
+    cut_ = false;
+    commands::ViewOptions view = context.state.view;
+    view.clip.on = false;
+    context.emit(commands::ChangeView{view});
 }
 
 void ChamberPanel::draw_pick(PanelContext& context) {
@@ -53,12 +62,13 @@ void ChamberPanel::draw_pick(PanelContext& context) {
                 view.clip.on = true;
                 view.clip.position_m = view.clip.normal.dot(open->inside_m);
                 context.emit(commands::ChangeView{view});
+                cut_ = true;
             }
         }
     }
     ImGui::EndDisabled();
     context.items.mark("chamber/pick");
-    tooltip(context.theme, "Cuts the body open, so that the wall of a cavity can be clicked.");
+    tooltip(context.theme, "Cuts the body open until the wall of a cavity is clicked.");
 }
 
 void ChamberPanel::draw_cavity(PanelContext& context, std::size_t c) {

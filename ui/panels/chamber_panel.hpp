@@ -21,10 +21,13 @@ public:
 
 private:
     void draw_pick(PanelContext& context);
+    /// Closes the body again once picking has ended.
+    void uncut(PanelContext& context);
     void draw_cavity(PanelContext& context, std::size_t cavity);
 
     NumberEdits edits_;
     NameEdit names_;
+    bool cut_ = false;  // picking cut the body open
 };
 
 }  // namespace myo::ui::panels
