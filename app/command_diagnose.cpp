@@ -58,11 +58,11 @@ std::string candidate_lines(const diagnosis::Diagnosis& d) {
         text += line;
         if (c.judged) text += "  " + diagnosis::parameter_words(c.judged->fit.effects.front().parameters);
     }
-    for (const diagnosis::JudgedFit& pair : d.pairs) {
-        std::snprintf(line, sizeof line, "\n%-22s %10s %12.4f %10.3f x %10.3f x %8.3f  ", "pair", "", 1e3 * pair.rms_m,
-                      pair.held_out_rms, pair.tests.systematic.rms, pair.weight);
+    for (const diagnosis::JudgedFit& set : d.sets) {
+        std::snprintf(line, sizeof line, "\n%-22s %10s %12.4f %10.3f x %10.3f x %8.3f  ", "set", "", 1e3 * set.rms_m,
+                      set.held_out_rms, set.tests.systematic.rms, set.weight);
         text += line;
-        for (const effect::EffectDeclaration& effect : pair.fit.effects) text += diagnosis::effect_words(effect) + " ";
+        for (const effect::EffectDeclaration& effect : set.fit.effects) text += diagnosis::effect_words(effect) + " ";
     }
     return text;
 }

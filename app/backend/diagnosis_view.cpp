@@ -38,7 +38,7 @@ std::string capitalised(std::string text) {
 std::string key_of(const std::vector<effect::EffectDeclaration>& effects) {
     std::vector<std::string> ids;
     for (const effect::EffectDeclaration& effect : effects) ids.push_back(effect.id);
-    std::sort(ids.begin(), ids.end());  // the order of a pair does not matter
+    std::sort(ids.begin(), ids.end());  // the order of a set does not matter
     return join(ids, "+");
 }
 
@@ -90,8 +90,8 @@ const diagnosis::JudgedFit* fit_of(const diagnosis::Diagnosis& d, const std::str
     if (key == declared_key) return &d.declared;
     for (const diagnosis::Candidate& candidate : d.candidates)
         if (candidate.judged && candidate.score.id == key) return &*candidate.judged;
-    for (const diagnosis::JudgedFit& pair : d.pairs)
-        if (key_of(pair.fit.effects) == key) return &pair;
+    for (const diagnosis::JudgedFit& set : d.sets)
+        if (key_of(set.fit.effects) == key) return &set;
     return nullptr;
 }
 
@@ -272,10 +272,10 @@ private:
         std::vector<std::pair<double, ui::commands::DiagnosisRow>> fitted;
         for (const diagnosis::Candidate& candidate : d_.candidates)
             if (candidate.judged) fitted.emplace_back(candidate.judged->criterion, candidate_row(candidate));
-        for (const diagnosis::JudgedFit& pair : d_.pairs)
-            fitted.emplace_back(pair.criterion,
-                                fitted_row(key_of(pair.fit.effects),
-                                           results::effect_name(diagnosis::names_of(pair.fit.effects)), pair));
+        for (const diagnosis::JudgedFit& set : d_.sets)
+            fitted.emplace_back(
+                set.criterion,
+                fitted_row(key_of(set.fit.effects), results::effect_name(diagnosis::names_of(set.fit.effects)), set));
         std::stable_sort(fitted.begin(), fitted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
         // The verdict omits unnecessary effects: among equivalent fits it names the simplest, which is displayed first.
         std::stable_partition(fitted.begin(), fitted.end(), [](const auto& row) { return row.second.chosen; });

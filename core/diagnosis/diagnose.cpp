@@ -8,7 +8,7 @@
 #include "diagnosis/fit/store_words.hpp"
 #include "diagnosis/screening/screen_effects.hpp"
 #include "diagnosis/search/search_effects.hpp"
-#include "diagnosis/search/search_pairs.hpp"
+#include "diagnosis/search/search_sets.hpp"
 #include "diagnosis/verdict/final_fit.hpp"
 #include "diagnosis/verdict/verdict.hpp"
 #include "statistics/residual_spot.hpp"
@@ -77,7 +77,7 @@ public:
         d_.declared.criterion = fits.declared.criterion;
         d_.declared.weight = fits.declared.weight;
         d_.candidates = fits.candidates;
-        d_.pairs = fits.pairs;
+        d_.sets = fits.sets;
         show();
     }
     void enter(std::vector<Confusion> confusions) {
@@ -122,7 +122,7 @@ private:
     Diagnosis d_;
 };
 
-/// Screening, search of one effect, and search of a second one. Returns the shift with which the last fits were made.
+/// Screening, search of one effect, and search of a set. Returns the shift with which the last fits were made.
 PredictionShift search(const DiagnosisContext& context, FitStore& store, PhaseLog& log, Record& record) {
     const Screening screening = screen_effects(context, store, log);
     if (log.cancelled()) return context.data.shift;
@@ -135,10 +135,10 @@ PredictionShift search(const DiagnosisContext& context, FitStore& store, PhaseLo
                                                               context.policy().confusion);
     record.enter(confusions);
     if (is_faint(context.baseline())) return context.data.shift;
-    PairSearch pairs = search_pairs(context, std::move(singles), store, log);
-    record.enter(pairs.fits);
+    const SetSearch sets = search_sets(context, std::move(singles), store, log, show);
+    record.enter(sets.fits);
     record.enter(confusions);
-    return pairs.shift;
+    return sets.shift;
 }
 
 }  // namespace

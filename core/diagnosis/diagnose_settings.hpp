@@ -13,7 +13,7 @@ namespace myo::diagnosis {
 struct DiagnoseSettings {
     double alpha = 0.01;               // false-alarm rate of all significance tests together
     int refits = 10;                   // number of candidates that are fitted after the score tests
-    int pairs = 5;                     // number of second effects that are fitted together with the best one
+    int extensions = 5;                // number of further effects that are fitted together with a set
     bool refine_mesh = true;           // estimate and remove the mesh error
     std::vector<std::string> without;  // effects that may not be named
     /// File of finished fits, read at the start and kept up to date; a stopped diagnosis resumes from it.

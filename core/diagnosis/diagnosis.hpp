@@ -19,11 +19,12 @@ enum class VerdictKind { none, effects, unknown };
 struct Verdict {
     VerdictKind kind = VerdictKind::unknown;
     std::vector<effect::EffectDeclaration> effects = {};
-    double confidence = 0.0;
+    double confidence = 0.0;                // of the whole answer
     std::string reason = {};                // one or two sentences for the user
     std::vector<std::string> ranking = {};  // ids by decreasing credibility, including none and unknown
     std::string cautions = {};              // at the end of the reason
     std::string rule = {};                  // name of the rule, see verdict_rules()
+    double trust = 1.0;                     // in the evidence for named effects: by the tests of the fit alone
 };
 
 /// Result of a diagnosis: what the declared model lacks, and the evidence.
@@ -37,7 +38,7 @@ struct Diagnosis {
     double modulus_factor = 1.0;       // of the cells, in all fits after the first declared fit
     JudgedFit declared;
     std::vector<Candidate> candidates;  // most credible first
-    std::vector<JudgedFit> pairs;       // best first
+    std::vector<JudgedFit> sets;        // of two and more effects, best first
     std::vector<Confusion> confusions;
     Verdict verdict;
     JudgedFit augmented;                 // declared fit if the verdict is none, best attempt if it is unknown
@@ -57,7 +58,7 @@ struct Diagnosis {
 /// Setup with the element, steps and effective modulus that a diagnosis used.
 setup::Setup as_diagnosed(const Diagnosis& diagnosis, setup::Setup setup);
 
-/// Declared fit, numerical error, significance, scores, candidate fits, pairs, verdict, prediction of all trials.
+/// Declared fit, numerical error, significance, scores, candidate fits, sets, verdict, prediction of all trials.
 ///
 /// Trials with role `validate` are only predicted at the end: a verdict with which their prediction is worse keeps half
 /// its confidence. The result does not depend on the number of threads. Progress is reported by phase, each in its own

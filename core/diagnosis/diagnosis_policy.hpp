@@ -170,11 +170,15 @@ struct SearchPolicy {
     Effort unexplained{4, 1e-3};  // of the best attempt if nothing explains the residual
 };
 
-/// Search for a second effect.
-struct PairPolicy {
-    /// Only if the best effect leaves at most this share of the declared excess.
-    double max_left = 0.6;
-    double pruning_factor = 1.5;  // lower than for single effects: one of the two is already fitted
+/// Search for sets of effects.
+struct SetPolicy {
+    /// Only if the best effect leaves at most this share of the declared excess: where two act, each alone may take
+    /// little.
+    double max_left = 0.9;
+    double pruning_factor = 1.5;      // lower than for single effects: all but one are already fitted
+    std::size_t max_effects = 4;      // of a set; its numbers are then as many as a few trials determine
+    int max_rounds = 6;               // larger sets and exchanges together
+    double min_evidence_ratio = 4.0;  // of a set over the one before it: weights of 0.8 and 0.2
 };
 
 /// Effects that the experiment cannot separate.
@@ -322,7 +326,7 @@ struct DiagnosisPolicy {
     ScreeningPolicy screening;
     CandidateFitPolicy fits;
     SearchPolicy search;
-    PairPolicy pairs;
+    SetPolicy sets;
     ConfusionPolicy confusion;
     JudgementPolicy judgement;
     VerdictPolicy verdict;

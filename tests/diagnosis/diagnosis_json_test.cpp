@@ -70,7 +70,7 @@ TEST(DiagnosisJson, HasTheKeysOfTheSchema) {
     EXPECT_EQ(json["noise_floor_m"], test::noise_m);
     for (const char* fit : {"declared_fit", "augmented_fit"})
         EXPECT_EQ(keys_of(json[fit]), (Keys{"parameters", "rms_m"})) << fit;
-    EXPECT_EQ(keys_of(json["verdict"]), (Keys{"effects", "ranking"}));
+    EXPECT_EQ(keys_of(json["verdict"]), (Keys{"confidence", "effects", "not_told_apart", "probabilities", "ranking"}));
     EXPECT_EQ(keys_of(json["verdict"]["effects"][0]), (Keys{"id", "confidence", "parameters"}));
     EXPECT_EQ(keys_of(json["validation"]), (Keys{"before_rms_m", "after_rms_m"}));
     for (const report::Json& trial : json["trials"])
@@ -141,7 +141,7 @@ TEST(DiagnosisJson, ListsTheEvidence) {
     d.candidates.emplace_back();
     d.candidates[1].score.id = "point_mass";
     d.candidates[1].score.failure = "the run failed";
-    d.pairs = {test::pair_that_leaves(0.2)};
+    d.sets = {test::pair_that_leaves(0.2)};
     d.confusions = {{"quadratic_drag", "linear_drag", 0.99, "a slow release"}};
     d.cost = {{"score", 1.5, 12}};
     const report::Json details = json_of(d)["details"];
@@ -151,7 +151,7 @@ TEST(DiagnosisJson, ListsTheEvidence) {
     EXPECT_FALSE(details["candidates"][0].contains("failure"));
     EXPECT_EQ(details["candidates"][1]["failure"], "the run failed");
     EXPECT_FALSE(details["candidates"][1].contains("fit"));
-    EXPECT_EQ(details["pairs"][0]["ids"], (std::vector<std::string>{"quadratic_drag", "cable_tug"}));
+    EXPECT_EQ(details["sets"][0]["ids"], (std::vector<std::string>{"quadratic_drag", "cable_tug"}));
     EXPECT_EQ(details["not_to_be_told_apart"][0]["ids"], (std::vector<std::string>{"quadratic_drag", "linear_drag"}));
     EXPECT_EQ(details["not_to_be_told_apart"][0]["next_experiment"], "a slow release");
     EXPECT_EQ(details["cost"][0]["phase"], "score");

@@ -60,7 +60,7 @@ Diagnosis diagnosed(const setup::Setup& setup) {
     idle.score.id = "clock_offset";
     idle.score.test.explained = std::nan("");
     d.candidates = {drag, failed, idle};
-    d.pairs = {with_drag};
+    d.sets = {with_drag};
     d.confusions = {{"quadratic_drag", "linear_drag", 0.998, "a release from twice the height"}};
     d.augmented = with_drag;
     d.before = prediction::run_trials(setup, declared);
@@ -166,7 +166,7 @@ TEST_F(DiagnosisReport, OfAnUnknownCauseShowsTheForce) {
 TEST_F(DiagnosisReport, OfARightModelHasNoAfter) {
     diagnosis_.verdict = {VerdictKind::none, {}, 0.97, "what is left is noise.", {"none"}};
     diagnosis_.candidates.clear();
-    diagnosis_.pairs.clear();
+    diagnosis_.sets.clear();
     diagnosis_.confusions.clear();
     diagnosis_.augmented = diagnosis_.declared;
     diagnosis_.after = diagnosis_.before;

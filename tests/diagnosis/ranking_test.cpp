@@ -110,18 +110,18 @@ TEST(Ranking, OfPairsWeighsAllFitsTogether) {
     const Case of;
     RankedFits fits;
     fits.candidates = {candidate("quadratic_drag", 3.0)};
-    fits.pairs = {fit(2.0, 2.0), fit(1.0, 1.0), fit(1.5, 1.5)};
-    const RankedFits ranked = with_ranked_pairs(fits, of.baseline());
-    EXPECT_NEAR(ranked.pairs[0].held_out_rms, 1.0, 0.0);
-    EXPECT_NEAR(ranked.pairs[1].held_out_rms, 1.5, 0.0);
-    EXPECT_NEAR(ranked.pairs[2].held_out_rms, 2.0, 0.0);
-    const double sum = ranked.declared.weight + ranked.candidates[0].judged->weight + ranked.pairs[0].weight +
-                       ranked.pairs[1].weight + ranked.pairs[2].weight;
+    fits.sets = {fit(2.0, 2.0), fit(1.0, 1.0), fit(1.5, 1.5)};
+    const RankedFits ranked = with_ranked_sets(fits, of.baseline());
+    EXPECT_NEAR(ranked.sets[0].held_out_rms, 1.0, 0.0);
+    EXPECT_NEAR(ranked.sets[1].held_out_rms, 1.5, 0.0);
+    EXPECT_NEAR(ranked.sets[2].held_out_rms, 2.0, 0.0);
+    const double sum = ranked.declared.weight + ranked.candidates[0].judged->weight + ranked.sets[0].weight +
+                       ranked.sets[1].weight + ranked.sets[2].weight;
     EXPECT_NEAR(sum, 1.0, 1e-12);
     // Without the pairs the single effect has all the weight, and the pairs keep what they have.
     const RankedFits single = with_ranked_candidates(ranked, of.baseline());
     EXPECT_GT(single.candidates[0].judged->weight, 0.9);
-    EXPECT_EQ(single.pairs[0].weight, ranked.pairs[0].weight);
+    EXPECT_EQ(single.sets[0].weight, ranked.sets[0].weight);
 }
 
 TEST(Ranking, KnowsWhatIsLeft) {
@@ -140,6 +140,36 @@ TEST(Ranking, IsExplainedByTheFirstCandidateOnly) {
     EXPECT_FALSE(explained({candidate("point_mass", 0.0), candidate("quadratic_drag", 1.0)}, of.baseline()));
     EXPECT_TRUE(explained({candidate("quadratic_drag", 1.0), candidate("linear_drag", 4.0)}, of.baseline()));
     EXPECT_FALSE(explained({candidate("linear_drag", 4.0), candidate("quadratic_drag", 1.0)}, of.baseline()));
+}
+
+/// An effect beside which nothing is needed wins over the set only if its evidence is larger.
+TEST(Weights, RatioOfTwoFitsIsThatOfTheirWeights) {
+    const FitData data = made_data(samples);
+    const JudgedFit better = fit(1.0, 1.0), worse = fit(1.3, 1.3);
+    const std::vector<FitWeight> weights = weights_of(data, {&better, &worse}, {});
+    EXPECT_DOUBLE_EQ(evidence_ratio(data, better, worse, {}), weights[0].weight / weights[1].weight);
+    EXPECT_NEAR(evidence_ratio(data, better, worse, {}) * evidence_ratio(data, worse, better, {}), 1.0, 1e-12);
+}
+
+TEST(Sets, AreTheSameInAnyOrder) {
+    EXPECT_TRUE(have_same_ids({{"a", {}}, {"b", {}}}, {{"b", {}}, {"a", {}}}));
+    EXPECT_FALSE(have_same_ids({{"a", {}}, {"b", {}}}, {{"a", {}}}));
+    EXPECT_FALSE(have_same_ids({{"a", {}}, {"b", {}}}, {{"a", {}}, {"c", {}}}));
+}
+
+/// A set that leaves a part unexplained comes after one that explains, whatever its criterion.
+TEST(Sets, ThoseThatExplainComeFirst) {
+    Case made;
+    RankedFits fits;
+    for (const double leaves : {0.9, 0.2}) {
+        JudgedFit set = fit_that_leaves(leaves < 0.5 ? 0.2 : 3.0, "a");
+        set.fit.residual = noise(leaves);
+        set.held_out_rms = set.held_out_in_time_rms = leaves < 0.5 ? 1.0 : 0.5;
+        fits.sets.push_back(set);
+    }
+    const RankedFits ranked = with_ranked_sets(fits, made.baseline());
+    EXPECT_NEAR(ranked.sets[0].tests.systematic.rms, 0.2, 0.0);
+    EXPECT_NEAR(ranked.sets[1].tests.systematic.rms, 3.0, 0.0);
 }
 
 }  // namespace

@@ -90,22 +90,22 @@ TEST(SearchDecisions, MostOfTheResidualIsNearlyAnExplanation) {
         }
 }
 
-TEST(SearchDecisions, APairIsTriedWhereTheBestLeavesAnExcess) {
+TEST(SearchDecisions, ASetIsTriedWhereTheBestLeavesAnExcess) {
     Diagnosis d = with_candidate(0.3);
-    EXPECT_FALSE(is_worth_a_pair(*d.candidates[0].judged, d.baseline())) << "one effect explains it";
+    EXPECT_FALSE(is_worth_a_set(*d.candidates[0].judged, d.baseline())) << "one effect explains it";
     d.declared = with_excess(5000.0);
-    const double limit = PairPolicy{}.max_left * 5000.0;
-    EXPECT_TRUE(is_worth_a_pair(with_excess(below * limit), d.baseline()));
-    EXPECT_FALSE(is_worth_a_pair(with_excess(above * limit), d.baseline()));
+    const double limit = SetPolicy{}.max_left * 5000.0;
+    EXPECT_TRUE(is_worth_a_set(with_excess(below * limit), d.baseline()));
+    EXPECT_FALSE(is_worth_a_set(with_excess(above * limit), d.baseline()));
 }
 
-TEST(SearchDecisions, OneEffectOfAPairIsRemoved) {
-    prediction::ParameterValues pair;
-    pair.effects = {{"declared", {}}, {"first", {}}, {"second", {}}};
-    EXPECT_EQ(with_one_effect(pair, 1, 0).effects[1].id, "first");
-    EXPECT_EQ(with_one_effect(pair, 1, 1).effects[1].id, "second");
-    EXPECT_EQ(with_one_effect(pair, 1, 1).effects.size(), 2u);
-    EXPECT_EQ(with_one_effect(pair, 1, 1).effects[0].id, "declared");
+TEST(SearchDecisions, OneEffectOfASetIsRemoved) {
+    prediction::ParameterValues values;
+    values.effects = {{"declared", {}}, {"first", {}}, {"second", {}}};
+    const prediction::ParameterValues without = without_effect(values, 1);
+    ASSERT_EQ(without.effects.size(), 2u);
+    EXPECT_EQ(without.effects[0].id, "declared");
+    EXPECT_EQ(without.effects[1].id, "second");
 }
 
 std::vector<std::size_t> continued(const PruningInput& in, double predicted = 1e30) {

@@ -56,11 +56,11 @@ TEST(VerdictLimits, PairsCountForThePresenceOfAnEffect) {
     for (const bool present : {true, false}) {
         Diagnosis d = with_candidate(1.23);
         d.candidates[0].judged->weight = 0.3;
-        d.pairs = {pair_that_leaves(1.3), pair_that_leaves(1.3)};
-        d.pairs[0].weight = 0.1;
-        d.pairs[1].weight = (present ? above : 0.9) * (policy.present - 0.4);
+        d.sets = {pair_that_leaves(1.3), pair_that_leaves(1.3)};
+        d.sets[0].weight = 0.1;
+        d.sets[1].weight = (present ? above : 0.9) * (policy.present - 0.4);
         EXPECT_EQ(rule_of(d), present ? "nearly_all" : "unexplained");
-        d.pairs[1].fit.effects[0].id = "gravity_tilt";
+        d.sets[1].fit.effects[0].id = "gravity_tilt";
         EXPECT_EQ(rule_of(d), "unexplained");
     }
 }
@@ -68,23 +68,23 @@ TEST(VerdictLimits, PairsCountForThePresenceOfAnEffect) {
 TEST(VerdictLimits, ThePairExplainsWhatNoSingleEffectDoes) {
     for (const bool explains : {true, false}) {
         Diagnosis d = with_candidate(4.0);
-        d.pairs = {pair_that_leaves((explains ? below : above) * JudgementPolicy{}.share_of_form * 10.0)};
-        d.pairs[0].tests.variance.p = 0.0;
-        EXPECT_EQ(rule_of(d), explains ? "pair" : "unexplained");
+        d.sets = {pair_that_leaves((explains ? below : above) * JudgementPolicy{}.share_of_form * 10.0)};
+        d.sets[0].tests.variance.p = 0.0;
+        EXPECT_EQ(rule_of(d), explains ? "set" : "unexplained");
     }
     for (const bool needed : {true, false}) {
         Diagnosis d = with_candidate(1.4);
-        d.pairs = {pair_that_leaves((needed ? below : above) * JudgementPolicy{}.most_of_residual * 1.4)};
-        EXPECT_EQ(rule_of(d), needed ? "pair" : "unexplained") << "the second effect has to do something";
+        d.sets = {pair_that_leaves((needed ? below : above) * JudgementPolicy{}.most_of_residual * 1.4)};
+        EXPECT_EQ(rule_of(d), needed ? "set" : "unexplained") << "the second effect has to do something";
     }
 }
 
 TEST(VerdictLimits, WhichEffectIsSecondHasToBeDecided) {
     for (const bool decided : {true, false}) {
         Diagnosis d = with_candidate(1.23);
-        d.pairs = {pair_that_leaves(0.2)};
-        d.pairs[0].weight = (decided ? above : below) * policy.second_effect;
-        EXPECT_EQ(rule_of(d), decided ? "pair" : "nearly_all");
+        d.sets = {pair_that_leaves(0.2)};
+        d.sets[0].weight = (decided ? above : below) * policy.second_effect;
+        EXPECT_EQ(rule_of(d), decided ? "set" : "nearly_all");
     }
 }
 
@@ -110,9 +110,9 @@ TEST(VerdictLimits, MostIsRemovedOfWhatNoDeclaredNoiseBounds) {
 TEST(VerdictLimits, APairRemovesMostIfItRanksFirst) {
     for (const bool first : {true, false}) {
         Diagnosis d = measured(4.9);
-        d.pairs = {pair_that_leaves(2.5)};
-        d.pairs[0].criterion = d.candidates[0].judged->criterion * (first ? below : above);
-        EXPECT_EQ(rule_of(d), first ? "most_by_pair" : "most_by_single");
+        d.sets = {pair_that_leaves(2.5)};
+        d.sets[0].criterion = d.candidates[0].judged->criterion * (first ? below : above);
+        EXPECT_EQ(rule_of(d), first ? "most_by_set" : "most_by_single");
     }
 }
 
@@ -149,15 +149,15 @@ TEST(VerdictLimits, TheFitOfAVerdictIsTheOneItNames) {
     const auto effects = [](const Diagnosis& d) { return decide(d).fit.fit.effects.size(); };
     Diagnosis d = with_candidate(4.0);
     EXPECT_EQ(effects(d), 1u) << "the best attempt";
-    d.pairs = {pair_that_leaves(3.0)};
-    d.pairs[0].criterion = 3.0;
+    d.sets = {pair_that_leaves(3.0)};
+    d.sets[0].criterion = 3.0;
     EXPECT_EQ(effects(d), 2u) << "the better attempt";
-    d.pairs[0].criterion = 5.0;
+    d.sets[0].criterion = 5.0;
     EXPECT_EQ(effects(d), 1u);
-    d.pairs[0] = pair_that_leaves(0.3);
+    d.sets[0] = pair_that_leaves(0.3);
     EXPECT_EQ(effects(d), 2u);
     d.candidates.clear();
-    d.pairs.clear();
+    d.sets.clear();
     EXPECT_EQ(effects(d), 0u) << "the declared model";
     d.declared = fit_that_leaves(0.1);
     EXPECT_EQ(effects(d), 0u);

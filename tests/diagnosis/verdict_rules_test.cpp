@@ -24,7 +24,7 @@ std::string rule_of(Diagnosis d, const DiagnosisPolicy& policy = {}) {
 /// A pair beside a candidate that leaves a fifth of the residual.
 Diagnosis with_pair(double left_over_noise) {
     Diagnosis d = with_candidate(2.0);
-    d.pairs.push_back(pair_that_leaves(left_over_noise));
+    d.sets.push_back(pair_that_leaves(left_over_noise));
     return d;
 }
 
@@ -60,12 +60,12 @@ std::map<std::string, std::function<Diagnosis()>> cases() {
              return d;
          }},
         {"single_effect", [] { return with_candidate(0.3); }},
-        {"pair", [] { return with_pair(0.3); }},
+        {"set", [] { return with_pair(0.3); }},
         {"nearly_all", [] { return with_candidate(1.23); }},
-        {"most_by_pair",
+        {"most_by_set",
          [] {
              Diagnosis d = with_candidate(4.9);
-             d.pairs.push_back(pair_that_leaves(2.5));
+             d.sets.push_back(pair_that_leaves(2.5));
              return with_noise_from_still_markers(d);
          }},
         {"most_by_single", [] { return with_noise_from_still_markers(with_candidate(4.0)); }},

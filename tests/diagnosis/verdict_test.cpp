@@ -138,7 +138,7 @@ TEST(Verdict, ASecondEffectHasToDoSomething) {
     for (const double pair_leaves : {0.2, 0.9}) {
         Diagnosis d = with_candidate(1.25);
         d.numerics.left_rms_m = 0.65 * noise_m;  // 0.98 noise levels are excused, 1.25 are not
-        d.pairs.push_back(pair_that_leaves(pair_leaves));
+        d.sets.push_back(pair_that_leaves(pair_leaves));
         decided(d);
         EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
         EXPECT_EQ(d.verdict.effects.size(), pair_leaves < 0.5 ? 2u : 1u);
@@ -153,9 +153,9 @@ TEST(Verdict, TwoEffectsHaveToBeTestedByOtherTrials) {
     for (const int single_trial_directions : {0, 1})
         for (const bool of_one_trial : {false, true}) {
             Diagnosis d = with_candidate(5.0);
-            d.pairs.push_back(pair_that_leaves(0.2));
-            d.pairs[0].single_trial_directions = single_trial_directions;
-            if (of_one_trial) d.pairs[0].fit.effects[1] = {"held_pose", {{"trial", std::string("release")}}};
+            d.sets.push_back(pair_that_leaves(0.2));
+            d.sets[0].single_trial_directions = single_trial_directions;
+            if (of_one_trial) d.sets[0].fit.effects[1] = {"held_pose", {{"trial", std::string("release")}}};
             decided(d);
             const bool untested = single_trial_directions > 0 && !of_one_trial;
             EXPECT_EQ(d.verdict.kind, untested ? VerdictKind::unknown : VerdictKind::effects);
@@ -170,9 +170,10 @@ TEST(Verdict, ASecondEffectIsNamedOnlyWhereItIsLikelierThanTheOthers) {
         Diagnosis d = with_candidate(1.25);
         d.candidates[0].judged->weight = 0.0;
         for (const double share : {weight, 1.0 - weight}) {
-            d.pairs.push_back(pair_that_leaves(0.2));
-            d.pairs.back().weight = share;
+            d.sets.push_back(pair_that_leaves(0.2));
+            d.sets.back().weight = share;
         }
+        d.sets.back().fit.effects[1].id = "gravity_tilt";
         decided(d);
         EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
         EXPECT_EQ(d.verdict.effects.size(), weight > 0.5 ? 2u : 1u);
@@ -221,8 +222,8 @@ TEST(Verdict, APairThatExplainsMuchMoreOfARealBodyIsNamed) {
         Diagnosis d = with_candidate(5.0);
         d.data.noise_declared = false;
         d.candidates[0].judged->weight = 0.0;
-        d.pairs.push_back(pair_that_leaves(pair_leaves));
-        d.pairs[0].tests.variance.p = 0.0;
+        d.sets.push_back(pair_that_leaves(pair_leaves));
+        d.sets[0].tests.variance.p = 0.0;
         decided(d);
         EXPECT_EQ(d.verdict.kind, VerdictKind::effects);
         EXPECT_EQ(d.verdict.effects.size(), pair_leaves < 2.0 ? 2u : 1u);
@@ -412,7 +413,7 @@ TEST(Verdict, BetterPairsDoNotDenyWhatExplainsTheResidualAlone) {
     const double undisputed = d.verdict.confidence;
     d = with_candidate(0.3);
     d.candidates[0].judged->weight = 1e-6;
-    d.pairs.push_back(pair_that_leaves(0.25));
+    d.sets.push_back(pair_that_leaves(0.25));
     decided(d);
     EXPECT_EQ(d.verdict.effects.size(), 1u);
     EXPECT_GT(d.verdict.confidence, 0.4);

@@ -17,7 +17,7 @@ validation::ValidationOptions small_validation() {
     options.range.cases = 2;
     options.range.threads = 2;
     options.diagnose.refits = 3;
-    options.diagnose.pairs = 0;
+    options.diagnose.extensions = 0;
     return options;
 }
 

@@ -5,6 +5,7 @@
 
 #include "diagnosis/screening/confusion.hpp"
 #include "diagnosis/selection/judgement.hpp"
+#include "diagnosis/verdict/probabilities.hpp"
 #include "results/output_json.hpp"
 #include "results/robot_tables.hpp"
 
@@ -163,6 +164,14 @@ report::Json missing_force_json(const MissingForce& force) {
     return json;
 }
 
+/// Groups of effects that neither the experiment separates nor the fits decide between.
+report::Json not_told_apart_json(const Diagnosis& d) {
+    report::Json json = report::Json::array();
+    for (const Confusion& confusion : confusions_of_verdict(d))
+        if (!is_decided(d, confusion)) json.push_back({confusion.first, confusion.second});
+    return json;
+}
+
 report::Json details_json(const setup::Setup& setup, const Diagnosis& d) {
     report::Json json{{"verdict", kind_word(d.verdict.kind)},
                       {"because", d.verdict.reason},
@@ -172,12 +181,12 @@ report::Json details_json(const setup::Setup& setup, const Diagnosis& d) {
     json["augmented"] = judged_json(d.augmented);
     json["candidates"] = report::Json::array();
     for (const Candidate& candidate : d.candidates) json["candidates"].push_back(candidate_json(candidate));
-    json["pairs"] = report::Json::array();
-    for (const JudgedFit& pair : d.pairs) {
+    json["sets"] = report::Json::array();
+    for (const JudgedFit& set : d.sets) {
         report::Json entry{{"ids", report::Json::array()}};
-        for (const effect::EffectDeclaration& effect : pair.fit.effects) entry["ids"].push_back(effect.id);
-        entry["fit"] = judged_json(pair);
-        json["pairs"].push_back(std::move(entry));
+        for (const effect::EffectDeclaration& effect : set.fit.effects) entry["ids"].push_back(effect.id);
+        entry["fit"] = judged_json(set);
+        json["sets"].push_back(std::move(entry));
     }
     json["not_to_be_told_apart"] = report::Json::array();
     for (const Confusion& c : d.confusions)
@@ -226,9 +235,14 @@ report::Json diagnosis_json(const setup::Setup& setup, const Diagnosis& d, const
                            {"parameters", report::Json::object()}});
     for (const effect::EffectDeclaration& effect : d.verdict.effects)
         effects.push_back({{"id", effect.id},
-                           {"confidence", report::json_number(d.verdict.confidence)},
+                           {"confidence", report::json_number(confidence_in(d, effect.id))},
                            {"parameters", effect_parameters_json(effect.parameters)}});
-    json["verdict"] = {{"effects", effects}, {"ranking", d.verdict.ranking}};
+    json["verdict"] = {{"effects", effects},
+                       {"ranking", d.verdict.ranking},
+                       {"confidence", report::json_number(d.verdict.confidence)},
+                       {"not_told_apart", not_told_apart_json(d)}};
+    for (const auto& [id, probability] : effect_probabilities(d))
+        json["verdict"]["probabilities"][id] = report::json_number(probability);
     json["augmented_fit"] = fit_json(d.augmented);
     json["validation"] = {{"before_rms_m", report::json_number(d.before.validation_rms_m)},
                           {"after_rms_m", report::json_number(d.after.validation_rms_m)}};

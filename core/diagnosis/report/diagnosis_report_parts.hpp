@@ -67,7 +67,7 @@ report::Section residual_section(const setup::Setup& setup, const Diagnosis& dia
 report::Section significance_section(const setup::Setup& setup, const Diagnosis& diagnosis);
 /// Numerical error of mesh and step.
 report::Section numerics_section(const setup::Setup& setup, const Diagnosis& diagnosis);
-/// Effects and pairs that were tried.
+/// Effects and sets that were tried.
 report::Section candidate_section(const setup::Setup& setup, const Diagnosis& diagnosis);
 /// Effects that the experiment cannot separate; asserts that there are some.
 report::Section confusion_section(const Diagnosis& diagnosis);

@@ -204,7 +204,7 @@ report::Section candidate_section(const setup::Setup& setup, const Diagnosis& d)
                                               {"Held out", "× noise", 3},
                                               {"Systematic", "× noise", 3},
                                               {"Weight", "", 3}};
-    report::Table table{"", columns, {}}, others{"", columns, {}}, pairs{"", columns, {}};
+    report::Table table{"", columns, {}}, others{"", columns, {}}, sets{"", columns, {}};
     table.rows.push_back(candidate_row(setup, "(declared model)", no_value, no_value, &d.declared));
     table.rows.back()[3] = "";
     for (const Candidate& c : d.candidates) {
@@ -234,17 +234,18 @@ report::Section candidate_section(const setup::Setup& setup, const Diagnosis& d)
         others.columns[3].title = "Remark";
         section.blocks.push_back(report::Details{"Effects that explain little or none", {others}});
     }
-    for (const JudgedFit& pair : d.pairs) {
-        pairs.rows.push_back(
-            candidate_row(setup, results::effect_name(names_of(pair.fit.effects)), no_value, no_value, &pair));
-        pairs.rows.back().erase(pairs.rows.back().begin() + 1, pairs.rows.back().begin() + 3);
+    for (const JudgedFit& set : d.sets) {
+        sets.rows.push_back(
+            candidate_row(setup, results::effect_name(names_of(set.fit.effects)), no_value, no_value, &set));
+        sets.rows.back().erase(sets.rows.back().begin() + 1, sets.rows.back().begin() + 3);
     }
-    pairs.columns.erase(pairs.columns.begin() + 1, pairs.columns.begin() + 3);
-    pairs.columns[0].title = "Pair";
-    if (!pairs.rows.empty())
+    sets.columns.erase(sets.columns.begin() + 1, sets.columns.begin() + 3);
+    sets.columns[0].title = "Set";
+    if (!sets.rows.empty())
         section.blocks.insert(
             section.blocks.end(),
-            {report::Paragraph{"One effect left a residual, so a second one was fitted with the best."}, pairs});
+            {report::Paragraph{"One effect left a residual, so further ones were fitted with it, and exchanged."},
+             sets});
     return section;
 }
 

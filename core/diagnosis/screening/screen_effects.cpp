@@ -1,5 +1,6 @@
 #include "diagnosis/screening/screen_effects.hpp"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -42,11 +43,13 @@ Screening screen_effects(const DiagnosisContext& context, FitStore& store, Phase
 }
 
 std::vector<EffectScore> scores_from(const DiagnosisContext& context, const FitData& data, const JointFit& base,
-                                     ProbeSize size, const PhaseLog& log, const std::string& without) {
+                                     ProbeSize size, const PhaseLog& log, const std::vector<std::string>& without) {
     return score_with_longer_steps(
         context.setup, data, base,
-        [&](const std::string& id) { return id != without && may_be_named(context.settings, id); }, size,
-        context.policy().screening, log.progress());
+        [&](const std::string& id) {
+            return std::find(without.begin(), without.end(), id) == without.end() && may_be_named(context.settings, id);
+        },
+        size, context.policy().screening, log.progress());
 }
 
 std::vector<Candidate> listed_candidates(const std::vector<EffectScore>& scores) {

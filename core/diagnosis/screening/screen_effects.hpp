@@ -26,7 +26,7 @@ Screening screen_effects(const DiagnosisContext& context, FitStore& store, Phase
 /// Scores of the effects that may be named on the residual of a fit with the shift of `data`, except those of
 /// `without`. Empty if cancelled.
 std::vector<EffectScore> scores_from(const DiagnosisContext& context, const FitData& data, const JointFit& base,
-                                     ProbeSize size, const PhaseLog& log, const std::string& without = {});
+                                     ProbeSize size, const PhaseLog& log, const std::vector<std::string>& without = {});
 
 /// Each effect once, with its best probe. P-values are adjusted over all probes by Holm's rule.
 std::vector<Candidate> listed_candidates(const std::vector<EffectScore>& scores);

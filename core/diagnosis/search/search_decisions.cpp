@@ -28,16 +28,15 @@ std::size_t starts_worth_fitting(const std::vector<CandidateStart>& starts, cons
     return last;
 }
 
-bool is_worth_a_pair(const JudgedFit& best, const Baseline& baseline) {
+bool is_worth_a_set(const JudgedFit& best, const Baseline& baseline) {
     return !explains(best, baseline) &&
-           best.fit.excess() <= baseline.policy().pairs.max_left * baseline.declared.fit.excess();
+           best.fit.excess() <= baseline.policy().sets.max_left * baseline.declared.fit.excess();
 }
 
-prediction::ParameterValues with_one_effect(prediction::ParameterValues pair, std::size_t declared_effects,
-                                            std::size_t kept) {
-    assert(kept <= 1 && pair.effects.size() == declared_effects + 2);
-    pair.effects.erase(pair.effects.begin() + static_cast<std::ptrdiff_t>(declared_effects + 1 - kept));
-    return pair;
+prediction::ParameterValues without_effect(prediction::ParameterValues values, std::size_t effect) {
+    assert(effect < values.effects.size());
+    values.effects.erase(values.effects.begin() + static_cast<std::ptrdiff_t>(effect));
+    return values;
 }
 
 }  // namespace myo::diagnosis

@@ -27,14 +27,11 @@ bool is_rival(const Candidate& candidate, double least_squares, const SearchPoli
 std::size_t starts_worth_fitting(const std::vector<CandidateStart>& starts, const JudgedFit* best,
                                  const JudgedFit& declared, bool explained, const SearchPolicy& policy);
 
-/// Whether a second effect is fitted together with the best one: it leaves an excess that needs an explanation, but
+/// Whether further effects are fitted together with the best one: it leaves an excess that needs an explanation, but
 /// removes a share of that of the declared fit.
-bool is_worth_a_pair(const JudgedFit& best, const Baseline& baseline);
+bool is_worth_a_set(const JudgedFit& best, const Baseline& baseline);
 
-/// Values of a pair with one of its effects removed.
-/// @param declared_effects  number of effects of the experiment, which precede those of the pair
-/// @param kept              0: the first effect of the pair is kept, 1: the second
-prediction::ParameterValues with_one_effect(prediction::ParameterValues pair, std::size_t declared_effects,
-                                            std::size_t kept);
+/// Values without one of their effects.
+prediction::ParameterValues without_effect(prediction::ParameterValues values, std::size_t effect);
 
 }  // namespace myo::diagnosis

@@ -14,7 +14,7 @@ using SearchObserver = std::function<void(const RankedFits&)>;
 /// Fits the best of the scored effects until one explains the residual: from their best probes, from other places and
 /// axes, and from large probes. The best fits and their rivals are corrected by the numerical error of their own
 /// motion.
-/// @return  every scored effect, ranked; without pairs. Incomplete if cancelled
+/// @return  every scored effect, ranked; without sets. Incomplete if cancelled
 RankedFits search_effects(const DiagnosisContext& context, const Screening& screening, FitStore& store, PhaseLog& log,
                           const SearchObserver& show = {});
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "statistics/autocorrelation.hpp"
 #include "statistics/evidence.hpp"
@@ -42,14 +43,14 @@ bool is_best_untested(const std::vector<const JudgedFit*>& fits, const std::vect
     return fits[static_cast<std::size_t>(best)]->single_trial_directions > least;
 }
 
-/// Sets the places of all fits. Pairs keep theirs unless they are weighed, too.
-void weigh(RankedFits& fits, const Baseline& baseline, bool with_pairs) {
+/// Sets the places of all fits. Sets keep theirs unless they are weighed, too.
+void weigh(RankedFits& fits, const Baseline& baseline, bool with_sets) {
     std::vector<const JudgedFit*> all{&baseline.declared};
     std::vector<JudgedFit*> own;
     for (Candidate& candidate : fits.candidates)
         if (candidate.judged) own.push_back(&*candidate.judged);
-    if (with_pairs)
-        for (JudgedFit& pair : fits.pairs) own.push_back(&pair);
+    if (with_sets)
+        for (JudgedFit& set : fits.sets) own.push_back(&set);
     all.insert(all.end(), own.begin(), own.end());
     const std::vector<FitWeight> weights = weights_of(baseline.data, all, baseline.policy().judgement);
     fits.declared = weights.front();
@@ -84,6 +85,18 @@ double weight_among(const JudgedFit& fit, const std::vector<const JudgedFit*>& o
     return statistics::evidence_weights(criteria, policy.temperature).front();
 }
 
+double evidence_ratio(const FitData& data, const JudgedFit& fit, const JudgedFit& other,
+                      const JudgementPolicy& policy) {
+    const std::vector<FitWeight> weights = weights_of(data, {&fit, &other}, policy);
+    return weights[1].weight > 0.0 ? weights[0].weight / weights[1].weight : std::numeric_limits<double>::infinity();
+}
+
+bool have_same_ids(const std::vector<effect::EffectDeclaration>& a, const std::vector<effect::EffectDeclaration>& b) {
+    return std::is_permutation(
+        a.begin(), a.end(), b.begin(), b.end(),
+        [](const effect::EffectDeclaration& x, const effect::EffectDeclaration& y) { return x.id == y.id; });
+}
+
 RankedFits with_ranked_candidates(RankedFits fits, const Baseline& baseline) {
     weigh(fits, baseline, false);
     const auto rank = [&](const Candidate& c) { return !c.judged ? 2 : explains(*c.judged, baseline) ? 0 : 1; };
@@ -95,10 +108,12 @@ RankedFits with_ranked_candidates(RankedFits fits, const Baseline& baseline) {
     return fits;
 }
 
-RankedFits with_ranked_pairs(RankedFits fits, const Baseline& baseline) {
+RankedFits with_ranked_sets(RankedFits fits, const Baseline& baseline) {
     weigh(fits, baseline, true);
-    std::stable_sort(fits.pairs.begin(), fits.pairs.end(),
-                     [](const JudgedFit& a, const JudgedFit& b) { return a.criterion < b.criterion; });
+    const auto rank = [&](const JudgedFit& set) { return explains(set, baseline) ? 0 : 1; };
+    std::stable_sort(fits.sets.begin(), fits.sets.end(), [&](const JudgedFit& a, const JudgedFit& b) {
+        return std::pair(rank(a), a.criterion) < std::pair(rank(b), b.criterion);
+    });
     return fits;
 }
 

@@ -25,11 +25,17 @@ std::vector<FitWeight> weights_of(const FitData& data, const std::vector<const J
 /// Weight of a fit compared with the given others only, from the criteria of all of them.
 double weight_among(const JudgedFit& fit, const std::vector<const JudgedFit*>& others, const JudgementPolicy& policy);
 
-/// Fits of single effects and of pairs, with their weights.
+/// Weight of a fit over that of another one, compared by themselves; infinite if the other has none.
+double evidence_ratio(const FitData& data, const JudgedFit& fit, const JudgedFit& other, const JudgementPolicy& policy);
+
+/// Whether the same effects act in two sets, in any order.
+bool have_same_ids(const std::vector<effect::EffectDeclaration>& a, const std::vector<effect::EffectDeclaration>& b);
+
+/// Fits of single effects and of sets of two and more, with their weights.
 struct RankedFits {
     FitWeight declared;                 // of the declared fit
     std::vector<Candidate> candidates;  // most credible first
-    std::vector<JudgedFit> pairs;       // best first
+    std::vector<JudgedFit> sets;        // of two and more effects, best first
 };
 
 /// Weighs the fits of the declared model and of the candidates, and sorts the candidates: first those that explain the
@@ -37,8 +43,9 @@ struct RankedFits {
 /// unexplained ranks lower even if it predicts held-out trials better than one with a number that few trials determine.
 RankedFits with_ranked_candidates(RankedFits fits, const Baseline& baseline);
 
-/// Weighs all fits, of the declared model, of single effects and of pairs, and sorts the pairs by criterion.
-RankedFits with_ranked_pairs(RankedFits fits, const Baseline& baseline);
+/// Weighs all fits, of the declared model, of single effects and of sets, and sorts the sets: first those that explain
+/// the residual, each group by criterion.
+RankedFits with_ranked_sets(RankedFits fits, const Baseline& baseline);
 
 /// Squared residual of an effect's fit; infinite if it was not fitted.
 double left_by(const std::vector<Candidate>& candidates, const std::string& effect);

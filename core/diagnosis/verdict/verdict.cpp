@@ -44,10 +44,10 @@ Decision decide(const Diagnosis& d) {
     Verdict& verdict = decision.verdict;
     verdict.rule = rule->name;
     verdict.ranking = ranking_of(verdict, d.candidates);
-    if (verdict.kind == VerdictKind::unknown && !d.pairs.empty() && is_untested(d.pairs.front(), d.declared) &&
-        explains(d.pairs.front(), d.baseline()))
+    if (verdict.kind == VerdictKind::unknown && !d.sets.empty() && is_untested(d.sets.front(), d.declared) &&
+        explains(d.sets.front(), d.baseline()))
         decision.notes.push_back(
-            effects_in_words(d.pairs.front().fit.effects) +
+            effects_in_words(d.sets.front().fit.effects) +
             " together would explain it, but one of their numbers rests on a single trial: a further "
             "fit trial would decide");
     if (d.numerics.left_rms_m > d.noise_m) decision.notes.push_back(above_noise_note(d.numerics, d.noise_m));
@@ -71,8 +71,8 @@ Diagnosis with_final_fit(Diagnosis d) {
     };
     for (Candidate& candidate : d.candidates)
         if (candidate.judged && same(*candidate.judged)) take_over(*candidate.judged);
-    for (JudgedFit& pair : d.pairs)
-        if (same(pair)) take_over(pair);
+    for (JudgedFit& set : d.sets)
+        if (same(set)) take_over(set);
     return d;
 }
 
@@ -83,6 +83,7 @@ Diagnosis with_tested_confidence(Diagnosis d) {
         !(after > policy.good_prediction * d.noise_m))
         return d;
     d.verdict.confidence *= policy.contradicted;
+    d.verdict.trust *= policy.contradicted;
     d.notes.push_back("trials that took no part are predicted worse with " + effects_in_words(d.verdict.effects) +
                       ", " + times_noise(after / d.noise_m) + " instead of " + times_noise(before / d.noise_m) +
                       ": do not rely on this answer; another effect may be missing, or it may differ in these trials");

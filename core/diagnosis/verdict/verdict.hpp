@@ -18,13 +18,13 @@ struct Decision {
 };
 
 /// The verdict by the first of verdict_rules() that applies, with its ranking.
-/// @param diagnosis  with ranked candidates and pairs; its verdict is not used
+/// @param diagnosis  with ranked candidates and sets; its verdict is not used
 Decision decide(const Diagnosis& diagnosis);
 
 /// Note for the case that extrapolation may leave more than the noise: size and cause of the error, and the remedy.
 std::string above_noise_note(const NumericalError& numerics, double noise_m);
 
-/// The diagnosis with the values of the verdict, and the fit among candidates or pairs, taken from the final fit
+/// The diagnosis with the values of the verdict, and the fit among candidates or sets, taken from the final fit
 /// `augmented`, whose own numerical error is removed. Unchanged unless the verdict names effects.
 Diagnosis with_final_fit(Diagnosis diagnosis);
 

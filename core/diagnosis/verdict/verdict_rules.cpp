@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "diagnosis/report/effect_words.hpp"
 #include "diagnosis/selection/ranking.hpp"
+#include "diagnosis/verdict/probabilities.hpp"
 
 namespace myo::diagnosis {
 namespace {
@@ -49,7 +50,8 @@ Conclusion named(const VerdictEvidence& e, const JudgedFit& fit, double weight) 
     const bool effect_bound = effect_at_bound(fit.fit, e.policy.judgement),
                modulus_bound = modulus_at_bound(fit.fit, e.policy.judgement);
     Verdict verdict{VerdictKind::effects, fit.fit.effects};
-    verdict.confidence = policy.undoubted * weight * (effect_bound || modulus_bound ? policy.at_bound : 1.0);
+    verdict.trust = policy.undoubted * (effect_bound || modulus_bound ? policy.at_bound : 1.0);
+    verdict.confidence = verdict.trust * weight;
     verdict.reason = systematic_fall(fit, e.diagnosis.declared);
     if (effect_bound)
         add_caution(verdict, "Its size reached its limit: it may represent another effect of that kind and place.");
@@ -59,12 +61,12 @@ Conclusion named(const VerdictEvidence& e, const JudgedFit& fit, double weight) 
     return {verdict, fit};
 }
 
-/// Verdict `unknown`, with the better of the best single effect and the best pair.
+/// Verdict `unknown`, with the better of the best single effect and the best set.
 Conclusion unexplained(const VerdictEvidence& e) {
     const Diagnosis& d = e.diagnosis;
     const VerdictPolicy& policy = e.policy.verdict;
-    const bool by_pair = e.pair && e.single && e.pair->criterion < e.single->criterion;
-    const JudgedFit& best = by_pair ? *e.pair : e.single ? *e.single : d.declared;
+    const bool by_set = e.set && e.single && e.set->criterion < e.single->criterion;
+    const JudgedFit& best = by_set ? *e.set : e.single ? *e.single : d.declared;
     const double left = best.tests.systematic.rms / std::max(policy.least_systematic, d.declared.tests.systematic.rms);
     Verdict verdict{VerdictKind::unknown};
     verdict.confidence = policy.undoubted * std::min(1.0, policy.nearly_explained + policy.unexplained_growth * left);
@@ -89,19 +91,10 @@ bool removes_most(const VerdictEvidence& e, const JudgedFit& fit) {
            (!untested_by_trials || leaves(&JudgedFit::held_out_in_time_rms, policy.max_left_held_out));
 }
 
-/// Whether the second effect of the pair hardly reduces the residual.
+/// Whether a set hardly leaves less than its best effect alone.
 bool is_idle(const VerdictEvidence& e) {
     return e.single &&
-           e.pair->tests.systematic.rms > e.policy.judgement.most_of_residual * e.single->tests.systematic.rms;
-}
-
-/// Probability that the effect of a fit acts, alone or with a second one.
-double presence(const Diagnosis& d, const JudgedFit& fit) {
-    const auto is_it = [&](const effect::EffectDeclaration& effect) { return effect.id == fit.fit.effects.front().id; };
-    double weight = fit.weight;
-    for (const JudgedFit& pair : d.pairs)
-        if (std::any_of(pair.fit.effects.begin(), pair.fit.effects.end(), is_it)) weight += pair.weight;
-    return std::min(1.0, weight);
+           e.set->tests.systematic.rms > e.policy.judgement.most_of_residual * e.single->tests.systematic.rms;
 }
 
 bool removes_nearly_all(const VerdictEvidence& e) {
@@ -122,20 +115,20 @@ double weight_among_explaining(const VerdictEvidence& e, const JudgedFit& fit) {
     };
     for (const Candidate& candidate : e.diagnosis.candidates)
         if (candidate.judged) add(*candidate.judged);
-    for (const JudgedFit& pair : e.diagnosis.pairs) add(pair);
+    for (const JudgedFit& set : e.diagnosis.sets) add(set);
     return weight_among(fit, others, e.policy.judgement);
 }
 
-/// Probability that an effect acts alone. If a pair fits better although the first effect explains the residual, the
+/// Probability that an effect acts alone. If a set fits better although the first effect explains the residual, the
 /// second may compensate for the mesh error.
 double weight_alone(const VerdictEvidence& e, const JudgedFit& fit) {
     return std::max(fit.weight, e.policy.verdict.other_form *
                                     std::max(presence(e.diagnosis, fit), weight_among_explaining(e, fit)));
 }
 
-/// One effect removes nearly all, but the data do not determine which second effect removes the rest.
+/// One effect removes nearly all, but the data do not determine which others remove the rest.
 bool second_is_open(const VerdictEvidence& e) {
-    return e.single && removes_nearly_all(e) && e.diagnosis.pairs.front().weight < e.policy.verdict.second_effect;
+    return e.single && removes_nearly_all(e) && presence(e.diagnosis, *e.set) < e.policy.verdict.second_effect;
 }
 
 Conclusion nearly_all(const VerdictEvidence& e) {
@@ -143,7 +136,7 @@ Conclusion nearly_all(const VerdictEvidence& e) {
     Conclusion conclusion = named(e, *e.single, e.policy.verdict.other_form * presence(d, *e.single));
     add_caution(conclusion.verdict,
                 "A residual remains: the effect may act in another form than assumed here" +
-                    std::string(d.pairs.empty() ? "." : ", or with another one that is too small to identify."));
+                    std::string(d.sets.empty() ? "." : ", or with another one that is too small to identify."));
     return conclusion;
 }
 
@@ -166,7 +159,10 @@ std::string times_noise(double rms) { return format_number(rms, 3) + " times the
 
 std::string effects_in_words(const std::vector<effect::EffectDeclaration>& effects) {
     assert(!effects.empty());
-    return effect_words(effects.front()) + (effects.size() > 1 ? " and " + effect_words(effects.back()) : "");
+    std::string words;
+    for (std::size_t i = 0; i < effects.size(); ++i)
+        words += (i == 0 ? "" : i + 1 == effects.size() ? " and " : ", ") + effect_words(effects[i]);
+    return words;
 }
 
 std::string systematic_fall(const JudgedFit& fit, const JudgedFit& declared) {
@@ -174,15 +170,15 @@ std::string systematic_fall(const JudgedFit& fit, const JudgedFit& declared) {
            times_noise(declared.tests.systematic.rms) + " to " + times_noise(fit.tests.systematic.rms) + ".";
 }
 
-bool is_untested(const JudgedFit& pair, const JudgedFit& declared) {
-    return pair.single_trial_directions > declared.single_trial_directions &&
-           std::none_of(pair.fit.effects.begin(), pair.fit.effects.end(), acts_in_one_trial);
+bool is_untested(const JudgedFit& set, const JudgedFit& declared) {
+    return set.single_trial_directions > declared.single_trial_directions &&
+           std::none_of(set.fit.effects.begin(), set.fit.effects.end(), acts_in_one_trial);
 }
 
 VerdictEvidence verdict_evidence(const Diagnosis& d) {
     VerdictEvidence e{d, d.settings.policy};
     if (!d.candidates.empty() && d.candidates.front().judged) e.single = &*d.candidates.front().judged;
-    if (!d.pairs.empty() && !is_untested(d.pairs.front(), d.declared)) e.pair = &d.pairs.front();
+    if (!d.sets.empty() && !is_untested(d.sets.front(), d.declared)) e.set = &d.sets.front();
     return e;
 }
 
@@ -193,16 +189,17 @@ const std::vector<VerdictRule>& verdict_rules() {
         {"nothing_missing", nothing_to_explain, nothing_missing},
         {"single_effect", [](const Evidence& e) { return e.single && explains_all(e, *e.single); },
          [](const Evidence& e) { return named(e, *e.single, weight_alone(e, *e.single)); }},
-        {"pair",
-         [](const Evidence& e) { return e.pair && explains_all(e, *e.pair) && !is_idle(e) && !second_is_open(e); },
-         [](const Evidence& e) { return named(e, *e.pair, e.policy.verdict.other_form * e.pair->weight); }},
-        {"nearly_all", [](const Evidence& e) { return e.single && removes_nearly_all(e); }, nearly_all},
-        {"most_by_pair",
+        {"set", [](const Evidence& e) { return e.set && explains_all(e, *e.set) && !is_idle(e) && !second_is_open(e); },
          [](const Evidence& e) {
-             return e.pair && e.single && removes_most(e, *e.pair) && e.pair->criterion < e.single->criterion &&
+             return named(e, *e.set, e.policy.verdict.other_form * presence(e.diagnosis, *e.set));
+         }},
+        {"nearly_all", [](const Evidence& e) { return e.single && removes_nearly_all(e); }, nearly_all},
+        {"most_by_set",
+         [](const Evidence& e) {
+             return e.set && e.single && removes_most(e, *e.set) && e.set->criterion < e.single->criterion &&
                     !is_idle(e);
          },
-         [](const Evidence& e) { return most_of_it(e, *e.pair, e.pair->weight); }},
+         [](const Evidence& e) { return most_of_it(e, *e.set, presence(e.diagnosis, *e.set)); }},
         {"most_by_single", [](const Evidence& e) { return e.single && removes_most(e, *e.single); },
          [](const Evidence& e) { return most_of_it(e, *e.single, presence(e.diagnosis, *e.single)); }},
         {"faint", [](const Evidence& e) { return is_faint(e.diagnosis.baseline()); }, nothing_missing},

@@ -13,9 +13,9 @@ struct VerdictEvidence {
     const Diagnosis& diagnosis;
     const DiagnosisPolicy& policy;      // of the diagnosis
     const JudgedFit* single = nullptr;  // fit of the most credible candidate; null: none was fitted
-    const JudgedFit* pair = nullptr;    // best pair, if other trials test its parameters; otherwise null
+    const JudgedFit* set = nullptr;     // best set, if other trials test its parameters; otherwise null
 };
-/// Evidence of a diagnosis whose candidates and pairs are ordered.
+/// Evidence of a diagnosis whose candidates and sets are ordered.
 VerdictEvidence verdict_evidence(const Diagnosis& diagnosis);
 
 /// Verdict without its ranking, and the fit that it rests on.
@@ -37,9 +37,9 @@ struct VerdictRule {
 ///   drift            significant, but uncorrelated between markers: `none`, the measurement drifts
 ///   nothing_missing  not significant, or below the numerical allowance: `none`
 ///   single_effect    one effect explains the residual
-///   pair             two effects explain it, and the second is needed
+///   set              several effects explain it, and the best of them alone does not
 ///   nearly_all       one effect removes all but an eighth of the systematic residual
-///   most_by_pair     the noise was not declared, and two effects remove most of the residual
+///   most_by_set      the noise was not declared, and several effects remove most of the residual
 ///   most_by_single   the noise was not declared, and one effect removes most of the residual
 ///   faint            small enough to be the difference between two simulators of the same model: `none`
 ///   unexplained      otherwise: `unknown`
@@ -54,8 +54,8 @@ std::string systematic_fall(const JudgedFit& fit, const JudgedFit& declared);
 /// Text such as "2.31 times the noise".
 std::string times_noise(double rms);
 
-/// Whether a single trial determines some numbers of a pair, so that no other trial tests them. False for pairs with an
+/// Whether a single trial determines some numbers of a set, so that no other trial tests them. False for sets with an
 /// effect that acts in one trial only: other trials cannot test it. A single effect is tested by the residual itself.
-bool is_untested(const JudgedFit& pair, const JudgedFit& declared);
+bool is_untested(const JudgedFit& set, const JudgedFit& declared);
 
 }  // namespace myo::diagnosis

@@ -1,0 +1,204 @@
+#include "diagnosis/search/search_sets.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "diagnosis/discretisation/correct_discretisation.hpp"
+#include "diagnosis/fit/candidate_fits.hpp"
+#include "diagnosis/fit/stored_fit.hpp"
+#include "diagnosis/screening/candidate_scores.hpp"
+#include "diagnosis/screening/screen_effects.hpp"
+#include "diagnosis/search/search_decisions.hpp"
+#include "prediction/predict_trials.hpp"
+
+namespace myo::diagnosis {
+namespace {
+
+/// Search in progress. Steps return false if the user cancelled.
+class SearchOfSets {
+public:
+    SearchOfSets(const DiagnosisContext& context, RankedFits singles, FitStore& store, PhaseLog& log,
+                 const SearchObserver& show)
+        : context_(context), data_(context.data), fits_(std::move(singles)), store_(store), log_(log), show_(show) {
+        current_ = *fits_.candidates.front().judged;
+        follow_current();
+    }
+
+    SetSearch run() {
+        const SetPolicy& policy = context_.policy().sets;
+        for (int round = 0; round < policy.max_rounds && is_open(); ++round) {
+            const std::vector<effect::EffectDeclaration> before = effects();
+            const bool grows = before.size() < policy.max_effects;
+            const std::optional<JudgedFit> larger = grows ? best_extension(current_) : std::nullopt;
+            if (log_.cancelled()) break;
+            if (larger && is_better(*larger, current_, policy.min_evidence_ratio)) {
+                adopt(*larger);
+                if (!drop_idle() || !correct() || have_same_ids(effects(), before)) break;
+            } else if (!exchange()) {
+                break;
+            }
+        }
+        return {std::move(fits_), data_.shift};
+    }
+
+private:
+    const std::vector<effect::EffectDeclaration>& effects() const { return current_.fit.effects; }
+    std::size_t declared_effects() const { return context_.setup.experiment.effects.size(); }
+    bool is_open() const {
+        return !log_.cancelled() && !explains(current_, context_.baseline()) &&
+               !explained(fits_.candidates, context_.baseline());
+    }
+
+    /// Whether the evidence of one fit is so many times that of another one.
+    bool is_better(const JudgedFit& fit, const JudgedFit& than, double ratio) const {
+        return evidence_ratio(data_, fit, than, context_.policy().judgement) > ratio;
+    }
+
+    void rank() {
+        fits_ = with_ranked_candidates(std::move(fits_), context_.baseline());
+        fits_ = with_ranked_sets(std::move(fits_), context_.baseline());
+        if (show_) show_(fits_);
+    }
+
+    void adopt(JudgedFit fit) {
+        current_ = std::move(fit);
+        follow_current();
+    }
+    /// Later fits are made with the numerical error of the current set's motion.
+    void follow_current() {
+        if (current_.numerics) data_.shift = current_.numerics->shift;
+    }
+
+    /// Enters a fit among those of its effects, where it replaces a worse one.
+    void keep(const JudgedFit& fit) {
+        if (fit.fit.effects.size() == 1) {
+            const std::string id = fit.fit.effects.front().id;
+            for (Candidate& candidate : fits_.candidates)
+                if (candidate.score.id == id && fit.fit.squares() < left_by(fits_.candidates, id))
+                    candidate.judged = fit;
+            return;
+        }
+        const auto same = std::find_if(fits_.sets.begin(), fits_.sets.end(), [&](const JudgedFit& other) {
+            return have_same_ids(other.fit.effects, fit.fit.effects);
+        });
+        if (same == fits_.sets.end())
+            fits_.sets.push_back(fit);
+        else if (fit.fit.squares() < same->fit.squares())
+            *same = fit;
+    }
+
+    std::optional<JudgedFit> best_extension(const JudgedFit& of, const std::string& without = {});
+    std::optional<JudgedFit> reduced(const JudgedFit& from, std::size_t dropped);
+    bool drop_idle();
+    bool exchange();
+    bool correct();
+
+    const DiagnosisContext& context_;
+    FitData data_;
+    RankedFits fits_;
+    FitStore& store_;
+    PhaseLog& log_;
+    const SearchObserver& show_;
+    JudgedFit current_;
+};
+
+/// The best fit with one more effect, other than `without`; all are kept.
+std::optional<JudgedFit> SearchOfSets::best_extension(const JudgedFit& of, const std::string& without) {
+    JointFit base = of.fit;
+    base.predictions = prediction::predict_trials_with(context_.setup, base.values, data_.trials, log_.progress());
+    if (log_.cancelled()) return {};
+    std::vector<std::string> excluded{without};
+    for (const effect::EffectDeclaration& effect : base.effects) excluded.push_back(effect.id);
+    const std::vector<EffectScore> scores = log_.timed(
+        "score of sets", 0, [&] { return scores_from(context_, data_, base, ProbeSize::small, log_, excluded); });
+    if (log_.cancelled()) return {};
+    std::vector<CandidateStart> starts;
+    for (const std::size_t i : best_probes(scores, context_.settings.extensions, context_.policy().screening))
+        starts.push_back(start_of(scores[i]));
+    const double least = std::min(min_left(fits_.candidates), current_.fit.squares());
+    std::vector<JudgedFit> fits = fit_candidates({context_.setup, data_, context_.settings, base, starts, least,
+                                                  context_.policy().sets.pruning_factor, "refit of sets"},
+                                                 store_, log_);
+    if (log_.cancelled()) return {};
+    const JudgedFit* best = nullptr;
+    for (const JudgedFit& fit : fits) {
+        if (!fit.usable()) continue;
+        keep(fit);
+        if (!best || fit.fit.squares() < best->fit.squares()) best = &fit;
+    }
+    rank();
+    return best ? std::optional(*best) : std::nullopt;
+}
+
+/// The fit without one of its effects, refitted from its values. Empty if that fails.
+std::optional<JudgedFit> SearchOfSets::reduced(const JudgedFit& from, std::size_t dropped) {
+    const prediction::ParameterValues start = without_effect(from.fit.values, declared_effects() + dropped);
+    JointFit fit = logged_fit(
+        "refit of sets",
+        {context_.setup, data_, start, context_.policy(), EffectFreedom::all, context_.policy().search.polish}, store_,
+        log_);
+    if (log_.cancelled() || !fit.usable()) return {};
+    JudgedFit result = judged(data_, std::move(fit), context_.settings);
+    keep(result);
+    rank();
+    return result;
+}
+
+/// Drops effects without which the evidence does not fall. Also the last one: without it the others may end in a better
+/// minimum than before.
+bool SearchOfSets::drop_idle() {
+    for (std::size_t i = effects().size(); i-- > 0 && effects().size() > 1;) {
+        const std::optional<JudgedFit> smaller = reduced(current_, i);
+        if (log_.cancelled()) return false;
+        if (smaller && is_better(*smaller, current_, 1.0)) adopt(*smaller);
+    }
+    return true;
+}
+
+/// Exchanges an effect for another one, if one of the exchanges raises the evidence; false if none does.
+bool SearchOfSets::exchange() {
+    if (effects().size() < 2) return false;
+    std::optional<JudgedFit> best;
+    const JudgedFit from = current_;
+    for (std::size_t i = 0; i < from.fit.effects.size() && !log_.cancelled(); ++i) {
+        const std::optional<JudgedFit> smaller = reduced(from, i);
+        if (!smaller || log_.cancelled()) continue;
+        const std::optional<JudgedFit> other = best_extension(*smaller, from.fit.effects[i].id);
+        if (other && (!best || other->fit.squares() < best->fit.squares())) best = other;
+    }
+    if (!best || log_.cancelled() || !is_better(*best, current_, context_.policy().sets.min_evidence_ratio))
+        return false;
+    adopt(std::move(*best));
+    return correct();
+}
+
+/// Removes the numerical error of the current set's own motion, if that is far from the declared one and a remainder
+/// has to be judged.
+bool SearchOfSets::correct() {
+    if (!is_open() || !is_worth_correcting(current_, context_.declared, context_.policy().search))
+        return !log_.cancelled();
+    std::optional<JudgedFit> corrected = correct_discretisation(
+        {context_.setup, data_, context_.settings, context_.refinement, "last fit",
+         context_.policy().search.correction},
+        current_, store_, log_);
+    if (!corrected) return false;
+    if (!corrected->numerics) corrected->numerics = context_.numerics;
+    for (JudgedFit& set : fits_.sets)
+        if (have_same_ids(set.fit.effects, corrected->fit.effects)) set = *corrected;
+    adopt(std::move(*corrected));
+    rank();
+    return true;
+}
+
+}  // namespace
+
+SetSearch search_sets(const DiagnosisContext& context, RankedFits singles, FitStore& store, PhaseLog& log,
+                      const SearchObserver& show) {
+    const std::vector<Candidate>& ranked = singles.candidates;
+    if (ranked.empty() || !ranked.front().judged || !is_worth_a_set(*ranked.front().judged, context.baseline()))
+        return {std::move(singles), context.data.shift};
+    return SearchOfSets(context, std::move(singles), store, log, show).run();
+}
+
+}  // namespace myo::diagnosis
