@@ -81,6 +81,15 @@ double left_room(const Chart& chart, const Layout& layout, const TextWidth& text
     return left;
 }
 
+/// How far compact charts move the label at an end of the axis inwards, so that it stays inside [px].
+double moved_inwards(const Layout& layout, double left, double right) {
+    if (!layout.style.compact || layout.x.ticks.values.empty()) return 0.0;
+    const double first = layout.x.scale(layout.x.ticks.values.front()),
+                 last = layout.x.scale(layout.x.ticks.values.back());
+    return std::max(
+        {0.0, left + 0.5 * layout.x_label_widths.front() - first, last + 0.5 * layout.x_label_widths.back() - right});
+}
+
 /// Ticks of x with their labels; names that are wider than their places are turned.
 void place_x(const Chart& chart, double left, double width, const TextWidth& text_width, Layout& layout) {
     const bool rows = !chart.panels.empty() && !chart.panels.front().y.categories.empty();
@@ -96,7 +105,7 @@ void place_x(const Chart& chart, double left, double width, const TextWidth& tex
     for (const std::string& label : ticks.labels) layout.x_label_widths.push_back(text_width(label, layout.style.text));
     const double widest = widest_label(ticks.labels, layout.style.text, text_width);
     if (chart.x.categories.empty())
-        thin_labels(layout.x, widest + place_policy.between_labels);
+        thin_labels(layout.x, widest + place_policy.between_labels + moved_inwards(layout, left, left + width));
     else
         layout.turned = widest > width / static_cast<double>(chart.x.categories.size()) - place_policy.label_gap;
 }

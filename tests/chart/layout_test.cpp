@@ -136,6 +136,28 @@ TEST(Layout, LegendOfTheWindowStaysBesideTheTitle) {
     EXPECT_LE(layout.legend.back().box.right(), layout.panels[0].area.right() + 1e-9);
 }
 
+/// Labels at the ends are moved inwards, towards their neighbours.
+TEST(Layout, TimesBelowANarrowPlotOfTheWindowDoNotOverlap) {
+    const LayoutStyle style = compact_style(11.0, 1.0);
+    for (double width = 140.0; width < 400.0; width += 7.0)
+        for (const double end_s : {0.8, 1.0, 12.0}) {
+            Chart chart{.x = {"time", "s"}, .panels = {{.y = {"z", "mm"}}}, .width_px = width};
+            chart.panels[0].series = {{"a", {0.0, end_s}, {0.0, 1.0}}};
+            chart.x.lowest = 0.0, chart.x.highest = end_s;
+            const Layout layout = lay_out(chart, style, print_palette(), estimated_text_width);
+            double free_from = -1.0;
+            int labels = 0;
+            for (const Text& text : marks_of<Text>(draw(chart, layout, print_palette()))) {
+                if (!text.text.ends_with(" s")) continue;
+                const double half = 0.5 * estimated_text_width(text.text, text.size);
+                EXPECT_GT(text.at.x - half, free_from) << text.text << " below a plot of " << width;
+                free_from = text.at.x + half;
+                ++labels;
+            }
+            EXPECT_GE(labels, 2) << width;
+        }
+}
+
 TEST(Drawing, CutsCurvesAtTheEndsOfTheAxis) {
     Chart chart{.x = {.lowest = 1.0, .highest = 3.0}, .panels = {{.y = {.lowest = 0.0, .highest = 8.0}}}};
     // A segment may cross the whole range, and a curve may go back.
