@@ -261,7 +261,7 @@ void ImportPanel::draw_markers(PanelContext& context, commands::ImportChoices& c
                                         {"Marker", ""},
                                         {"seen [%]", "Share of the samples in which the cameras saw it", true},
                                         {"off [mm]", "Distance from the place of the marker before the start", true}};
-    if (ImGui::BeginTable("labels", 4, ImGuiTableFlags_RowBg)) {
+    if (begin_side_table("labels", 4)) {
         ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthStretch);
         ImGui::TableSetupColumn("marker", ImGuiTableColumnFlags_WidthStretch);
         number_column(theme, headings[2]);

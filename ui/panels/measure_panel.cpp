@@ -16,7 +16,7 @@ namespace myo::ui::panels {
 // Shared with the panel of the run, hence the prefix of the item names.
 void draw_trial_errors(PanelContext& context, const std::string& item, const commands::RunResult* run) {
     const commands::WorkbenchState& state = context.state;
-    if (!ImGui::BeginTable("trials", 3, ImGuiTableFlags_RowBg)) return;
+    if (!begin_side_table("trials", 3)) return;
     const std::vector<Heading> headings{{"Trial", ""},
                                         {"Role", "Trials of role validate are predicted only."},
                                         {"rms [mm]", "Error over all markers of the trial", true}};
@@ -159,7 +159,7 @@ void MeasurePanel::draw_error_row(PanelContext& context, const commands::MarkerE
 
 void MeasurePanel::draw_table(PanelContext& context, const std::vector<commands::MarkerError>& errors) {
     const std::vector<Heading> headings = this->headings();
-    if (!ImGui::BeginTable("markers", static_cast<int>(headings.size()), ImGuiTableFlags_RowBg)) return;
+    if (!begin_side_table("markers", static_cast<int>(headings.size()))) return;
     ImGui::TableSetupColumn("marker", ImGuiTableColumnFlags_WidthStretch);
     for (std::size_t k = 1; k < headings.size(); ++k) number_column(context.theme, headings[k]);
     heading_row(context.theme, headings);

@@ -61,6 +61,13 @@ void text_cell(const platform::Theme& theme, const std::string& text, const ImVe
     if (shown != text) tooltip(theme, text);
 }
 
+bool begin_side_table(const char* id, int columns) {
+    const float margin = ImGui::GetStyle().CellPadding.x, width = ImGui::GetContentRegionAvail().x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() - margin);
+    return ImGui::BeginTable(id, columns, ImGuiTableFlags_RowBg | ImGuiTableFlags_PadOuterX,
+                             {width + 2.0f * margin, 0.0f});
+}
+
 // At least 40 pixels at scale 1, so that numbers fit below short titles.
 void number_column(const platform::Theme& theme, const Heading& heading, int flags) {
     const float width = theme.small->CalcTextSizeA(theme.small->FontSize, 1e6f, 0.0f, heading.title.c_str()).x;

@@ -33,6 +33,9 @@ struct Heading {
     std::string tip;      // tooltip; may be empty
     bool number = false;  // right-aligned, as its numbers
 };
+/// Begins a table of the side panel whose texts stand below those of other rows; its highlights reach beyond them.
+/// Returns false if it is not drawn; otherwise the caller ends it with ImGui::EndTable().
+bool begin_side_table(const char* id, int columns);
 /// Declares a column of numbers as wide as its heading.
 ///
 /// @param flags  further ImGuiTableColumnFlags_

@@ -125,8 +125,14 @@ void WorkbenchWindow::draw_task_panels(PanelContext& context) {
     // Messages have their place at the head, the buttons that start and stop jobs at the foot; all else scrolls
     // between.
     draw_task_head(context, task_);
+    // Highlights of lists and tables reach this far beyond their texts.
+    const float margin = ImGui::GetStyle().CellPadding.x;
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() - margin);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(margin, 0.0f));
     ImGui::BeginChild((std::string("##scrolling ") + commands::task_id(task_)).c_str(),
-                      {0.0f, -(foot_height_ + padding.y)});
+                      {ImGui::GetContentRegionAvail().x + 2.0f * margin, -(foot_height_ + padding.y)}, false,
+                      ImGuiWindowFlags_AlwaysUseWindowPadding);
+    ImGui::PopStyleVar();
     bool first = true;
     for (const auto& panel : panels_) {
         if (panel->place() != PanelPlace::side || panel->task() != task_ || !panel->offered(context.state)) continue;
