@@ -6,7 +6,7 @@ namespace myo::effect {
 
 /// A quantity as it is shown in reports and in the window.
 struct ReadableQuantity {
-    std::string name;     // "Young’s modulus E"
+    std::string name;     // "Young's modulus E"
     std::string unit;     // "kPa"; empty for a plain number
     double factor = 1.0;  // shown value = factor * SI value
 };

@@ -38,7 +38,7 @@ std::string deviation_words(const calibration::Calibration& calibration, Eigen::
 report::KeyFigure modulus_figure(const calibration::Calibration& calibration, Eigen::Index row) {
     const ReadableEstimate shown = readable_estimate(1e-3 * calibration.fit.values(row),
                                                      1e-3 * calibration.deviation(static_cast<std::size_t>(row)));
-    return {"Young’s modulus", shown.value, "kPa",
+    return {"Young's modulus", shown.value, "kPa",
             deviation_words(calibration, row, shown, "kPa") + ", declared " +
                 readable_number(1e-3 * calibration.fit.start(row), 4) + " kPa"};
 }

@@ -112,7 +112,7 @@ report::Section model_section(const setup::Setup& setup, const calibration::Cali
     add("Shape of the elements", quality.measure + " at least " + readable_number(quality.least, 3) + ", " +
                                      readable_number(quality.mean, 3) + " on average");
     add("Material", setup.settings.material.value_or(setup.experiment.material.model) +
-                        ", E = " + readable_number(1e-3 * values.youngs_modulus_Pa, 4) + " kPa, Poisson’s ratio " +
+                        ", E = " + readable_number(1e-3 * values.youngs_modulus_Pa, 4) + " kPa, Poisson's ratio " +
                         readable_number(setup.experiment.material.poissons_ratio, 4) + ", density " +
                         readable_number(setup.experiment.material.density_kg_m3, 4) + " kg/m³");
     add("Time", to_string(setup.settings.integrator) + ", steps of " +

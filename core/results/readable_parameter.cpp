@@ -24,7 +24,7 @@ ReadableParameter readable_parameter(const prediction::ModelParameter& p, const 
     using Kind = prediction::ModelParameter::Kind;
     const std::string axis(1, "xyz"[p.index % 3]);
     switch (p.kind) {
-        case Kind::youngs_modulus: return {"Young’s modulus E", "kPa", 1e-3};
+        case Kind::youngs_modulus: return {"Young's modulus E", "kPa", 1e-3};
         case Kind::damping: return {"Damping time", "ms", 1e3};
         case Kind::law: {
             const material::LawParameter law = setup.trials.front().model.material->parameters()[p.index];
@@ -34,7 +34,7 @@ ReadableParameter readable_parameter(const prediction::ModelParameter& p, const 
         case Kind::rotation: return {"Camera turn about " + axis, "°", 180.0 / std::numbers::pi};
         case Kind::start_shift: return {"Later start of " + setup.trials[p.trial].name, "ms", 1e3};
         case Kind::effect: return readable_number_of_effect(p);
-        case Kind::part_modulus: return {"Young’s modulus of " + setup.experiment.parts[p.index].name, "kPa", 1e-3};
+        case Kind::part_modulus: return {"Young's modulus of " + setup.experiment.parts[p.index].name, "kPa", 1e-3};
         case Kind::part_damping: return {"Damping time of " + setup.experiment.parts[p.index].name, "ms", 1e3};
         case Kind::level: {
             const std::string unit = setup::signal_unit(setup.experiment, p.index);

@@ -68,7 +68,7 @@ report::Table tendon_table(const setup::Setup& setup) {
 
 report::Table part_table(const setup::Setup& setup, const prediction::ParameterValues& values) {
     report::Table table{"Parts with a material of their own; of parts that overlap the later one counts.",
-                        {{"Part"}, {"Modulus", "kPa"}, {"Poisson’s ratio"}, {"Density", "kg/m³"}, {"Damping", "ms"}},
+                        {{"Part"}, {"Modulus", "kPa"}, {"Poisson's ratio"}, {"Density", "kg/m³"}, {"Damping", "ms"}},
                         {}};
     for (std::size_t k = 0; k < setup.experiment.parts.size(); ++k) {
         const experiment::PartDeclaration& part = setup.experiment.parts[k];

@@ -50,7 +50,7 @@ TEST_F(CalibrationReport, ShowsParametersInReadableUnits) {
     ASSERT_EQ(table.rows.size(), 2u);
     std::vector<std::string> row;
     for (const report::Cell& cell : table.rows[0]) row.push_back(text_of(cell));
-    EXPECT_THAT(row, ElementsAre("Young’s modulus E", "kPa", "250.0", "1.3", "0.30", "0.40", "1.2", "260.0"));
+    EXPECT_THAT(row, ElementsAre("Young's modulus E", "kPa", "250.0", "1.3", "0.30", "0.40", "1.2", "260.0"));
     EXPECT_EQ(text_of(table.rows[1][1]), "ms");
     EXPECT_EQ(text_of(table.rows[1][2]), "4.00");
     EXPECT_EQ(text_of(table.rows[1][3]), "0.10");

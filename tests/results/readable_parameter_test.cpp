@@ -71,7 +71,7 @@ TEST(ReadableParameters, OfEachKind) {
         p.trial = 1;
         return readable_parameter(p, setup);
     };
-    EXPECT_EQ(shown(Kind::youngs_modulus).name, "Young’s modulus E");
+    EXPECT_EQ(shown(Kind::youngs_modulus).name, "Young's modulus E");
     EXPECT_EQ(shown(Kind::youngs_modulus).factor, 1e-3);
     EXPECT_EQ(shown(Kind::damping).unit, "ms");
     EXPECT_EQ(shown(Kind::translation, 2).name, "Camera shift z");

@@ -175,7 +175,7 @@ std::vector<SettingDifference> all_rows(const std::vector<const Settings*>& of, 
     rows.add_number("Young's modulus E", &Settings::youngs_modulus_Pa, 1e3, "kPa");
     rows.add_number("Poisson's ratio \xce\xbd", &Settings::poissons_ratio, 1.0, "");
     rows.add_number("Density \xcf\x81", &Settings::density_kg_m3, 1.0, "kg/m\xc2\xb3");
-    rows.add_number("Damping \xcf\x84", &Settings::damping_s, 1e-3, "ms");
+    rows.add_number("Damping time \xcf\x84", &Settings::damping_s, 1e-3, "ms");
     rows.add(
         "Integrator", [&](const Settings& s) { return label_of(integrators, s.integrator); },
         [](const Settings& a, const Settings& b) { return a.integrator == b.integrator; });

@@ -32,7 +32,7 @@ const std::vector<SettingField>& material_fields() {
           "functions' products, m = ρ V in all.",
           commands::density_limits, 1.0, "density"},
          &commands::Settings::density_kg_m3},
-        {{"Damping τ", "model/damping", commands::Dimension::time, "ms",
+        {{"Damping time τ", "model/damping", commands::Dimension::time, "ms",
           "Kelvin–Voigt time τ [s]: stress S = 2 τ μ dev(dE/dt), E Green's strain. A vibration of angular frequency ω "
           "has the damping ratio ζ = c τ ω / 2: c = 1 in shear and torsion, 2 (1 + ν) / 3 in slender stretching and "
           "bending, 2 (1 − ν + ν²) / (3 (1 − ν)) in wide plates.",

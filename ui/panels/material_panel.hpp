@@ -10,7 +10,7 @@ namespace myo::ui::panels {
 class MaterialPanel : public Panel {
 public:
     std::string name() const override { return "material"; }
-    std::string title() const override { return "Material & support"; }
+    std::string title() const override { return "Material"; }
     PanelPlace place() const override { return PanelPlace::side; }
     std::optional<commands::Task> task() const override { return commands::Task::material; }
     void draw(PanelContext& context) override;

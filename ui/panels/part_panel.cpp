@@ -136,7 +136,7 @@ void PartPanel::draw_material(PanelContext& context, std::size_t index) {
     if (own && before) {
         double damping_s = *part.damping_s;
         bool goes_on = false;
-        const NumberField field{"Damping \xcf\x84",
+        const NumberField field{"Damping time \xcf\x84",
                                 item + "/damping",
                                 commands::Dimension::time,
                                 "ms",

@@ -37,7 +37,7 @@ const SettingField& step_field() {
 
 const SettingField& velocity_force_field() {
     static const SettingField field{
-        {"\xce\x9b", "model/velocity_force", commands::Dimension::frequency, "1/s",
+        {"Velocity force \xce\x9b", "model/velocity_force", commands::Dimension::frequency, "1/s",
          "Velocity force f = \xce\x9b M v [N], \xce\x9b in 1/s. A positive \xce\x9b supplies "
          "the energy that a dissipative time "
          "scheme removes; 0 switches it off.",
@@ -220,7 +220,8 @@ void TimePanel::draw_stability(PanelContext& context, commands::Limits range) {
                        "eigenvalue has size 1.\n\nFor implicit Euler \xce\x9b_crit = h \xcf\x89\xc2\xb2 + 2 \xce\xb6 "
                        "\xcf\x89 with the material's \xce\xb6 = \xcf\x84 \xcf\x89 / 2: "
                        "the longer the step, the more energy it removes, and the more can be supplied.");
-    row_label(theme, "\xce\x9b_crit", "Largest stable \xce\x9b of this scheme at this step and frequency.");
+    row_label(theme, "Critical \xce\x9b",
+              "\xce\x9b_crit, the largest stable \xce\x9b of this scheme at this step and frequency.");
     ImGui::AlignTextToFramePadding();
     const std::string text = std::isfinite(critical)
                                  ? plot::value_label(critical, 3) + " 1/s" + (state.is_unstable() ? ": unstable" : "")
@@ -236,7 +237,7 @@ void TimePanel::draw_numerical_damping(PanelContext& context) {
     if (!scheme || !scheme->numerical_damping_ratio) return;
     const double frequency = state.damping_frequency_Hz;
     const double ratio = scheme->numerical_damping_ratio(2.0 * std::numbers::pi * frequency, state.settings);
-    row_label(context.theme, "\xce\xb6(h)",
+    row_label(context.theme, "Damping ratio \xce\xb6(h)",
               "Damping ratio that the time scheme itself adds at this frequency and step.\n\nFor implicit Euler "
               "\xce\xb6 \xe2\x89\x88 \xcf\x89 h / 2: "
               "half the step, half the damping. Measured silicone has about 0.05.");

@@ -19,7 +19,7 @@ struct Unknown {
 };
 constexpr std::array<Unknown, 3> unknowns{
     {{"youngs_modulus", "Young's modulus E", "Found within the tolerance that the experiment declares."},
-     {"damping", "Damping \xcf\x84", "Kelvin\xe2\x80\x93Voigt time of the material."},
+     {"damping", "Damping time \xcf\x84", "Kelvin\xe2\x80\x93Voigt time of the material."},
      {"actuation_level", "Levels of the actuation", "Levels that trials declare as \"free\"."}}};
 
 }  // namespace
