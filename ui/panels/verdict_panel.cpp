@@ -43,11 +43,14 @@ void draw_verdict_numbers(PanelContext& context, const commands::DiagnosisView& 
 /// Errors of the trials before and with the row.
 void draw_verdict_errors(const platform::Theme& theme, const commands::DiagnosisView& d,
                          const commands::DiagnosisRow& row) {
-    heading(theme, "Errors with " + row.name);
+    // The declared model has no other errors to compare with.
+    const bool compared = row.kind != commands::DiagnosisRow::Kind::declared;
+    heading(theme, compared ? "Errors with " + row.name : "Errors of the declared model");
     for (std::size_t t = 0; t < d.trials.size(); ++t) {
         const double after = t < row.after_m.size() ? row.after_m[t] : std::nan("");
         text_row(theme, d.trials[t].name,
-                 plot::millimetres(d.trials[t].before_m) + " \xe2\x86\x92 " + plot::millimetres(after) +
+                 plot::millimetres(d.trials[t].before_m) +
+                     (compared ? " \xe2\x86\x92 " + plot::millimetres(after) : "") +
                      (d.trials[t].fitted ? "" : ", predicted"),
                  after < d.trials[t].before_m ? &theme.success : nullptr);
     }
