@@ -54,6 +54,12 @@ std::string formatted(const char* format, double value) {
     return text;
 }
 
+/// In percent; what rounds to zero has no sign.
+std::string volume_error_text(double error) {
+    const double thousandths = std::round(1e5 * error);
+    return formatted("%.3f %%", thousandths == 0.0 ? 0.0 : 1e-3 * thousandths);
+}
+
 /// Backend of the window on the core; each method delegates to a file of this folder.
 class CoreBackend final : public ui::commands::Backend {
 public:
@@ -225,7 +231,7 @@ public:
                                       : "12 (3 V)^(2/3) / Σ of its squared edges (Liu & Joe 1994)";
         body.report = {
             {"Volume", formatted("%.4g cm³", 1e6 * quality.volume), false, "Sum over all elements."},
-            {"Volume error", formatted("%.3f %%", 100.0 * quality.volume_error.value_or(0.0)),
+            {"Volume error", volume_error_text(quality.volume_error.value_or(0.0)),
              std::abs(quality.volume_error.value_or(0.0)) > 0.02,
              "(V − V₀) / V₀ of the elements' volume V and the surface's V₀; orange above 2 %."},
             {"Least " + quality.measure, formatted("%.3f", quality.least), quality.least < 0.1,

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/letter_case.hpp"
 #include "commands/workbench.hpp"
 
 // Checks of the workbench's jobs, and the time step that they concern.
@@ -23,7 +24,7 @@ void Workbench::show_checks(const CheckRows& rows, const Settings& settings) {
     for (const CheckRow& row : rows) {
         // A finding that was logged before is not repeated after every job.
         if (row.state == CheckState::green || row.warned || (before && says(before->rows, row.sentence))) continue;
-        log(LogLevel::warning, row.sentence + (row.way_out.empty() ? "" : "; " + row.way_out));
+        log(LogLevel::warning, upper_first(row.sentence) + (row.way_out.empty() ? "" : "; " + row.way_out));
     }
 }
 

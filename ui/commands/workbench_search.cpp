@@ -1,6 +1,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/letter_case.hpp"
 #include "commands/search_target.hpp"
 #include "commands/workbench.hpp"
 #include "plot/number_text.hpp"
@@ -183,7 +184,7 @@ void Workbench::show_found(const std::string& verb, SearchResult result) {
     if (!untouched)
         log(LogLevel::information,
             "The settings were changed meanwhile and are kept; Restore in Jobs applies the result.");
-    for (const std::string& warning : found.warnings) log(LogLevel::warning, warning);
+    for (const std::string& warning : found.warnings) log(LogLevel::warning, upper_first(warning));
     show_checks(found.run.checks, found.settings);
     JobRecord record = record_of(found);
     end_task(

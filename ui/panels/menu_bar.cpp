@@ -101,8 +101,10 @@ void draw_message(PanelContext& context, float right) {
     const ImVec4 colors[] = {theme.muted, theme.success, theme.warning, theme.failure};
     ImGui::AlignTextToFramePadding();
     const float room = right - 16.0f * theme.scale - ImGui::GetCursorPosX();
-    if (room < 40.0f * theme.scale) return;  // too little room for any word
-    ImGui::TextColored(colors[static_cast<int>(line.level)], "%s", elided(line.text, room).c_str());
+    constexpr float readable = 120.0f, icon = 40.0f;  // least widths of a beginning and of an icon [pixels at scale 1]
+    if (room < icon * theme.scale) return;
+    const std::string shown = room < readable * theme.scale ? level_icon(line.level) : elided(line.text, room);
+    ImGui::TextColored(colors[static_cast<int>(line.level)], "%s", shown.c_str());
     context.items.mark("bar/message");
     tooltip(theme, line.text);
     if (ImGui::IsItemClicked()) context.window.panel = "messages";

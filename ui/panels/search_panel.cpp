@@ -56,23 +56,27 @@ void SearchPanel::draw_values(PanelContext& context, bool starts) {
     if (!search.target.empty()) muted_text(theme, "Follows the " + search.target);
     context.items.mark("search/target");
     std::vector<Heading> headings{{"Value", "Unknown that the search varies"},
-                                  {"Best so far", "Of the evaluation with the least loss", true},
-                                  {"Unit", ""}};
+                                  {"Best so far", "Of the evaluation with the least loss", true}};
+    // Levels of signals are numbers without unit.
+    const bool units = std::any_of(search.parameters.begin(), search.parameters.end(),
+                                   [](const commands::ParameterRow& row) { return !row.unit.empty(); });
+    if (units) headings.push_back({"Unit", ""});
     if (starts) headings.insert(headings.begin() + 1, {"Start", "Initial value of the search", true});
     if (!ImGui::BeginTable("values", static_cast<int>(headings.size()),
-                           ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY))
+                           ImGuiTableFlags_RowBg | ImGuiTableFlags_PadOuterX | ImGuiTableFlags_ScrollY))
         return;
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch);
-    for (std::size_t k = 1; k + 1 < headings.size(); ++k) number_column(theme, headings[k]);
-    ImGui::TableSetupColumn("unit", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("kg/m3").x);
+    for (const Heading& heading : headings)
+        if (heading.number) number_column(theme, heading);
+    if (units) ImGui::TableSetupColumn("unit", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("kg/m3").x);
     heading_row(theme, headings);
     for (const commands::ParameterRow& row : search.parameters) {
         ImGui::TableNextRow();
         text_cell(theme, row.name, theme.text);
         if (starts) number_cell(theme, plot::plain_label(row.start, 4));
         number_cell(theme, plot::plain_label(row.value, 4));
-        text_cell(theme, row.unit, theme.muted);
+        if (units) text_cell(theme, row.unit, theme.muted);
     }
     ImGui::EndTable();
 }

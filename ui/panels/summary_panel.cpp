@@ -26,8 +26,9 @@ std::vector<Row> summary_rows(const commands::WorkbenchState& state) {
     std::vector<Row> rows{{"Name", state.scene->name}};
     // A mesh of other settings would not be that of the rows below it.
     if (state.mesh_is_current())
-        rows.push_back({"Mesh", std::to_string(state.body->mesh.cell_count()) + " elements, " +
-                                    std::to_string(3 * state.body->mesh.node_count()) + " degrees of freedom"});
+        rows.push_back({"Mesh", with_separators(static_cast<double>(state.body->mesh.cell_count())) + " elements, " +
+                                    with_separators(3.0 * static_cast<double>(state.body->mesh.node_count())) +
+                                    " degrees of freedom"});
     for (const commands::SettingDifference& row :
          commands::settings_rows(state.settings, state.materials, state.integrators))
         rows.push_back({row.name, row.values.front()});

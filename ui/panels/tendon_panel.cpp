@@ -154,7 +154,7 @@ void TendonPanel::draw_guides(PanelContext& context, std::size_t t) {
     ImGui::EndDisabled();
     context.items.mark("tendon/drag");
     const float button = ImGui::GetFrameHeight(), gap = ImGui::GetStyle().ItemSpacing.x;
-    const float width = std::floor((ImGui::GetContentRegionAvail().x - button - 4.0f * gap) / 3.0f);
+    const float width = std::floor((ImGui::GetContentRegionAvail().x - button - 3.0f * gap) / 3.0f);
     for (Eigen::Index g = 0; g < path_m.cols(); ++g) {
         const std::string item = "tendon/guide/" + std::to_string(g);
         ImGui::PushID(item.c_str());

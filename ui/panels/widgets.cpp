@@ -124,18 +124,16 @@ void muted_text(const platform::Theme& theme, const std::string& text) {
     ImGui::PopStyleColor();
 }
 
+const char* level_icon(commands::LogLevel level) {
+    const char* const icons[] = {platform::icon::information, platform::icon::done, platform::icon::warning,
+                                 platform::icon::failure};
+    return icons[static_cast<int>(level)];
+}
+
 void notice(const platform::Theme& theme, commands::LogLevel level, const std::string& text) {
-    struct Look {
-        const char* icon;
-        ImVec4 color;
-    };
     // In the order of LogLevel.
-    const Look looks[] = {{platform::icon::information, theme.muted},
-                          {platform::icon::done, theme.success},
-                          {platform::icon::warning, theme.warning},
-                          {platform::icon::failure, theme.failure}};
-    const Look& look = looks[static_cast<int>(level)];
-    ImGui::TextColored(look.color, "%s", look.icon);
+    const ImVec4 colors[] = {theme.muted, theme.success, theme.warning, theme.failure};
+    ImGui::TextColored(colors[static_cast<int>(level)], "%s", level_icon(level));
     ImGui::SameLine(0.0f, 8.0f * theme.scale);
     wrapped_text(text);
 }

@@ -53,6 +53,9 @@ void text_row(const platform::Theme& theme, const std::string& label, const std:
 /// Draws wrapped text in the secondary colour.
 void muted_text(const platform::Theme& theme, const std::string& text);
 
+/// Icon of a message.
+const char* level_icon(commands::LogLevel level);
+
 /// Draws a message with the icon of its level.
 void notice(const platform::Theme& theme, commands::LogLevel level, const std::string& text);
 
