@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Draws the workbench's tasks with the program as it is built: the pictures of the README and of the manual. Use:
 # make_gallery.sh [FOLDER]   default: this script's own folder. --all adds both themes and 200 % of every task, for
-# inspection.
+# inspection. ImageMagick's convert, if installed, reduces the pictures to 256 colours: a third of the size.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 myoloop=$(realpath "${MYOLOOP:-$here/../../build/bin/myoloop}")
@@ -15,11 +15,19 @@ cd "$here/.."
 shot() {   # NAME ARGUMENTS...
     local name=$1
     shift
-    "$myoloop" screenshot "$@" --quiet --out "$out/$name.png"
+    draw "$name" "$@"
     $all || return 0
-    "$myoloop" screenshot "$@" --quiet --theme light --out "$out/$name-light.png"
-    "$myoloop" screenshot "$@" --quiet --scale 200 --out "$out/$name-200.png"
-    "$myoloop" screenshot "$@" --quiet --theme light --scale 200 --out "$out/$name-light-200.png"
+    draw "$name-light" "$@" --theme light
+    draw "$name-200" "$@" --scale 200
+    draw "$name-light-200" "$@" --theme light --scale 200
+}
+draw() {   # NAME ARGUMENTS...
+    local picture=$out/$1.png
+    shift
+    "$myoloop" screenshot "$@" --quiet --out "$picture"
+    if command -v convert > /dev/null; then
+        convert "$picture" -strip -dither None -colors 256 "PNG8:$picture"
+    fi
 }
 
 shot start
@@ -27,6 +35,8 @@ shot body "$examples/silicone_beam" --as-opened --time 0 --panel body
 shot mesh "$examples/fish_tail" --as-opened --time 0 --panel mesh
 shot material "$examples/silicone_beam" --as-opened --time 0 --panel material
 shot fibres "$examples/soft_arm" --panel fibres,signals --trial lift --time 0.5
+shot tendons "$examples/tendon_tentacle" --panel tendon,signals
+shot chamber "$examples/pneumatic_finger" --panel chamber,signals
 shot run "$examples/soft_arm" --panel run --trial lift --time 0.5 --field von_mises
 shot measure "$examples/silicone_beam" --panel measure --time 0.2
 shot import "$examples/silicone_beam" --as-opened --import "$examples/silicone_beam/side_pluck.csv" --time 0.2
