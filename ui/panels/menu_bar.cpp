@@ -76,7 +76,7 @@ void draw_menus(PanelContext& context, viewport::ViewportState& viewport) {
                             !ImGui::IsPopupOpen(id(menu).c_str());
         if (pressed || passes) ImGui::OpenPopup(id(menu).c_str());
         ImGui::SetNextWindowPos(below);
-        ImGui::SetNextWindowSize({260.0f * theme.scale, 0.0f});
+        ImGui::SetNextWindowSize({300.0f * theme.scale, 0.0f});
         if (ImGui::BeginPopup(id(menu).c_str())) {
             draw_menu(context, viewport, menu);
             ImGui::EndPopup();
