@@ -267,8 +267,8 @@ private:
         declared.value = "no effect added";
         declared.predicted_m.clear();
         declared.after_m.clear();
-        const bool alone = d_.pairs.empty() && std::none_of(d_.candidates.begin(), d_.candidates.end(),
-                                                            [](const auto& candidate) { return candidate.judged; });
+        const bool alone = d_.sets.empty() && std::none_of(d_.candidates.begin(), d_.candidates.end(),
+                                                           [](const auto& candidate) { return candidate.judged; });
         if (alone) declared.weight = no_number;  // there is nothing to share the evidence with
         view_.rows.push_back(std::move(declared));
         if (chosen_ == missing_force_key) view_.rows.push_back(missing_force_row());
