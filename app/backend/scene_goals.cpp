@@ -13,7 +13,7 @@ std::vector<ui::commands::SceneGoal> scene_goals(const experiment::Experiment& e
             markers.begin(), markers.end(),
             [&](const experiment::MarkerDeclaration& marker) { return marker.name == goal.marker; });
         goals.push_back({goal.marker, static_cast<int>(found - markers.begin()), goal.times_s, goal.places_m,
-                         goal.weight, goal.is_path, goal.file.has_value()});
+                         goal.weight, goal.is_path, goal.file.has_value(), goal.axes});
     }
     return goals;
 }

@@ -115,6 +115,14 @@ TEST(GoalInWindow, BecomesAPathByPoints) {
     driver.click("goal/0/point_removed");
     EXPECT_FALSE(goal().is_path) << driver.state().refused;
     EXPECT_NEAR(goal().time_s(0), 0.3, 1e-9);
+
+    // One coordinate may be left free; all three are not written.
+    using Axes = std::array<bool, 3>;
+    EXPECT_EQ(goal().axes, (Axes{true, true, true}));
+    driver.click("goal/0/along/y");
+    EXPECT_EQ(goal().axes, (Axes{true, false, true})) << driver.state().refused;
+    driver.click("goal/0/along/y");
+    EXPECT_EQ(goal().axes, (Axes{true, true, true}));
     for (int step = 0; step < 4; ++step) driver.workbench->execute(ui::commands::Undo{});
     EXPECT_FALSE(driver.state().settings.declaration.text) << "each edit was one step";
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "commands/scene_at_time.hpp"
+#include "panels/axis_ticks.hpp"
 #include "panels/declared_rows.hpp"
 #include "platform/fonts.hpp"
 #include "plot/number_text.hpp"
@@ -151,6 +152,11 @@ void GoalPanel::draw_goal(PanelContext& context, std::size_t index) {
                         goal.time_s(last));
     }
     draw_path_buttons(context, index);
+    toml::TomlPath axes = goal_path(context.state, index);
+    axes.emplace_back("axes");
+    axis_ticks(context, "Counts along",
+               "Coordinates of the place that count; along the others the marker may be anywhere.", goal.axes, axes,
+               item + "/along");
     draw_number(context, index, "weight",
                 {"Weight",
                  item + "/weight",

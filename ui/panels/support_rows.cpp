@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "mesh/surface_mesh.hpp"
+#include "panels/axis_ticks.hpp"
 #include "panels/declared_list.hpp"
 #include "panels/declared_rows.hpp"
 #include "toml/toml_text.hpp"
@@ -16,36 +17,6 @@ std::string axes_words(const std::array<bool, 3>& held) {
     for (std::size_t axis = 0; axis < 3; ++axis)
         if (held[axis]) words += (words.empty() ? "" : ", ") + std::string(axis_names[axis]);
     return words;
-}
-
-/// TOML list of the held axes.
-std::string held_text(const std::array<bool, 3>& held) {
-    std::string text;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-        if (held[axis]) text += (text.empty() ? "" : ", ") + toml::toml_text(axis_names[axis]);
-    return "[" + text + "]";
-}
-
-void draw_held(PanelContext& context, const commands::SceneSupport& support, const toml::TomlPath& path,
-               const std::string& item) {
-    row_label(context.theme, "Held along",
-              "Axes along which the material in the box does not move. A roller along x holds y and z.");
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        std::array<bool, 3> held = support.held;
-        if (axis > 0) ImGui::SameLine();
-        const std::string name = axis_names[axis];
-        if (ImGui::Checkbox((name + "##" + item).c_str(), &held[axis])) {
-            toml::TomlPath place = path;
-            place.emplace_back("held");
-            // All three are the default, which is not written.
-            const commands::DeclarationEdit edit = held[0] && held[1] && held[2]
-                                                       ? commands::DeclarationEdit(commands::RemoveDeclared{place})
-                                                       : commands::DeclarationEdit(
-                                                             commands::SetDeclared{place, held_text(held)});
-            context.emit(commands::EditDeclaration{{edit}, item + "/" + name});
-        }
-        context.items.mark(item + "/" + name);
-    }
 }
 
 void draw_add(PanelContext& context) {
@@ -93,7 +64,11 @@ void draw_supports(PanelContext& context, NumberEdits& edits) {
         if (item_heading(context, {item, title, tip, "Remove the support"}) == ItemPress::removed)
             context.emit(commands::EditDeclaration{{commands::RemoveDeclared{path}}, item + "/remove"});
         if (!is_open(context, item)) continue;
-        draw_held(context, supports[i], path, item);
+        toml::TomlPath held = path;
+        held.emplace_back("held");
+        axis_ticks(context, "Held along",
+                   "Axes along which the material in the box does not move. A roller along x holds y and z.",
+                   supports[i].held, held, item);
         toml::TomlPath box = path;
         box.emplace_back("box_m");
         box_rows(context, {box, item + "/box"}, edits, supports[i].box_m);
