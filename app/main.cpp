@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <functional>
@@ -14,6 +15,8 @@
 #include <system_error>
 
 #include "backend/workbench_backend.hpp"
+#include "base/abandonable.hpp"
+#include "base/cancellation.hpp"
 #include "base/text.hpp"
 #include "commands.hpp"
 #include "exit_status.hpp"
@@ -109,6 +112,8 @@ int run(int argc, char** argv) {
         return complain("one command at a time: " + chosen[0]->get_name() + " or " + chosen[1]->get_name());
     if (!chosen.front()->remaining().empty()) return complain(surplus(*chosen.front()));
     catch_interrupts();
+    const Progress interrupts({}, &interrupt_flag());
+    const CancellationScope scope(&interrupts);
     return actions.at(chosen.front())();
 }
 
@@ -120,6 +125,13 @@ int with_output(int status) {
     return status == status_done ? static_cast<int>(status_failed) : status;
 }
 
+/// Ends the program. Abandoned work still uses what an orderly end would destroy: then at once, after the output.
+int leave(int status) {
+    if (abandoned_calls() == 0) return status;
+    std::fflush(nullptr);
+    std::_Exit(status);
+}
+
 }  // namespace
 }  // namespace myo::app
 
@@ -128,7 +140,7 @@ int main(int argc, char** argv) {
     myo::app::keep_closed_streams_closed();
     myo::solver::use_one_blas_thread();
     try {
-        return myo::app::with_output(myo::app::run(argc, argv));
+        return myo::app::leave(myo::app::with_output(myo::app::run(argc, argv)));
     } catch (const std::bad_alloc&) {
         std::fputs("myoloop: out of memory; try a coarser mesh (--resolution) or a larger step (--dt)\n", stderr);
         return myo::app::status_failed;

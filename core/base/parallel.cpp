@@ -8,6 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include "base/cancellation.hpp"
+
 namespace myo {
 namespace {
 
@@ -35,7 +37,9 @@ void parallel_tasks(int count, int threads, const std::function<void(int)>& task
     threads = std::clamp(threads, 1, hardware_threads());
     // Exceptions are collected instead of propagated, because TBB would cancel the remaining tasks and report an
     // arbitrary one.
+    const Progress* const task_progress = cancellation_in_scope();
     const auto guarded = [&](int i) {
+        const CancellationScope scope(task_progress);
         const FreeThreads inside(std::max(1, threads / count));
         try {
             task(i);
@@ -56,7 +60,9 @@ void parallel_ranges(int count, int grain, const std::function<void(int, int)>& 
     if (parts <= 1) return range(0, count);
     // Bounds from integer arithmetic on count and part alone: they do not depend on scheduling.
     const auto start_of = [&](int part) { return static_cast<int>(static_cast<long>(count) * part / parts); };
+    const Progress* const task_progress = cancellation_in_scope();
     const auto guarded = [&](int part) {
+        const CancellationScope scope(task_progress);
         const FreeThreads inside(threads);
         range(start_of(part), start_of(part + 1));
     };

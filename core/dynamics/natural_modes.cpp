@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/cancellation.hpp"
 #include "dynamics/statics.hpp"
 
 namespace myo::dynamics {
@@ -52,6 +53,10 @@ NaturalModes natural_modes(StageSolver& solver, const Eigen::Matrix3Xd& x, int c
     NaturalModes result;
     MatrixXd V = start_block(pattern.unknowns(), block);
     for (result.iterations = 1; result.iterations <= mode_policy.max_iterations; ++result.iterations) {
+        if (cancellation_requested()) {
+            result.status = SolveStatus::not_converged;
+            return result;
+        }
         V = solver.solve_linear(K, stage, x, inertia_of(V), {}, model::StiffnessForm::symmetric);
         const MatrixXd KV = K.selfadjointView<Eigen::Lower>() * V, MV = inertia_of(V);
         // Rayleigh-Ritz: best approximations of the modes within the subspace, M-orthonormal.

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/cancellation.hpp"
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
 #include "dynamics/newton.hpp"
@@ -46,7 +47,8 @@ bool StageSolver::lagged_newton(const StageProblem& problem, double scale, Matri
         report.residual = result.residual;
         factor_.charge(result.iterations, body);
         if (result.converged) return true;
-        if (fresh || !std::isfinite(result.residual) || cancellation_.cancelled()) return false;
+        if (fresh || !std::isfinite(result.residual) || cancellation_.cancelled() || cancellation_requested())
+            return false;
         if (!factor_.renew(problem, x, report)) return false;
         fresh = true;
     }
@@ -54,7 +56,8 @@ bool StageSolver::lagged_newton(const StageProblem& problem, double scale, Matri
 
 StageReport StageSolver::solve(const Stage& stage, Matrix3Xd& x) {
     StageReport report;
-    if (cancellation_.cancelled()) {
+    // Inside a solve, cancellation ends the factorisations and linear solves, without which no iteration goes on.
+    if (cancellation_.cancelled() || cancellation_requested()) {
         report.status = SolveStatus::not_converged;
         report.message = "stopped";
         return report;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/cancellation.hpp"
 #include "base/text.hpp"
 #include "dynamics/softening.hpp"
 #include "dynamics/undeformed.hpp"
@@ -88,7 +89,7 @@ StageReport find_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3X
     Stage stage = static_stage(*solver.model().body, time_s);
     Eigen::Matrix3Xd start = x;
     StageReport report = solver.solve(stage, x);
-    if (report.ok()) return report;
+    if (report.ok() || cancellation_requested()) return report;
 
     if (model::has_commands(solver.model(), time_s)) {
         Eigen::Matrix3Xd loaded = undeformed_near(*solver.model().body, start);
@@ -108,7 +109,7 @@ StageReport find_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3X
     if (!solver.total_forces(stage, start).allFinite()) start = undeformed_near(*solver.model().body, start);
     x = start;
     // Overdamped motion: implicit steps of a body whose velocity is reset to zero, with inertia 1/h^2 decreasing by 4.
-    for (double inertia = 1e5; inertia > 1e-2; inertia *= 0.25) {
+    for (double inertia = 1e5; inertia > 1e-2 && !cancellation_requested(); inertia *= 0.25) {
         stage.inertia_1_s2 = inertia;
         stage.constant = inertia * model::times_mass(x, solver.mass(stage.inertia_at_s));
         solver.solve(stage, x);  // intermediate solutions need not converge
@@ -116,7 +117,7 @@ StageReport find_equilibrium(StageSolver& solver, double time_s, Eigen::Matrix3X
     }
     if (!x.allFinite()) x = start;
     report = solver.solve(static_stage(*solver.model().body, time_s), x);
-    if (!report.ok()) {
+    if (!report.ok() && !cancellation_requested()) {
         x = undeformed_near(*solver.model().body, start);
         report = solver.solve(static_stage(*solver.model().body, time_s), x);
     }

@@ -4,6 +4,7 @@
 #include <experimental/simd>
 #include <vector>
 
+#include "base/cancellation.hpp"
 #include "base/parallel.hpp"
 
 namespace myo::solver {
@@ -136,7 +137,7 @@ ConjugateGradientReport conjugate_gradient(const LinearOperator& A, const Linear
     MatrixXd Z = preconditioner(R);
     MatrixXd P = Z;
     RowVectorXd rz = column_dots(R, Z);
-    while (report.iterations < max_iterations) {
+    while (report.iterations < max_iterations && !cancellation_requested()) {
         const MatrixXd AP = A(P);
         const RowVectorXd curvature = column_dots(P, AP);
         ++report.iterations;

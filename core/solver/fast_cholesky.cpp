@@ -18,6 +18,7 @@ void FastCholesky::analyse(const SymmetricSparse& lower) {
     starts_.assign(lower.outerIndexPtr(), lower.outerIndexPtr() + lower.cols() + 1);
     rows_.assign(lower.innerIndexPtr(), lower.innerIndexPtr() + lower.nonZeros());
     pattern_ = analyse_pattern(lower);
+    if (pattern_.size() != lower.rows()) starts_.clear();  // without a result, the next call tries again
     flops_ = myo::solver::factor_flops(pattern_);
     factor_ = {};
 }

@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "base/cancellation.hpp"
 #include "solver/cholmod_session.hpp"
 
 namespace myo::solver {
@@ -19,6 +20,8 @@ SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
 bool SparseCholesky::factorize(const SymmetricSparse& lower) {
     assert(lower.isCompressed() && lower.rows() == lower.cols());
     Implementation& self = *implementation_;
+    self.factor.reset();
+    if (cancellation_requested()) return false;  // CHOLMOD itself cannot be interrupted
     cholmod_sparse matrix = cholmod_view(lower);
     self.factor = self.session.analyse(matrix);
     if (self.factor && !self.session.factorise(matrix, *self.factor)) self.factor.reset();

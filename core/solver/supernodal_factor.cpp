@@ -9,6 +9,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/cancellation.hpp"
 #include "base/parallel.hpp"
 #include "solver/factor_block.hpp"
 
@@ -95,8 +96,12 @@ private:
 
     /// Partial factorisation: L11 L11' = A11, L21 = A21 L11^-T, update matrix S = -L21 L21' plus the children's.
     void factor_supernode(int s) {
-        // Another thread met a negative pivot.
+        // Another thread met a negative pivot, or the task was cancelled: then nothing is factorised.
         if (!definite_.load(std::memory_order_relaxed)) return;
+        if (cancellation_requested()) {
+            definite_ = false;
+            return;
+        }
         Block L = block(s);
         const Eigen::Index columns = L.cols(), below = L.rows() - columns;
         Matrix& left = left_[static_cast<std::size_t>(s)];
@@ -124,7 +129,7 @@ private:
     SupernodalFactor<Scalar>& factor_;
     // per supernode, lower triangle: update matrix for the rows below, -L21 L21' plus the children's
     std::vector<Matrix> left_;
-    std::atomic<bool> definite_ = true;  // cleared by the first non-positive pivot
+    std::atomic<bool> definite_ = true;  // cleared by the first non-positive pivot, or by cancellation
 };
 
 /// Triangular solves on K columns. Each supernode works on a private copy of its rows, so that branches do not share

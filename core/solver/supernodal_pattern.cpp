@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <memory>
+#include <utility>
 
+#include "base/abandonable.hpp"
+#include "base/cancellation.hpp"
 #include "solver/cholmod_session.hpp"
 
 namespace myo::solver {
@@ -90,9 +94,8 @@ void place_entries(const SymmetricSparse& lower, SupernodalPattern& p) {
         }
 }
 
-}  // namespace
-
-SupernodalPattern analyse_pattern(const SymmetricSparse& lower) {
+/// Analysis on this thread; METIS and CHOLMOD cannot be interrupted.
+SupernodalPattern analysed(const SymmetricSparse& lower) {
     CholmodSession session;
     cholmod_sparse matrix = cholmod_view(lower);
     const CholmodFactor factor = session.analyse(matrix);
@@ -131,6 +134,16 @@ SupernodalPattern analyse_pattern(const SymmetricSparse& lower) {
     match_parents(p);
     place_entries(lower, p);
     return p;
+}
+
+}  // namespace
+
+SupernodalPattern analyse_pattern(const SymmetricSparse& lower) {
+    if (cancellation_in_scope() == nullptr) return analysed(lower);
+    const auto matrix = std::make_shared<const SymmetricSparse>(lower);
+    const auto pattern = std::make_shared<SupernodalPattern>();
+    if (!run_abandonable([matrix, pattern] { *pattern = analysed(*matrix); })) return {};
+    return std::move(*pattern);
 }
 
 double factor_flops(const SupernodalPattern& pattern) {

@@ -51,7 +51,7 @@ struct SupernodalPattern {
 
 /// Symbolic analysis by CHOLMOD with METIS ordering.
 /// @param lower  lower triangle of a symmetric matrix, compressed
-/// @return       size() == 0 if memory runs out
+/// @return       size() == 0 if memory runs out, or if its task is cancelled meanwhile: see CancellationScope
 SupernodalPattern analyse_pattern(const SymmetricSparse& lower);
 
 /// Floating-point operations of one numeric factorisation.

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <numbers>
 
+#include "base/cancellation.hpp"
 #include "dynamics/statics.hpp"
 #include "support/beam.hpp"
 #include "support/figures.hpp"
@@ -76,6 +78,17 @@ TEST(FirstFrequency, OfAThinNearlyIncompressiblePlateIsFound) {
     EXPECT_GT(modes.modes[0].omega_rad_s, 0.97 * beam);
     EXPECT_LT(modes.modes[0].omega_rad_s, 1.02 * cylinder);
     EXPECT_GT(modes.modes[1].omega_rad_s, modes.modes[0].omega_rad_s);
+}
+
+TEST(FirstFrequency, IsNotSoughtFurtherWhereTheTaskIsCancelled) {
+    const model::Model model = test::make_beam(slender("hex8", 0.0));
+    std::atomic<bool> stop{true};
+    const Progress progress({}, &stop);
+    const CancellationScope scope(&progress);
+    StageSolver solver(model);
+    EXPECT_FALSE(natural_modes(solver, model.body->mesh.nodes, 1).ok());
+    stop = false;
+    EXPECT_TRUE(natural_modes(solver, model.body->mesh.nodes, 1).ok());
 }
 
 TEST(FirstFrequency, OfTheReleasedBeamMeetsBeamTheory) {

@@ -4,8 +4,12 @@
 
 #include <Eigen/Dense>
 
+#include <atomic>
 #include <cmath>
+#include <thread>
 
+#include "base/abandonable.hpp"
+#include "base/cancellation.hpp"
 #include "base/parallel.hpp"
 #include "support/matrices.hpp"
 
@@ -53,6 +57,27 @@ TEST(SupernodalFactor, HasTheSameBitsOnAnyNumberOfThreads) {
     };
     const MatrixXd one = solution_on(1);
     for (const int threads : {2, 4, 8}) EXPECT_TRUE((solution_on(threads).array() == one.array()).all()) << threads;
+}
+
+/// A cancelled task gets no factor, at the analysis or at the numbers, and the same object works afterwards.
+TEST(FastCholesky, GivesUpWhereItsTaskIsCancelled) {
+    const SymmetricSparse H = laplacian(20, 18, 16, 0.1);
+    std::atomic<bool> stop{true};
+    const Progress progress({}, &stop);
+    FastCholesky factor;
+    {
+        const CancellationScope scope(&progress);
+        EXPECT_FALSE(factor.factorize(H)) << "the analysis is abandoned";
+        stop = false;
+        EXPECT_TRUE(factor.factorize(H));
+        stop = true;
+        EXPECT_FALSE(factor.factorize(H)) << "the analysis is known; the numbers are left";
+    }
+    EXPECT_TRUE(factor.factorize(H));
+    std::srand(8);
+    const MatrixXd B = MatrixXd::Random(H.rows(), 2);
+    EXPECT_LT(residual(H, factor.solve(B), B), 1e-5);
+    while (abandoned_calls() > 0) std::this_thread::yield();
 }
 
 /// Single precision solves to its precision, for one and for several columns, of any size of numbers.

@@ -123,7 +123,7 @@ TEST(GoalInWindow, BecomesAPathByPoints) {
     EXPECT_EQ(goal().axes, (Axes{true, false, true})) << driver.state().refused;
     driver.click("goal/0/along/y");
     EXPECT_EQ(goal().axes, (Axes{true, true, true}));
-    for (int step = 0; step < 4; ++step) driver.workbench->execute(ui::commands::Undo{});
+    for (int step = 0; step < 6; ++step) driver.workbench->execute(ui::commands::Undo{});
     EXPECT_FALSE(driver.state().settings.declaration.text) << "each edit was one step";
 }
 

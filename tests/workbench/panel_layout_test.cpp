@@ -72,11 +72,11 @@ protected:
     }
     void expect_readable_now(const std::string& what) {
         std::vector<test::DrawnText> texts = test::drawn_text();
-        // Labels of the scene lie where its points are. Beside the help a small window has no room for plots.
+        // Labels of the scene lie where its points are. Beside the help a small window has no room for plots and time.
         const bool beside_help = driver.has("help/close");
         std::erase_if(texts, [&](const test::DrawnText& text) {
             return text.window == "##view" || text.window == "##compared" || is_typed(text) ||
-                   (beside_help && text.window.starts_with("##strip"));
+                   (beside_help && (text.window.starts_with("##strip") || text.window.starts_with("##timeline")));
         });
         for (const std::string& defect : test::text_defects(texts)) add_failure(what, defect);
     }

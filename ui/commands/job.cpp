@@ -1,5 +1,7 @@
 #include "commands/job.hpp"
 
+#include "base/cancellation.hpp"
+
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
@@ -73,6 +75,7 @@ Job::Job(std::string name, Work work, std::function<Completion(const std::string
                 if (c->wake) c->wake();
             },
             &c->cancel);
+        const CancellationScope scope(&progress);
         Completion completion;
         try {
             completion = work(progress);

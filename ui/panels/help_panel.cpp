@@ -106,8 +106,11 @@ void HelpPanel::draw_manual(PanelContext& context) {
     std::string title;
     for (const help::ManualPage& page : help::manual_pages)
         if (page_ == page.name) title = page.title;
-    const float half = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-    ImGui::SetNextItemWidth(half);
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float half = 0.5f * (ImGui::GetContentRegionAvail().x - style.ItemSpacing.x);
+    const float needed = ImGui::CalcTextSize(title.c_str()).x + 2.0f * style.FramePadding.x + ImGui::GetFrameHeight();
+    const bool beside = needed < half;  // else one list below the other
+    ImGui::SetNextItemWidth(beside ? half : -1.0f);
     const bool pages = ImGui::BeginCombo("##page", title.c_str());
     context.items.mark("help/page");
     if (pages) {
@@ -117,8 +120,8 @@ void HelpPanel::draw_manual(PanelContext& context) {
         }
         ImGui::EndCombo();
     }
-    ImGui::SameLine();
-    ImGui::SetNextItemWidth(half);
+    if (beside) ImGui::SameLine();
+    ImGui::SetNextItemWidth(beside ? half : -1.0f);
     const bool sections = ImGui::BeginCombo("##section", "Go to\xe2\x80\xa6");
     context.items.mark("help/section");
     if (sections) {
