@@ -27,8 +27,9 @@ def command(kind, dofs, out):
     edge_m = (3.0 * volume_m3 / dofs) ** (1.0 / 3.0)
     if kind == "mesh":
         # A tetrahedral mesh of quadratic elements has about as many nodes as one of bricks of 0.8 times the edge.
-        body = next(p for p in sorted((EXAMPLES / example).iterdir()) if p.suffix in (".stl", ".obj", ".ply"))
-        return [kind, body, "--element", "tet10", "--resolution", f"{1.25 * edge_m:.5f}", "--out", out / "mesh.vtu"]
+        body = EXAMPLES / "tendon_tentacle" / "body.stl"
+        size = ["--unit", "mm", "--element", "tet10", "--resolution", f"{1.25 * edge_m:.5f}"]
+        return [kind, body, *size, "--out", out / "mesh.vtu"]
     arguments = [kind, EXAMPLES / example, "--resolution", f"{edge_m:.5f}"]
     return arguments if kind == "gradcheck" else arguments + ["--out", out / "results"]
 

@@ -1,5 +1,6 @@
 #include "setup/first_vibration.hpp"
 
+#include "base/cancellation.hpp"
 #include "dynamics/natural_modes.hpp"
 
 namespace myo::setup {
@@ -10,6 +11,7 @@ double first_vibration_rad_s(const model::Model& model) {
 }
 
 std::vector<double> slowest_vibrations_rad_s(const model::Model& model, int count) {
+    if (cancellation_requested()) return {};
     // Linearised about the rest shape: no equilibrium has to be found first.
     dynamics::StageSolver solver(model);
     const dynamics::NaturalModes modes = dynamics::natural_modes(solver, model.body->mesh.nodes, count);
