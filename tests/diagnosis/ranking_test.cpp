@@ -142,7 +142,7 @@ TEST(Ranking, IsExplainedByTheFirstCandidateOnly) {
     EXPECT_FALSE(explained({candidate("linear_drag", 4.0), candidate("quadratic_drag", 1.0)}, of.baseline()));
 }
 
-/// An effect beside which nothing is needed wins over the set only if its evidence is larger.
+/// Two fits are compared by themselves, so that the ratio is the inverse of that of the other one over the first.
 TEST(Weights, RatioOfTwoFitsIsThatOfTheirWeights) {
     const FitData data = made_data(samples);
     const JudgedFit better = fit(1.0, 1.0), worse = fit(1.3, 1.3);
