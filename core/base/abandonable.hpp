@@ -9,7 +9,7 @@ namespace myo {
 ///
 /// Outside of a CancellationScope the work runs on the calling thread. Inside, it runs on a thread of its own; if
 /// cancellation is requested meanwhile, the caller returns at once, and the work ends by itself later and is dropped.
-/// It must therefore own what it reads and writes, for example through shared pointers.
+/// So the work must own what it reads and writes, for example through shared pointers.
 /// @return  false if the work was abandoned
 /// Errors: an exception of the work is rethrown, unless it was abandoned.
 bool run_abandonable(const std::function<void()>& work);

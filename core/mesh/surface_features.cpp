@@ -77,9 +77,9 @@ using LineEnds = std::map<int, std::vector<int>>;  // neighbours of each vertex 
 std::set<int> ends_and_bends(const SurfaceMesh& surface, const LineEnds& neighbours) {
     std::set<int> corners;
     const double straight = std::cos(feature_policy.bend_deg * std::numbers::pi / 180.0);
-    for (const auto& [vertex, along] : neighbours) {
-        const int v = vertex;
-        const std::vector<int>& others = along;
+    for (const auto& line : neighbours) {
+        const int v = line.first;
+        const std::vector<int>& others = line.second;
         const auto to = [&](std::size_t i) -> Eigen::Vector3d {
             return (surface.vertices.col(others[i]) - surface.vertices.col(v)).normalized();
         };

@@ -19,11 +19,11 @@ Result<setup::Setup> with_goals(setup::Setup setup);
 bool follows_goals(const setup::Setup& setup);
 
 /// The setup of a single trial with goals, whose runs end with its last goal: what a search for signals needs of them.
-/// The same setup if it follows a recording.
+/// A setup that follows a recording is returned as it is.
 setup::Setup until_last_goal(setup::Setup setup);
 
 /// The setup of a single trial whose goals are no longer compared: its trial is only simulated, as for checks of what
-/// was measured. The same setup if it follows a recording.
+/// was measured. A setup that follows a recording is returned as it is.
 setup::Setup without_goals(setup::Setup setup);
 
 }  // namespace myo::prediction

@@ -1,7 +1,5 @@
 #include "commands/job.hpp"
 
-#include "base/cancellation.hpp"
-
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
@@ -9,6 +7,8 @@
 #include <mutex>
 #include <thread>
 #include <utility>
+
+#include "base/cancellation.hpp"
 
 namespace myo::ui::commands {
 

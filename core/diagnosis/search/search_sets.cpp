@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "diagnosis/discretisation/correct_discretisation.hpp"
 #include "diagnosis/fit/candidate_fits.hpp"
@@ -88,6 +90,12 @@ private:
             *same = fit;
     }
 
+    bool was_extended(const JudgedFit& fit) const {
+        return std::any_of(extended_.begin(), extended_.end(), [&](const std::vector<effect::EffectDeclaration>& set) {
+            return have_same_ids(set, fit.fit.effects);
+        });
+    }
+
     std::optional<JudgedFit> best_extension(const JudgedFit& of, const std::string& without = {});
     std::optional<JudgedFit> reduced(const JudgedFit& from, std::size_t dropped);
     bool drop_idle();
@@ -101,10 +109,12 @@ private:
     PhaseLog& log_;
     const SearchObserver& show_;
     JudgedFit current_;
+    std::vector<std::vector<effect::EffectDeclaration>> extended_;  // sets whose extensions were fitted
 };
 
 /// The best fit with one more effect, other than `without`; all are kept.
 std::optional<JudgedFit> SearchOfSets::best_extension(const JudgedFit& of, const std::string& without) {
+    extended_.push_back(of.fit.effects);
     JointFit base = of.fit;
     base.predictions = prediction::predict_trials_with(context_.setup, base.values, data_.trials, log_.progress());
     if (log_.cancelled()) return {};
@@ -163,7 +173,8 @@ bool SearchOfSets::exchange() {
     const JudgedFit from = current_;
     for (std::size_t i = 0; i < from.fit.effects.size() && !log_.cancelled(); ++i) {
         const std::optional<JudgedFit> smaller = reduced(from, i);
-        if (!smaller || log_.cancelled()) continue;
+        // The extensions of a set that was extended before were weighed against each other then.
+        if (!smaller || log_.cancelled() || was_extended(*smaller)) continue;
         const std::optional<JudgedFit> other = best_extension(*smaller, from.fit.effects[i].id);
         if (other && (!best || other->fit.squares() < best->fit.squares())) best = other;
     }
