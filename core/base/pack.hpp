@@ -10,6 +10,8 @@
 #include <limits>
 #include <numbers>
 
+#include "base/set_where.hpp"
+
 namespace myo {
 
 /// One SIMD register of doubles; each lane holds the value of one cell.
@@ -46,7 +48,7 @@ inline Pack inverse_cube_root(const Pack& J) {
         const Pack e = 1.0 - J * y * y * y;
         y += y * e * (1.0 / 3.0 + e * (2.0 / 9.0 + (14.0 / 81.0) * e));
     }
-    std::experimental::where(!(J > 0.0), y) = std::numeric_limits<double>::quiet_NaN();
+    set_where(!(J > 0.0), y, std::numeric_limits<double>::quiet_NaN());
     return y;
 }
 
@@ -64,15 +66,15 @@ inline Pack logarithm(const Pack& J) {
     // exponent, and the constant is subtracted.
     Pack k = pack_of_bits((bits >> 52) | PackBits(0x4330000000000000ull)) - (4503599627370496.0 + 1023.0);
     const PackMask large = m > std::numbers::sqrt2;
-    std::experimental::where(large, m) *= 0.5;
-    std::experimental::where(large, k) += 1.0;
+    set_where(large, m, 0.5 * m);
+    set_where(large, k, k + 1.0);
     const Pack f = (m - 1.0) / (m + 1.0), f2 = f * f;
     Pack sum = 1.0 / 21.0;
     for (int n = 19; n > 0; n -= 2) sum = sum * f2 + 1.0 / n;
     Pack result = k * std::numbers::ln2 + 2.0 * f * sum;
-    std::experimental::where(J == 0.0, result) = -std::numeric_limits<double>::infinity();
-    std::experimental::where(!(J >= 0.0), result) = std::numeric_limits<double>::quiet_NaN();
-    std::experimental::where(J == std::numeric_limits<double>::infinity(), result) = J;
+    set_where(J == 0.0, result, -std::numeric_limits<double>::infinity());
+    set_where(!(J >= 0.0), result, std::numeric_limits<double>::quiet_NaN());
+    set_where(J == std::numeric_limits<double>::infinity(), result, J);
     return result;
 }
 

@@ -69,7 +69,7 @@ struct AssumedStrainMap {
         const Pack thinning = nu / (1.0 - nu), even = sqrt((1.0 - nu) / (1.0 + nu));
         for (std::size_t k = 0; k < 3; ++k) {
             Pack s = relaxed[k] * even;
-            std::experimental::where(relaxed[k] == 0.0, s) = 1.0;
+            set_where(relaxed[k] == 0.0, s, 1.0);
             left_out[k] = 0.5 * (1.0 - s);
             across[k] = left_out[k] - thinning * s;
         }

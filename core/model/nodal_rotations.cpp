@@ -60,7 +60,7 @@ void turn_into_rotations(Rotations& field, Eigen::Index first) {
     // The volume factor is removed first: the polar decomposition expects entries of order one.
     F *= 1.0 / sqrt((1.0 / 3.0) * size);
     const PackMask degenerate = !(size > 1e-300) || !(size < 1e300);  // zero or non-finite: no rotation defined
-    for (int k = 0; k < 9; ++k) std::experimental::where(degenerate, F(k % 3, k / 3)) = k % 4 == 0 ? 1.0 : 0.0;
+    for (int k = 0; k < 9; ++k) set_where(degenerate, F(k % 3, k / 3), k % 4 == 0 ? 1.0 : 0.0);
     const material::Matrix3<Pack> R = material::polar_rotation(F);
     for (Eigen::Index i = first; i <= std::min(first + pack_width - 1, last); ++i)
         for (int k = 0; k < 9; ++k) field(k, i) = R(k % 3, k / 3)[static_cast<std::size_t>(i - first)];

@@ -27,8 +27,8 @@ PointBulk point_bulk(const PackedCells<Geometry>& cells, int pack, const std::ve
     /// Below the bound the complete bulk modulus acts at the points, above it the bound itself.
     const auto below = kappa < bound * mu;
     result.of_mu = bound;
-    std::experimental::where(below, result.of_mu) = 0.0;
-    std::experimental::where(below, result.of_kappa) = 1.0;
+    set_where(below, result.of_mu, 0.0);
+    set_where(below, result.of_kappa, 1.0);
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "base/set_where.hpp"
 #include "solver/supernodal_pattern.hpp"
 
 namespace myo::solver {
@@ -164,7 +165,7 @@ private:
         int r = register_of(end);
         if (r < end) {
             Rows sum = product(r);
-            std::experimental::where(!from(end), sum) = Scalar(0);
+            set_where(!from(end), sum, Scalar(0));
             (load(y + r) - sum).copy_to(y + r, std::experimental::element_aligned);
             r += width;
         }
@@ -183,7 +184,7 @@ private:
         int r = register_of(end);
         if (r < end && end < rows) {
             Rows below = load(y + r);
-            std::experimental::where(!from(end), below) = Scalar(0);
+            set_where(!from(end), below, Scalar(0));
             for (std::size_t c = 0; c < N; ++c) sums[c] = load(at + c * n + r) * below;
         }
         if (r < end) r += width;
