@@ -44,8 +44,8 @@ mesh::VolumeMesh bar_mesh(const BarShape& bar, fem::ElementKind element, const E
 }
 
 Eigen::Vector3i bar_bricks(const BarShape& bar, int layers, double aspect) {
-    const double along = bar.length_m / (aspect * bar.height_m) * layers;
-    return {static_cast<int>(std::lround(along)), layers, layers};
+    const double bricks = bar.length_m / (aspect * bar.height_m) * layers;
+    return {static_cast<int>(std::lround(bricks)), layers, layers};
 }
 
 std::string name_of(Skew skew) {

@@ -171,9 +171,9 @@ Matrix3Xd mean_between(const RobotTrial& trial, double from_s, double until_s) {
 double bending_direction(const std::vector<Matrix3Xd>& poses_m, double bends_to) {
     double x = 0.0, y = 0.0;
     for (const Matrix3Xd& pose : poses_m) {
-        const double length = std::hypot(pose(0, 0), pose(1, 0));
-        x += bends_to * pose(0, 0) / length;
-        y += bends_to * pose(1, 0) / length;
+        const double radius = std::hypot(pose(0, 0), pose(1, 0));
+        x += bends_to * pose(0, 0) / radius;
+        y += bends_to * pose(1, 0) / radius;
     }
     return std::atan2(y, x);
 }

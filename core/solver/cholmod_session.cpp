@@ -1,9 +1,10 @@
 #include "solver/cholmod_session.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cstdlib>
+
+// OpenMP 5.0, section 3.2.16. Not from <omp.h>: clang's belongs to another runtime than that of CHOLMOD.
+extern "C" void omp_set_max_active_levels(int max_levels);
 
 namespace myo::solver {
 namespace {

@@ -33,9 +33,10 @@ Module declared_module(const std::vector<std::string>& words) {
 }
 
 void find_all_reached(ModuleGraph& graph) {
-    for (auto& [name, module] : graph) {
+    for (auto& [name, from] : graph) {
+        std::set<std::string>& reaches = from.reaches;
         const std::function<void(const std::string&)> visit = [&](const std::string& other) {
-            if (!module.reaches.insert(other).second) return;
+            if (!reaches.insert(other).second) return;
             if (const auto found = graph.find(other); found != graph.end())
                 for (const std::string& link : found->second.links) visit(link);
         };

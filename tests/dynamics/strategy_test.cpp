@@ -42,7 +42,7 @@ TEST(Strategies, GiveTheSameTrajectory) {
             const Trace newton = run(model, Strategy::newton, integrator, 1e-9);
             for (const Strategy strategy : {Strategy::automatic, Strategy::lagged_newton, Strategy::projective}) {
                 const double found = test::relative_difference(newton, run(model, strategy, integrator, 1e-9));
-                test::record(std::string(c.element) + "_" + to_string(integrator) + "_" + to_string(strategy), {found});
+                test::record(std::string(c.element) + "_" + to_string(integrator) + "_" + to_string(strategy), found);
                 EXPECT_LT(found, 1e-6) << c.element << " " << c.material << " " << to_string(integrator) << " "
                                        << to_string(strategy);
             }

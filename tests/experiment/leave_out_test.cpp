@@ -32,7 +32,7 @@ TEST(LeaveOut, MovesTrialsFromFitToValidate) {
 
 TEST(LeaveOut, DrawsBySeedAlone) {
     std::set<std::vector<std::string>> draws;
-    for (const std::uint64_t seed : {1, 2, 3, 4, 5, 1, 2}) {
+    for (const std::uint64_t seed : {1u, 2u, 3u, 4u, 5u, 1u, 2u}) {
         Experiment experiment = twelve_trials();
         draws.insert(*leave_out(experiment, 3, seed));
     }

@@ -59,7 +59,8 @@ TEST_P(PassingMassGradient, OfAllParametersEqualsCentralDifferences) { expect_gr
 void expect_tangents(const model::Model& model, dynamics::SimulationOptions options) {
     options.solver.tangent_tolerance = 1e-12;
     const LossOfMotion loss = test::rough_loss(model);
-    const auto [E, nu] = material::young_from_moduli(model.moduli.front());
+    const material::YoungPoisson young = material::young_from_moduli(model.moduli.front());
+    const double E = young.youngs_modulus_Pa, nu = young.poissons_ratio;
     AdjointOptions adjoint;
     adjoint.tolerance = 1e-12;
     const GradientRun run = simulate_with_gradient(model, options, loss, adjoint);

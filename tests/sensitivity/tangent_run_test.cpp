@@ -68,7 +68,7 @@ TEST_P(TangentRun, EqualsCentralDifferencesOfTheDiscreteMotion) {
     };
     for (std::size_t p = 0; p < parameters.size(); ++p) {
         const auto& [step, change] = parameters[p];
-        const auto shifted = [&, &change = change](double by) {
+        const auto shifted = [&, kind = kind, &change = change](double by) {
             Values v = values;
             change(v, by);
             return dynamics::simulate(pushed_beam(kind, v), options);

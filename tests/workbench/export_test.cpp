@@ -150,8 +150,8 @@ TEST(ExportedFiles, GlbIsASoundContainerOfTheSurface) {
     EXPECT_EQ(positions, truth.vertices.cast<float>());
     const auto& bounds = json["accessors"][primitive["attributes"]["POSITION"].get<std::size_t>()];
     for (int axis = 0; axis < 3; ++axis) {
-        EXPECT_EQ(bounds["min"][axis].get<float>(), positions.row(axis).minCoeff());
-        EXPECT_EQ(bounds["max"][axis].get<float>(), positions.row(axis).maxCoeff());
+        EXPECT_EQ(bounds["min"][static_cast<std::size_t>(axis)].get<float>(), positions.row(axis).minCoeff());
+        EXPECT_EQ(bounds["max"][static_cast<std::size_t>(axis)].get<float>(), positions.row(axis).maxCoeff());
     }
     EXPECT_LT((normals.colwise().norm().array() - 1.0f).abs().maxCoeff(), 1e-5f);
     EXPECT_GE(colours.minCoeff(), 0.0f);
