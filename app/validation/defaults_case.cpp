@@ -83,7 +83,8 @@ experiment::LoadDeclaration end_force(const SyntheticCase& c, double force_N, Ra
     experiment::LoadDeclaration load;
     load.kind = experiment::LoadKind::force;
     load.box_m = c.body.end;
-    load.force_N = rounded_to_three_digits(force_N) * Vector3d(0.0, 0.2 * random.uniform(-1.0, 1.0), random.sign());
+    const double sign = random.sign(), sideways = 0.2 * random.uniform(-1.0, 1.0);
+    load.force_N = rounded_to_three_digits(force_N) * Vector3d(0.0, sideways, sign);
     return load;
 }
 

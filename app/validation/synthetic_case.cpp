@@ -178,16 +178,16 @@ public:
     SyntheticTrial pull() {
         SyntheticTrial trial = begun("pull", experiment::StartState::equilibrium);
         trial.loads.push_back(load(experiment::LoadKind::force));
-        trial.loads.back().force_N = rounded_force(
-            Vector3d(0.0, random_.sign() * random_.uniform(0.2, 0.5), random_.uniform(-0.1, 0.3)));
+        const double up = random_.uniform(-0.1, 0.3), sign = random_.sign(), sideways = random_.uniform(0.2, 0.5);
+        trial.loads.back().force_N = rounded_force(Vector3d(0.0, sign * sideways, up));
         trial.loads.back().until_s = 0.0;
         return trial;
     }
     SyntheticTrial thread() {
         SyntheticTrial trial = begun("thread", experiment::StartState::straight);
         trial.loads.push_back(load(experiment::LoadKind::force));
-        trial.loads.back().force_N = rounded_force(
-            Vector3d(0.0, random_.uniform(-0.1, 0.1), -random_.uniform(0.15, 0.4)));
+        const double down = random_.uniform(0.15, 0.4), sideways = random_.uniform(-0.1, 0.1);
+        trial.loads.back().force_N = rounded_force(Vector3d(0.0, sideways, -down));
         return trial;
     }
     /// One muscle steps or sweeps, the other stays passive.

@@ -85,9 +85,9 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
 
 /// An anchor outside the body, in any direction.
 EffectParameters drawn(const DrawContext& context, RandomStream& random) {
-    const Vector3d at = context.surface_point(random);
+    const Vector3d at = context.surface_point(random), direction = drawn_direction(random);
     return {{"position_m", Eigen::VectorXd(at)},
-            {"anchor_m", Eigen::VectorXd(at + random.uniform(0.7, 1.5) * context.length_m * drawn_direction(random))}};
+            {"anchor_m", Eigen::VectorXd(at + random.uniform(0.7, 1.5) * context.length_m * direction)}};
 }
 
 }  // namespace cable_tug_parts

@@ -8,7 +8,9 @@ namespace myo::effect {
 using Eigen::Vector3d;
 
 Vector3d drawn_direction(RandomStream& random) {
-    return Vector3d(random.normal(), random.normal(), random.normal()).normalized();
+    // One statement each: compilers order the arguments of one call differently, and drawn cases are kept as records.
+    const double z = random.normal(), y = random.normal(), x = random.normal();
+    return Vector3d(x, y, z).normalized();
 }
 
 double drawn_cross_axis(RandomStream& random) { return random.chance(0.5) ? 1.0 : 2.0; }
