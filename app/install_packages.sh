@@ -4,7 +4,7 @@
 set -euo pipefail
 
 packages=(
-  build-essential cmake ninja-build pkg-config git
+  build-essential clang lld cmake ninja-build pkg-config git
   libeigen3-dev libboost-dev libsuitesparse-dev libopenblas0-serial libmetis-dev libceres-dev libnlopt-dev libtbb-dev
   libvtk9-dev libtet1.5-dev libcgal-dev
   libimgui-dev libglfw3-dev libosmesa6-dev libgl-dev libstb-dev libfreetype-dev
@@ -15,7 +15,8 @@ packages=(
 )
 for argument in "$@"; do
   case "$argument" in
-    --tests) packages+=(xvfb xdotool imagemagick x11-utils libgl1-mesa-dri clang-format-14 clang-tidy-14) ;;
+    --tests) packages+=(xvfb xdotool imagemagick x11-utils libgl1-mesa-dri clang-format-14 clang-tidy-14
+                          libclang-rt-dev) ;;
     *) echo "install_packages.sh: unknown argument $argument (known: --tests)" >&2; exit 2 ;;
   esac
 done

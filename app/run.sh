@@ -15,11 +15,7 @@ for argument in "$@"; do
 done
 
 bash "$root/app/install_packages.sh"
-# A folder that was configured in another place cannot be used again.
-if [[ -f $build/CMakeCache.txt ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt"; then
-  rm -rf -- "$build"
-fi
-cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release --log-level=WARNING
+bash "$root/app/configure.sh" "$build" -DCMAKE_BUILD_TYPE=Release
 cmake --build "$build" --target myoloop myoloop-tetgen
 
 # Threads of the linear algebra library would only get in the way of ours.

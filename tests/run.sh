@@ -9,9 +9,9 @@ sanitize=$root/build-sanitize
 both=$root/build-both
 jobs=2
 
-# The modules that handle raw memory: kernels, matrices, readers of meshes and traces; and the workbench under random
-# input. Without long simulations, what is built on them, and the Monte Carlo tests of statistics.
-sanitized=(base solver toml mesh fem material fibre model measurement report random_input)
+# The modules that handle raw memory: kernels, matrices, readers of meshes and traces. Without long simulations, what is
+# built on them, and the Monte Carlo tests of statistics; the workbench has tests/random_input.sh.
+sanitized=(base solver toml mesh fem material fibre model measurement report)
 
 export OPENBLAS_NUM_THREADS=1
 # Leaks are errors: of the libraries that the subset links (VTK's readers, CHOLMOD), none leaks; Mesa's are named in
@@ -28,25 +28,15 @@ phase() {   # phase NAME COMMAND...: runs the command and keeps the minutes it t
   phases+=("$(awk -v s=$((SECONDS - start)) -v n="$name" 'BEGIN { printf "%-32s %5.1f min", n, s / 60 }')")
 }
 
-configure() {   # configure FOLDER OPTIONS...
-  local folder=$1
-  shift
-  # A folder that was configured in another place cannot be used again.
-  if [[ -f $folder/CMakeCache.txt ]] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt"; then
-    rm -rf -- "$folder"
-  fi
-  cmake -S "$root" -B "$folder" -G Ninja --log-level=WARNING "$@"
-}
-
 build_release() {
-  configure "$release" -DCMAKE_BUILD_TYPE=Release
+  bash "$root/app/configure.sh" "$release" -DCMAKE_BUILD_TYPE=Release
   cmake --build "$release" -j "$jobs"
 }
 
 build_sanitized() {
   # Not Debug: oneTBB then defines a macro for those who link it, and no other module could share the precompiled
   # header.
-  configure "$sanitize" -DCMAKE_BUILD_TYPE=Sanitized -DMYOLOOP_SANITIZE=ON
+  bash "$root/app/configure.sh" "$sanitize" -DCMAKE_BUILD_TYPE=Sanitized -DMYOLOOP_SANITIZE=ON
   local targets=(myoloop-tetgen) module
   for module in "${sanitized[@]}"; do
     if compgen -G "$root/tests/$module/*_test.cpp" >/dev/null; then targets+=("test_$module"); fi
