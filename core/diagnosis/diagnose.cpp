@@ -7,9 +7,12 @@
 #include "diagnosis/fit/declared_fit.hpp"
 #include "diagnosis/fit/store_words.hpp"
 #include "diagnosis/screening/screen_effects.hpp"
+#include "diagnosis/search/search_decisions.hpp"
 #include "diagnosis/search/search_effects.hpp"
 #include "diagnosis/search/search_sets.hpp"
+#include "diagnosis/verdict/deviations.hpp"
 #include "diagnosis/verdict/final_fit.hpp"
+#include "diagnosis/verdict/twins.hpp"
 #include "diagnosis/verdict/verdict.hpp"
 #include "statistics/residual_spot.hpp"
 
@@ -28,6 +31,20 @@ std::vector<std::string> spot_notes(const setup::Setup& setup, const FitData& da
             format_number(spot->from_s, 3) + " and " + format_number(spot->to_s, 3) + " s of " +
             setup.trials[static_cast<std::size_t>(spot->trial)].name + ", in " + join(markers) +
             ": look there for a fault of the recording, or for what acted once"};
+}
+
+/// What remains beside what repeated trials leave; where none was repeated, that one should be.
+std::string remainder_note(const setup::Setup& setup, const Diagnosis& d) {
+    const Repeatability& floor = d.repeatability;
+    const auto mm = [](double length_m) { return format_number(1e3 * length_m, 3) + " mm"; };
+    if (!floor.known())
+        return "no trial was repeated: what a second recording of the same trial leaves is a floor for every model, "
+               "and "
+               "is not known here";
+    std::vector<std::string> pairs;
+    for (const auto& [a, b] : floor.repeats) pairs.push_back(setup.trials[a].name + " and " + setup.trials[b].name);
+    return mm(d.augmented.rms_m) + " remain in the fit trials, of which " + mm(floor.rms_m) +
+           " lie between repeated trials (" + join(pairs) + ")";
 }
 
 DiagnosisContext context_of(DeclaredFit declared, CorrectedDeclaredFit corrected, const DiagnoseSettings& settings) {
@@ -60,6 +77,7 @@ public:
         d_.data = declared.data;
         d_.noise_m = mean_noise_m(declared.data);
         d_.step_factors = declared.step_factors;
+        d_.repeatability = declared.repeatability;
         d_.notes = declared.notes;
         d_.failure = declared.failure;
         d_.declared = without_predictions(declared.fit);
@@ -101,6 +119,8 @@ public:
         show();
     }
 
+    void enter_note(std::string note) { d_.notes.push_back(std::move(note)); }
+
     const Diagnosis& so_far() const { return d_; }
     bool shows() const { return live_ != nullptr; }
     void show() {
@@ -112,33 +132,53 @@ public:
         d_.seconds = watch_.seconds();
         d_.cost = log_.costs();
         forget_paths(d_.augmented.fit.predictions);
-        return d_.stopped ? std::move(d_) : with_tested_confidence(with_final_fit(std::move(d_)));
+        if (!d_.stopped && d_.declared.usable()) enter_deviations();
+        return d_.stopped ? std::move(d_) : with_twins(with_tested_confidence(with_final_fit(std::move(d_))));
     }
 
 private:
+    /// Deviations for the errors that are left, of what is reported.
+    void enter_deviations() {
+        const NumericsPolicy& policy = d_.settings.policy.numerics;
+        d_.declared = with_deviations(std::move(d_.declared), d_.data, d_.numerics, policy);
+        if (!d_.augmented.usable()) return;
+        const NumericalError& numerics = d_.augmented.numerics ? *d_.augmented.numerics : d_.numerics;
+        d_.augmented = with_deviations(std::move(d_.augmented), d_.data, numerics, policy);
+    }
+
     const PhaseLog& log_;
     const std::function<void(const Diagnosis&)>& live_;
     Stopwatch watch_;
     Diagnosis d_;
 };
 
-/// Screening, search of one effect, and search of a set. Returns the shift with which the last fits were made.
+/// Screening, search of one effect, and search of a set; of a set first, where no single effect comes near. Returns the
+/// shift with which the last fits were made.
 PredictionShift search(const DiagnosisContext& context, FitStore& store, PhaseLog& log, Record& record) {
     const Screening screening = screen_effects(context, store, log);
     if (log.cancelled()) return context.data.shift;
     SearchObserver show;
     if (record.shows()) show = [&](const RankedFits& fits) { record.enter(fits); };
-    RankedFits singles = search_effects(context, screening, store, log, show);
-    record.enter(singles);
-    if (log.cancelled()) return context.data.shift;
-    const std::vector<Confusion> confusions = find_confusions(singles.candidates, context.declared.fit,
-                                                              context.policy().confusion);
-    record.enter(confusions);
-    if (is_faint(context.baseline())) return context.data.shift;
-    const SetSearch sets = search_sets(context, std::move(singles), store, log, show);
-    record.enter(sets.fits);
-    record.enter(confusions);
-    return sets.shift;
+    const SingleSearchInput in{context, screening, show};
+    const Baseline& baseline = context.baseline();
+    RankedFits fits = search_likely_effects(in, store, log);
+    PredictionShift shift = context.data.shift;
+    const auto search_larger = [&] {
+        SetSearch sets = search_sets(context, std::move(fits), store, log, show);
+        fits = std::move(sets.fits);
+        shift = std::move(sets.shift);
+    };
+    const bool faint = is_faint(baseline), far = is_far_from_explained(fits.candidates, baseline);
+    if (!log.cancelled() && !faint && far) search_larger();
+    if (!log.cancelled() && !(far && is_explained(fits, baseline))) {
+        const double left = min_left(fits.candidates);
+        fits = search_all_effects(in, std::move(fits), store, log);
+        const bool starts_anew = !far || min_left(fits.candidates) < context.policy().sets.new_start * left;
+        if (!log.cancelled() && !faint && starts_anew) search_larger();
+    }
+    record.enter(fits);
+    record.enter(find_confusions(fits.candidates, context.declared.fit, context.policy().confusion));
+    return shift;
 }
 
 }  // namespace
@@ -179,6 +219,7 @@ Diagnosis diagnose(const setup::Setup& setup, const DiagnoseSettings& settings, 
     const Decision decision = decide(record.so_far());
     record.enter(decision, spot_notes(context.setup, context.data, decision));
     record.enter(final_fit({context, declared_error, decision, shift}, store, log));
+    record.enter_note(remainder_note(context.setup, record.so_far()));
     return record.finished();
 }
 

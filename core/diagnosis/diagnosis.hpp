@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/fit/repeatability.hpp"
 #include "diagnosis/missing_force/missing_force.hpp"
 #include "diagnosis/phase_log.hpp"
 #include "diagnosis/screening/confusion.hpp"
@@ -25,6 +26,8 @@ struct Verdict {
     std::string cautions = {};              // at the end of the reason
     std::string rule = {};                  // name of the rule, see verdict_rules()
     double trust = 1.0;                     // in the evidence for named effects: by the tests of the fit alone
+    std::vector<std::vector<std::string>> twins =
+        {};  // named effects with those that move the body alike, see twins_of()
 };
 
 /// Result of a diagnosis: what the declared model lacks, and the evidence.
@@ -33,6 +36,7 @@ struct Diagnosis {
     FitData data;          // of the fit trials
     double noise_m = 0.0;  // rms residual of a correct model
     NumericalError numerics;
+    Repeatability repeatability;
     std::vector<double> step_factors;  // per trial: steps of all fits over those of the setup; empty: 1. The shift
                                        // belongs to these steps
     double modulus_factor = 1.0;       // of the cells, in all fits after the first declared fit

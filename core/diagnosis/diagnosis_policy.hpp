@@ -49,6 +49,7 @@ struct NumericsPolicy {
     double step_order = 2.0;
     /// Relative error of the extrapolation: orders between 1.5 and 2.5 change its factor by as much.
     double extrapolation_doubt = 0.35;
+    double doubt_of_corners = 1.0;  // of the errors of a force with a corner, which follow no order
     /// A change by the finer mesh below this many noise levels is assumed to follow its order.
     double asymptotic_change = 3.0;
     /// The step error is not computed again if the change by half the step is below this [noise levels].
@@ -73,6 +74,12 @@ struct NumericsPolicy {
     double min_matching_gain = 0.9;  // an iteration that leaves a larger share of the error is the last
     /// Matching does not change directions of parameters whose singular value is below this share of the largest.
     double min_singular_value = 1e-2;
+};
+
+/// Repeated trials.
+struct RepeatPolicy {
+    double same_motion = 0.1;  // largest difference of the predictions of repeats [noise levels]
+    int min_samples = 10;      // of all markers, below which two recordings are not compared
 };
 
 /// Fit of the declared parameters, the reference of all comparisons.
@@ -149,6 +156,8 @@ struct SearchPolicy {
     std::size_t first_fits = 3;  // candidates fitted before any conclusion
     /// A fit is pruned if its squared residual exceeds the smallest by this factor.
     double pruning_factor = 4.0;
+    /// As above where even the best leaves more than corrected_share: a set is then searched from the best alone.
+    double far_pruning_factor = 1.0;
     /// Once the best fit explains the residual, or leaves at most this share of its squares and a systematic part below
     /// the noise, candidates with less than this share of its predicted reduction are not fitted. Distortion of the
     /// declared fit hides up to two thirds of the reduction by the right effect.
@@ -175,10 +184,13 @@ struct SetPolicy {
     /// Only if the best effect leaves at most this share of the declared excess: where two act, each alone may take
     /// little.
     double max_left = 0.9;
-    double pruning_factor = 1.5;      // lower than for single effects: all but one are already fitted
+    double pruning_factor = 1.2;      // lower than for single effects: all but one are already fitted
     std::size_t max_effects = 4;      // of a set; its numbers are then as many as a few trials determine
     int max_rounds = 6;               // larger sets and exchanges together
     double min_evidence_ratio = 4.0;  // of a set over the one before it: weights of 0.8 and 0.2
+    /// The search is repeated from a single effect that is found later if it leaves at most this share of the squares
+    /// of the one before.
+    double new_start = 0.9;
 };
 
 /// Effects that the experiment cannot separate.
@@ -187,6 +199,8 @@ struct ConfusionPolicy {
     /// An effect with less than this share of the largest predicted reduction is no rival, unless it fits as well.
     double min_reduction = 0.3;
     double comparable_weight = 0.05;  // share of the evidence, above which two fits are comparable
+    /// Twins: what they leave between each other is a twentieth of what each does, as laws of other forms do.
+    double twin_cosine = 0.999;
 };
 
 /// Criteria for a residual that needs an explanation, and for a fit that is one.
@@ -322,6 +336,7 @@ struct MissingForcePolicy {
 /// Policies of all phases.
 struct DiagnosisPolicy {
     NumericsPolicy numerics;
+    RepeatPolicy repeats;
     DeclaredFitPolicy declared;
     ScreeningPolicy screening;
     CandidateFitPolicy fits;

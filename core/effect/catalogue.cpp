@@ -68,12 +68,22 @@ std::vector<std::string> effect_ids() {
     return ids;
 }
 
-bool any_varies_within_cells(const std::vector<EffectDeclaration>& effects) {
-    return std::any_of(effects.begin(), effects.end(), [](const EffectDeclaration& declaration) {
+namespace {
+
+bool any_with(const std::vector<EffectDeclaration>& effects, bool Effect::*trait) {
+    return std::any_of(effects.begin(), effects.end(), [&](const EffectDeclaration& declaration) {
         const Effect* const effect = find_effect(declaration.id);
-        return effect != nullptr && effect->varies_within_cells;
+        return effect != nullptr && effect->*trait;
     });
 }
+
+}  // namespace
+
+bool any_varies_within_cells(const std::vector<EffectDeclaration>& effects) {
+    return any_with(effects, &Effect::varies_within_cells);
+}
+
+bool any_has_corner(const std::vector<EffectDeclaration>& effects) { return any_with(effects, &Effect::has_corner); }
 
 namespace {
 

@@ -19,6 +19,9 @@ std::vector<std::string> effect_ids();
 /// Whether any of these effects varies within cells; their body then requires fine_element().
 bool any_varies_within_cells(const std::vector<EffectDeclaration>& effects);
 
+/// Whether the force of any of these effects has a corner, see Effect::has_corner.
+bool any_has_corner(const std::vector<EffectDeclaration>& effects);
+
 /// Applies effects ordered by EffectKind, and by declaration within each of them. Effects for other trials are
 /// skipped. Asserts that all are in the catalogue.
 void apply_effects(const TrialContext& context, const std::vector<EffectDeclaration>& effects, Affected& affected);

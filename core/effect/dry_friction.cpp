@@ -51,6 +51,7 @@ Effect dry_friction() {
                            {"normal", EffectParameterKind::direction, true, -std::numbers::pi, std::numbers::pi, 0.3}},
             .apply = apply,
             .probes = probes,
+            .has_corner = true,
             .draw = {.amount = "friction_force_N", .lowest = 2e-4, .highest = 0.5, .others = drawn_position}};
 }
 

@@ -126,6 +126,8 @@ struct Effect {
     EffectParameters (*comparable)(const EffectParameters&) = nullptr;
     /// Moduli that vary within cells, or energies beyond quadratic: see fine_element().
     bool varies_within_cells = false;
+    /// Its force has a corner, at a speed or a distance of zero: errors of mesh and step follow no order.
+    bool has_corner = false;
     /// Parameter that is a length which the cells must resolve; empty: none.
     std::string resolved_length{};
     /// Parameter by which the clamp is shorter, so that a mesh can conform to the clamp's end instead; empty: none.

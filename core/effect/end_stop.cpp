@@ -62,6 +62,7 @@ Effect end_stop() {
                            {"normal", EffectParameterKind::direction, false, -std::numbers::pi, std::numbers::pi, 0.3}},
             .apply = apply,
             .probes = probes,
+            .has_corner = true,
             .draw = {.amount = "stiffness_N_m", .lowest = 2.0, .highest = 1e3, .others = drawn}};
 }
 

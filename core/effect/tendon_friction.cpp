@@ -64,6 +64,7 @@ Effect tendon_friction() {
                            {.name = "tendon", .kind = EffectParameterKind::actuator, .optional = true}},
             .apply = apply,
             .probes = probes,
+            .has_corner = true,
             .draw = {.needs = {.tendon = true}, .amount = "coefficient", .lowest = 0.01, .highest = 2.0}};
 }
 

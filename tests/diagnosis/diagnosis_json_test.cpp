@@ -71,7 +71,7 @@ TEST(DiagnosisJson, HasTheKeysOfTheSchema) {
     for (const char* fit : {"declared_fit", "augmented_fit"})
         EXPECT_EQ(keys_of(json[fit]), (Keys{"parameters", "rms_m"})) << fit;
     EXPECT_EQ(keys_of(json["verdict"]), (Keys{"confidence", "effects", "not_told_apart", "probabilities", "ranking"}));
-    EXPECT_EQ(keys_of(json["verdict"]["effects"][0]), (Keys{"id", "confidence", "parameters"}));
+    EXPECT_EQ(keys_of(json["verdict"]["effects"][0]), (Keys{"id", "confidence", "intervals", "parameters"}));
     EXPECT_EQ(keys_of(json["validation"]), (Keys{"before_rms_m", "after_rms_m"}));
     for (const report::Json& trial : json["trials"])
         EXPECT_EQ(keys_of(trial), (Keys{"name", "role", "before_rms_m", "after_rms_m"}));

@@ -99,6 +99,32 @@ TEST(SearchDecisions, ASetIsTriedWhereTheBestLeavesAnExcess) {
     EXPECT_FALSE(is_worth_a_set(with_excess(above * limit), d.baseline()));
 }
 
+/// Sets are tried before unlikely starts of single effects where even the best leaves much.
+TEST(SearchDecisions, TheSearchIsFarWhereTheBestEffectLeavesMuch) {
+    Diagnosis d = with_candidate(0.3);
+    EXPECT_FALSE(is_far_from_explained(d.candidates, d.baseline())) << "explained";
+    d.declared = with_excess(5000.0);
+    for (const bool far : {true, false}) {
+        d.candidates[0].judged = with_excess((far ? above : below) * policy.corrected_share * 5000.0);
+        EXPECT_EQ(is_far_from_explained(d.candidates, d.baseline()), far);
+    }
+    d.candidates[0].judged.reset();
+    EXPECT_FALSE(is_far_from_explained(d.candidates, d.baseline())) << "nothing was fitted";
+    EXPECT_EQ(best_fit(d.candidates), nullptr);
+}
+
+/// A set with numbers that a single trial determines is no answer yet.
+TEST(SearchDecisions, ASetExplainsIfOtherTrialsTestIt) {
+    const Diagnosis d = with_candidate(9.0);
+    RankedFits fits;
+    fits.candidates = d.candidates;
+    EXPECT_FALSE(is_explained(fits, d.baseline()));
+    fits.sets = {pair_that_leaves(0.25)};
+    EXPECT_TRUE(is_explained(fits, d.baseline()));
+    fits.sets[0].single_trial_directions = 1;
+    EXPECT_FALSE(is_explained(fits, d.baseline()));
+}
+
 TEST(SearchDecisions, OneEffectOfASetIsRemoved) {
     prediction::ParameterValues values;
     values.effects = {{"declared", {}}, {"first", {}}, {"second", {}}};

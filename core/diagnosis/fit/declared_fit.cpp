@@ -1,5 +1,6 @@
 #include "diagnosis/fit/declared_fit.hpp"
 
+#include <numeric>
 #include <utility>
 
 #include "diagnosis/discretisation/longer_steps.hpp"
@@ -24,6 +25,16 @@ bool lengthen_steps(DeclaredFit& result, double max_m, PhaseLog& log) {
         result.setup.trials[t].options.h_s *= longer.factors[t];
     }
     return any_longer(longer.factors);
+}
+
+/// Repeated trials, by the declared motion of all.
+Repeatability repeats_of(const setup::Setup& setup, const prediction::ParameterValues& declared,
+                         const RepeatPolicy& policy, PhaseLog& log) {
+    std::vector<std::size_t> all(setup.trials.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return log.timed("repeated trials", static_cast<int>(all.size()), [&] {
+        return repeatability(setup, prediction::predict_trials_with(setup, declared, all, log.progress()), policy);
+    });
 }
 
 /// Stops later runs of the fit trials at a multiple of the iterations of this fit.
@@ -66,7 +77,7 @@ JointFit fit_of_declared(DeclaredFit& result, prediction::ParameterValues start,
 
 DeclaredFit fit_declared(const setup::Setup& setup, const DiagnoseSettings& settings, FitStore& store, PhaseLog& log) {
     DeclaredFit result{
-        setup, fit_data(setup, prediction::trials_with_role(setup, experiment::TrialRole::fit)), {}, {}, {}, {}};
+        setup, fit_data(setup, prediction::trials_with_role(setup, experiment::TrialRole::fit)), {}, {}, {}, {}, {}};
     if (result.data.layout.size() == 0) {
         result.failure = "no sample of a fit trial can be compared";
         return result;
@@ -76,6 +87,9 @@ DeclaredFit fit_declared(const setup::Setup& setup, const DiagnoseSettings& sett
     lengthen_steps(result, numerics.max_step_change * noise_m, log);
     if (log.cancelled()) return result;
     const prediction::ParameterValues declared = prediction::declared_values(result.setup);
+    result.repeatability = repeats_of(result.setup, declared, settings.policy.repeats, log);
+    result.data.floor_m = result.repeatability.rms_m;
+    if (log.cancelled()) return result;
     JointFit fit = fit_of_declared(result, declared, settings, store, log);
     if (log.cancelled()) return result;
     if (!fit.usable())

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "diagnosis/fit/fit_store.hpp"
+#include "diagnosis/fit/repeatability.hpp"
 #include "diagnosis/phase_log.hpp"
 #include "diagnosis/selection/judged_fit.hpp"
 
@@ -15,6 +16,7 @@ struct DeclaredFit {
     FitData data;                      // of the fit trials, without a shift
     std::vector<double> step_factors;  // per trial: steps over those of the given setup; empty: 1
     JudgedFit fit;                     // its numerical error is not known yet
+    Repeatability repeatability;       // of all trials
     std::vector<std::string> notes;
     std::string failure;  // reason why the declared model could not be fitted; empty also if cancelled
 

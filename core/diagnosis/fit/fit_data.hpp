@@ -22,6 +22,7 @@ struct FitData {
     Eigen::VectorXd noise_m;            // N: standard deviation of the noise per entry
     bool noise_declared = true;         // false: noise of still markers, below what a model of a real body can reach
     PredictionShift shift;              // empty: no correction
+    double floor_m = 0.0;               // what repeated trials leave, see Repeatability; 0: none was repeated
     /// Unknown places of the markers over markers.placement_m, three per marker, see with_unknown_places(). If not
     /// empty, all flat vectors and matrices are whitened by them: residuals of the right model are noise of variance 1.
     inverse::MarginalNuisance places = {};

@@ -1,10 +1,12 @@
 #include "diagnosis/report/diagnosis_json.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
 #include "diagnosis/screening/confusion.hpp"
 #include "diagnosis/selection/judgement.hpp"
+#include "diagnosis/verdict/deviations.hpp"
 #include "diagnosis/verdict/probabilities.hpp"
 #include "results/output_json.hpp"
 #include "results/robot_tables.hpp"
@@ -49,6 +51,27 @@ report::Json deviations_json(const JointFit& fit) {
     for (std::size_t i = 0; i < fit.parameters.size(); ++i)
         if (static_cast<Index>(i) < fit.report.deviations.size())
             json[fit.parameters[i].parameter.name] = report::json_number(fit.report.deviations(static_cast<Index>(i)));
+    return json;
+}
+
+/// 95 % intervals of the fitted numbers of a named effect, under the names of its parameters: [low, high], of a vector
+/// one such pair per component. Directions, which are fitted as angles, have none.
+report::Json intervals_json(const JointFit& fit, const std::string& effect) {
+    report::Json json = report::Json::object();
+    for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
+        const prediction::ModelParameter& p = fit.parameters[i];
+        if (p.kind != prediction::ModelParameter::Kind::effect || p.is_angle() ||
+            fit.values.effects[p.index].id != effect || static_cast<Index>(i) >= fit.report.deviations.size())
+            continue;
+        const std::optional<Interval> interval = interval_95(p.parameter, prediction::value_of(p, fit.values),
+                                                             fit.report.deviations(static_cast<Index>(i)));
+        report::Json pair;
+        if (interval) pair = {report::json_number(interval->low), report::json_number(interval->high)};
+        if (p.component < 0)
+            json[p.of_effect] = std::move(pair);
+        else
+            json[p.of_effect].push_back(std::move(pair));
+    }
     return json;
 }
 
@@ -167,8 +190,15 @@ report::Json missing_force_json(const MissingForce& force) {
 /// Groups of effects that neither the experiment separates nor the fits decide between.
 report::Json not_told_apart_json(const Diagnosis& d) {
     report::Json json = report::Json::array();
+    for (const std::vector<std::string>& group : d.verdict.twins) json.push_back(group);
+    const auto in_one_group = [&](const Confusion& c) {
+        return std::any_of(d.verdict.twins.begin(), d.verdict.twins.end(), [&](const std::vector<std::string>& group) {
+            return std::count(group.begin(), group.end(), c.first) > 0 &&
+                   std::count(group.begin(), group.end(), c.second) > 0;
+        });
+    };
     for (const Confusion& confusion : confusions_of_verdict(d))
-        if (!is_decided(d, confusion)) json.push_back({confusion.first, confusion.second});
+        if (!is_decided(d, confusion) && !in_one_group(confusion)) json.push_back({confusion.first, confusion.second});
     return json;
 }
 
@@ -236,13 +266,15 @@ report::Json diagnosis_json(const setup::Setup& setup, const Diagnosis& d, const
     for (const effect::EffectDeclaration& effect : d.verdict.effects)
         effects.push_back({{"id", effect.id},
                            {"confidence", report::json_number(confidence_in(d, effect.id))},
-                           {"parameters", effect_parameters_json(effect.parameters)}});
+                           {"parameters", effect_parameters_json(effect.parameters)},
+                           {"intervals", intervals_json(d.augmented.fit, effect.id)}});
     json["verdict"] = {{"effects", effects},
                        {"ranking", d.verdict.ranking},
                        {"confidence", report::json_number(d.verdict.confidence)},
                        {"not_told_apart", not_told_apart_json(d)}};
     for (const auto& [id, probability] : effect_probabilities(d))
         json["verdict"]["probabilities"][id] = report::json_number(probability);
+    if (d.repeatability.known()) json["verdict"]["floor_m"] = report::json_number(d.repeatability.rms_m);
     json["augmented_fit"] = fit_json(d.augmented);
     json["validation"] = {{"before_rms_m", report::json_number(d.before.validation_rms_m)},
                           {"after_rms_m", report::json_number(d.after.validation_rms_m)}};

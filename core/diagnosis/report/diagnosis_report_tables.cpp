@@ -84,8 +84,9 @@ report::Section parameter_section(const setup::Setup& setup, const Diagnosis& d)
         }
         table.rows.push_back(std::move(row));
     }
-    const char* const
-        words = "± is one standard deviation, from what the fit leaves. It does not cover what the model leaves out.";
+    const char* const words =
+        "± is one standard deviation, from what the fit leaves, its correlation in time, and the doubt in the "
+        "removed errors of mesh and step. It does not cover what the model leaves out.";
     if (table.rows.empty())
         return {"Parameters",
                 {report::Paragraph{"The experiment declares all parameters as known: nothing was fitted."}}};

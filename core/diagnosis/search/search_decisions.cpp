@@ -33,6 +33,21 @@ bool is_worth_a_set(const JudgedFit& best, const Baseline& baseline) {
            best.fit.excess() <= baseline.policy().sets.max_left * baseline.declared.fit.excess();
 }
 
+const JudgedFit* best_fit(const std::vector<Candidate>& ranked) {
+    return !ranked.empty() && ranked.front().judged ? &*ranked.front().judged : nullptr;
+}
+
+bool is_far_from_explained(const std::vector<Candidate>& ranked, const Baseline& baseline) {
+    const JudgedFit* const best = best_fit(ranked);
+    return best && !explains(*best, baseline) &&
+           best->fit.excess() > baseline.policy().search.corrected_share * baseline.declared.fit.excess();
+}
+
+bool is_explained(const RankedFits& fits, const Baseline& baseline) {
+    return explained(fits.candidates, baseline) || (!fits.sets.empty() && explains(fits.sets.front(), baseline) &&
+                                                    !is_untested(fits.sets.front(), baseline.declared));
+}
+
 prediction::ParameterValues without_effect(prediction::ParameterValues values, std::size_t effect) {
     assert(effect < values.effects.size());
     values.effects.erase(values.effects.begin() + static_cast<std::ptrdiff_t>(effect));

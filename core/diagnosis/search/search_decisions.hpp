@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "diagnosis/fit/candidate_fits.hpp"
-#include "diagnosis/selection/judgement.hpp"
+#include "diagnosis/selection/ranking.hpp"
 
 namespace myo::diagnosis {
 
@@ -30,6 +30,16 @@ std::size_t starts_worth_fitting(const std::vector<CandidateStart>& starts, cons
 /// Whether further effects are fitted together with the best one: it leaves an excess that needs an explanation, but
 /// removes a share of that of the declared fit.
 bool is_worth_a_set(const JudgedFit& best, const Baseline& baseline);
+
+/// Fit of the most credible candidate; null if none was fitted.
+const JudgedFit* best_fit(const std::vector<Candidate>& ranked);
+
+/// Whether even the best single effect leaves so much that another start of one effect hardly explains the residual:
+/// sets of effects are tried before the other starts.
+bool is_far_from_explained(const std::vector<Candidate>& ranked, const Baseline& baseline);
+
+/// Whether a single effect, or a set that other trials test, explains the residual.
+bool is_explained(const RankedFits& fits, const Baseline& baseline);
 
 /// Values without one of their effects.
 prediction::ParameterValues without_effect(prediction::ParameterValues values, std::size_t effect);

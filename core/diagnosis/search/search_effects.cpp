@@ -15,14 +15,18 @@ namespace {
 /// Search in progress. Steps return false if the user cancelled.
 class Search {
 public:
-    Search(const DiagnosisContext& context, const Screening& screening, FitStore& store, PhaseLog& log,
-           const SearchObserver& show)
-        : context_(context), screening_(screening), store_(store), log_(log), show_(show) {
-        fits_.candidates = listed_candidates(screening.scores);
+    Search(const SingleSearchInput& in, RankedFits fits, FitStore& store, PhaseLog& log)
+        : context_(in.context),
+          screening_(in.screening),
+          store_(store),
+          log_(log),
+          show_(in.show),
+          fits_(std::move(fits)) {
         rank();
     }
 
-    bool fit_starts(const std::vector<CandidateStart>& starts);
+    bool fit_starts(const std::vector<CandidateStart>& starts, double pruning_factor);
+    bool fit_starts(const std::vector<CandidateStart>& starts) { return fit_starts(starts, policy().pruning_factor); }
     bool correct_best();
     bool polish_best();
     bool fit_elsewhere();
@@ -32,11 +36,9 @@ public:
     bool is_explained(Leniency leniency = Leniency::tolerant) const {
         return explained(fits_.candidates, context_.baseline(), leniency);
     }
+    bool is_far() const { return is_far_from_explained(fits_.candidates, context_.baseline()); }
     /// Fit of the most credible candidate, or null.
-    const JudgedFit* best() const {
-        const std::vector<Candidate>& ranked = fits_.candidates;
-        return !ranked.empty() && ranked.front().judged ? &*ranked.front().judged : nullptr;
-    }
+    const JudgedFit* best() const { return best_fit(fits_.candidates); }
     double left(const std::string& effect) const { return left_by(fits_.candidates, effect); }
     const RankedFits& fits() const { return fits_; }
 
@@ -61,10 +63,10 @@ private:
 };
 
 /// Fits candidates from the starts; a fit replaces the earlier one of its effect if it is better.
-bool Search::fit_starts(const std::vector<CandidateStart>& starts) {
+bool Search::fit_starts(const std::vector<CandidateStart>& starts, double pruning_factor) {
     if (starts.empty()) return true;
     std::vector<JudgedFit> fits = fit_candidates({context_.setup, context_.data, context_.settings, base(), starts,
-                                                  min_left(candidates()), policy().pruning_factor, "refit"},
+                                                  min_left(candidates()), pruning_factor, "refit"},
                                                  store_, log_);
     if (log_.cancelled()) return false;
     for (std::size_t i = 0; i < fits.size(); ++i)
@@ -174,26 +176,31 @@ std::vector<CandidateStart> part_of(const std::vector<CandidateStart>& starts, s
             starts.begin() + static_cast<std::ptrdiff_t>(last)};
 }
 
-/// All steps of the search, in their order.
-bool run(Search& search, const DiagnosisContext& context, const Screening& screening) {
+/// Fits from the best probes: the first few, and then all that may still win. Returns false if cancelled.
+bool fit_likely(Search& search, const DiagnosisContext& context, const Screening& screening) {
     const SearchPolicy& policy = context.policy().search;
     std::vector<CandidateStart> starts;
     for (const std::size_t i : best_probes(screening.scores, context.settings.refits, context.policy().screening))
         starts.push_back(start_of(screening.scores[i]));
     const std::size_t first = std::min(policy.first_fits, starts.size());
-    if (!search.fit_starts(part_of(starts, 0, first)) || !search.correct_best() || !search.polish_best()) return false;
-    const bool surely = search.is_explained(Leniency::strict);
-    const bool faint = is_faint(context.baseline());  // a faint residual does not justify a long search
-    const std::size_t last = starts_worth_fitting(starts, search.best(), context.declared, surely, policy);
-    starts = part_of(starts, first, last);
-    if (!surely && !faint) {
-        const double most = policy.restart_share * screening.base(context).squares();
-        for (CandidateStart& start : nonlinear_starts(
-                 screening.scores, [&](const EffectScore& score) { return search.left(score.id) >= most; }))
-            starts.push_back(std::move(start));
+    if (!search.fit_starts(part_of(starts, 0, first)) || !search.correct_best()) return false;
+    if (!search.is_far() && !search.polish_best()) return false;
+    const std::size_t last = starts_worth_fitting(starts, search.best(), context.declared,
+                                                  search.is_explained(Leniency::strict), policy);
+    return search.fit_starts(part_of(starts, first, last),
+                             search.is_far() ? policy.far_pruning_factor : policy.pruning_factor);
+}
+
+/// Fits from all other starts, and compares rivals. Returns false if cancelled.
+bool fit_unlikely(Search& search, const DiagnosisContext& context, const Screening& screening) {
+    // A faint residual does not justify a long search.
+    if (is_faint(context.baseline())) return search.correct_rivals();
+    if (!search.is_explained(Leniency::strict)) {
+        const double most = context.policy().search.restart_share * screening.base(context).squares();
+        if (!search.fit_starts(nonlinear_starts(
+                screening.scores, [&](const EffectScore& score) { return search.left(score.id) >= most; })))
+            return false;
     }
-    if (!search.fit_starts(starts)) return false;
-    if (faint) return search.correct_rivals();
     if (!search.is_explained(Leniency::strict) && !search.fit_elsewhere()) return false;
     if (!search.is_explained() && (!search.correct_best() || !search.polish_best())) return false;
     if (!search.is_explained() && !search.fit_large_probes()) return false;
@@ -202,11 +209,18 @@ bool run(Search& search, const DiagnosisContext& context, const Screening& scree
 
 }  // namespace
 
-RankedFits search_effects(const DiagnosisContext& context, const Screening& screening, FitStore& store, PhaseLog& log,
-                          const SearchObserver& show) {
-    Search state(context, screening, store, log, show);
-    static_cast<void>(run(state, context, screening));
-    return state.fits();
+RankedFits search_likely_effects(const SingleSearchInput& in, FitStore& store, PhaseLog& log) {
+    RankedFits listed;
+    listed.candidates = listed_candidates(in.screening.scores);
+    Search search(in, std::move(listed), store, log);
+    static_cast<void>(fit_likely(search, in.context, in.screening));
+    return search.fits();
+}
+
+RankedFits search_all_effects(const SingleSearchInput& in, RankedFits likely, FitStore& store, PhaseLog& log) {
+    Search search(in, std::move(likely), store, log);
+    static_cast<void>(fit_unlikely(search, in.context, in.screening));
+    return search.fits();
 }
 
 }  // namespace myo::diagnosis

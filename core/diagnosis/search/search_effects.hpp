@@ -11,11 +11,23 @@ namespace myo::diagnosis {
 /// Called with the fits so far, from the calling thread; may be null.
 using SearchObserver = std::function<void(const RankedFits&)>;
 
-/// Fits the best of the scored effects until one explains the residual: from their best probes, from other places and
-/// axes, and from large probes. The best fits and their rivals are corrected by the numerical error of their own
-/// motion.
+/// Input of a search for one effect. Refers to values that outlive it.
+struct SingleSearchInput {
+    const DiagnosisContext& context;
+    const Screening& screening;
+    const SearchObserver& show;
+};
+
+/// Fits the scored effects from their best probes, in the order of their predicted reductions, as long as one may still
+/// become the best. Fits that nearly explain the residual are corrected by the numerical error of their own motion.
 /// @return  every scored effect, ranked; without sets. Incomplete if cancelled
-RankedFits search_effects(const DiagnosisContext& context, const Screening& screening, FitStore& store, PhaseLog& log,
-                          const SearchObserver& show = {});
+RankedFits search_likely_effects(const SingleSearchInput& in, FitStore& store, PhaseLog& log);
+
+/// Continues the search until one effect explains the residual: from starts beyond the linear range, from other places
+/// and axes, and from large probes. The best fits and their rivals are corrected by the numerical error of their own
+/// motion.
+/// @param likely  the fits of search_likely_effects()
+/// @return        incomplete if cancelled
+RankedFits search_all_effects(const SingleSearchInput& in, RankedFits likely, FitStore& store, PhaseLog& log);
 
 }  // namespace myo::diagnosis

@@ -31,7 +31,7 @@ public:
         const SetPolicy& policy = context_.policy().sets;
         for (int round = 0; round < policy.max_rounds && is_open(); ++round) {
             const std::vector<effect::EffectDeclaration> before = effects();
-            const bool grows = before.size() < policy.max_effects;
+            const bool grows = before.size() < policy.max_effects && !explains(current_, context_.baseline());
             const std::optional<JudgedFit> larger = grows ? best_extension(current_) : std::nullopt;
             if (log_.cancelled()) break;
             if (larger && is_better(*larger, current_, policy.min_evidence_ratio)) {
@@ -47,9 +47,10 @@ public:
 private:
     const std::vector<effect::EffectDeclaration>& effects() const { return current_.fit.effects; }
     std::size_t declared_effects() const { return context_.setup.experiment.effects.size(); }
+    /// A set that no other trial tests is exchanged for another one if possible.
     bool is_open() const {
-        return !log_.cancelled() && !explains(current_, context_.baseline()) &&
-               !explained(fits_.candidates, context_.baseline());
+        return !log_.cancelled() && !explained(fits_.candidates, context_.baseline()) &&
+               (!explains(current_, context_.baseline()) || is_untested(current_, context_.declared));
     }
 
     /// Whether the evidence of one fit is so many times that of another one.

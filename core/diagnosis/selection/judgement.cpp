@@ -13,6 +13,12 @@ double numerical_doubt(const FitData& data, const NumericalError& numerics, cons
     return std::min(policy.max_allowed, numerics.left_rms_m / mean_noise_m(data));
 }
 
+/// Systematic residual that repeated trials leave between each other [noise levels]; 0: none was repeated.
+double unrepeatable(const FitData& data) {
+    const double noise_m = mean_noise_m(data);
+    return data.floor_m > noise_m ? std::sqrt(std::pow(data.floor_m / noise_m, 2) - 1.0) : 0.0;
+}
+
 /// Mean square on held-out data beyond that of noise alone [noise squares].
 double held_out_excess(double rms) { return std::max(0.0, rms * rms - 1.0); }
 
@@ -50,9 +56,11 @@ double tolerated(const NumericalError& numerics, const Baseline& baseline, doubl
                                      ? std::min(policy.most_of_mesh, policy.share_of_mesh * numerics.mesh_rms_m /
                                                                          mean_noise_m(baseline.data))
                                      : 0.0;
-    return std::max(
-        {policy.min_systematic, policy.mesh_error_factor * doubt, policy.share_of_form * was, of_whole_mesh});
+    return std::max({policy.min_systematic, policy.mesh_error_factor * doubt, policy.share_of_form * was, of_whole_mesh,
+                     unrepeatable(baseline.data)});
 }
+
+bool acts_in_one_trial(const effect::EffectDeclaration& effect) { return effect::has(effect.parameters, "trial"); }
 
 }  // namespace
 
@@ -125,6 +133,11 @@ bool explains(const JudgedFit& fit, const Baseline& baseline, Leniency leniency)
     const bool excused = tolerant && !effect_at_bound(fit.fit, policy);
     return !fit.tests.significant() || fit.drifts() ||
            left <= tolerated(fit.numerics ? *fit.numerics : baseline.numerics, baseline, left, excused);
+}
+
+bool is_untested(const JudgedFit& set, const JudgedFit& declared) {
+    return set.single_trial_directions > declared.single_trial_directions &&
+           std::none_of(set.fit.effects.begin(), set.fit.effects.end(), acts_in_one_trial);
 }
 
 }  // namespace myo::diagnosis

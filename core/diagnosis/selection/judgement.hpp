@@ -38,4 +38,8 @@ enum class Leniency { tolerant, strict };
 /// required share, and what remains is not significant, measurement drift, or within the tolerance.
 bool explains(const JudgedFit& fit, const Baseline& baseline, Leniency leniency = Leniency::tolerant);
 
+/// Whether a single trial determines some numbers of a set, so that no other trial tests them. False for sets with an
+/// effect that acts in one trial only: other trials cannot test it. A single effect is tested by the residual itself.
+bool is_untested(const JudgedFit& set, const JudgedFit& declared);
+
 }  // namespace myo::diagnosis

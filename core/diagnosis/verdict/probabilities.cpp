@@ -46,6 +46,12 @@ std::map<std::string, double> effect_probabilities(const Diagnosis& d) {
     if (d.verdict.kind == VerdictKind::effects)
         for (const effect::EffectDeclaration& effect : d.verdict.effects)
             probabilities[effect.id] = std::max(probabilities[effect.id], d.verdict.confidence);
+    for (const std::vector<std::string>& group : d.verdict.twins) {
+        double all = 0.0;
+        for (const std::string& id : group) all += probabilities[id];
+        for (const std::string& id : group)
+            probabilities[id] = std::min(all, d.verdict.trust) / static_cast<double>(group.size());
+    }
     return probabilities;
 }
 

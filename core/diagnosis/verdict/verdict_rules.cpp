@@ -151,8 +151,6 @@ Conclusion most_of_it(const VerdictEvidence& e, const JudgedFit& fit, double wei
 
 bool nothing_to_explain(const VerdictEvidence& e) { return !needs_explanation(e.diagnosis.baseline()); }
 
-bool acts_in_one_trial(const effect::EffectDeclaration& effect) { return effect::has(effect.parameters, "trial"); }
-
 }  // namespace
 
 std::string times_noise(double rms) { return format_number(rms, 3) + " times the noise"; }
@@ -168,11 +166,6 @@ std::string effects_in_words(const std::vector<effect::EffectDeclaration>& effec
 std::string systematic_fall(const JudgedFit& fit, const JudgedFit& declared) {
     return "with " + effects_in_words(fit.fit.effects) + " the systematic part falls from " +
            times_noise(declared.tests.systematic.rms) + " to " + times_noise(fit.tests.systematic.rms) + ".";
-}
-
-bool is_untested(const JudgedFit& set, const JudgedFit& declared) {
-    return set.single_trial_directions > declared.single_trial_directions &&
-           std::none_of(set.fit.effects.begin(), set.fit.effects.end(), acts_in_one_trial);
 }
 
 VerdictEvidence verdict_evidence(const Diagnosis& d) {

@@ -54,8 +54,4 @@ std::string systematic_fall(const JudgedFit& fit, const JudgedFit& declared);
 /// Text such as "2.31 times the noise".
 std::string times_noise(double rms);
 
-/// Whether a single trial determines some numbers of a set, so that no other trial tests them. False for sets with an
-/// effect that acts in one trial only: other trials cannot test it. A single effect is tested by the residual itself.
-bool is_untested(const JudgedFit& set, const JudgedFit& declared);
-
 }  // namespace myo::diagnosis
