@@ -3,6 +3,7 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/gamma.hpp>
+#include <boost/math/distributions/non_central_chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 
@@ -18,6 +19,9 @@ using boost::math::quantile;
 
 struct DistributionsPolicy {
     double tiny = 1e-300;
+    /// Deviations of a noncentral chi^2 from its mean beyond which its tail is 1 to rounding; the series converge
+    /// slowly there.
+    double surely = 40.0;
 };
 constexpr DistributionsPolicy distributions_policy;
 
@@ -61,6 +65,15 @@ double log_chi_squared_tail(double x, double freedom) {
 double chi_squared_upper_quantile(double tail, double freedom) {
     assert(freedom > 0.0 && tail > 0.0 && tail < 1.0);
     return quantile(complement(boost::math::chi_squared(freedom), tail));
+}
+
+double noncentral_chi_squared_tail(double x, double freedom, double noncentrality) {
+    assert(freedom > 0.0 && noncentrality >= 0.0);
+    if (!(x > 0.0)) return 1.0;
+    if (!(noncentrality > 0.0)) return chi_squared_tail(x, freedom);
+    const double mean = freedom + noncentrality, deviation = std::sqrt(2.0 * (freedom + 2.0 * noncentrality));
+    if (std::isinf(noncentrality) || mean - x > distributions_policy.surely * deviation) return 1.0;
+    return cdf(complement(boost::math::non_central_chi_squared(freedom, noncentrality), x));
 }
 
 double fisher_f_tail(double x, double above, double below) {

@@ -14,6 +14,9 @@ double log_chi_squared_tail(double x, double freedom);
 /// Quantile x with P(X > x) = tail for chi^2, 0 < tail < 1.
 double chi_squared_upper_quantile(double tail, double freedom);
 
+/// P(X > x) for noncentral chi^2 with `freedom` > 0 degrees of freedom and a noncentrality >= 0.
+double noncentral_chi_squared_tail(double x, double freedom, double noncentrality);
+
 /// P(X > x) for Fisher's F with `above` and `below` > 0 degrees of freedom.
 double fisher_f_tail(double x, double above, double below);
 

@@ -90,6 +90,9 @@ report::Json tests_json(const statistics::ResidualTests& tests) {
 
 report::Json judged_json(const JudgedFit& fit) {
     report::Json json = fit_json(fit);
+    json["effects"] = report::Json::array();
+    for (const effect::EffectDeclaration& effect : fit.fit.effects)
+        json["effects"].push_back({{"id", effect.id}, {"parameters", effect_parameters_json(effect.parameters)}});
     json["std"] = deviations_json(fit.fit);
     json["held_out_rms_over_noise"] = report::json_number(fit.held_out_rms);
     json["held_out_in_time_rms_over_noise"] = report::json_number(fit.held_out_in_time_rms);

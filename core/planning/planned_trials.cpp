@@ -1,0 +1,39 @@
+#include "planning/planned_trials.hpp"
+
+#include <algorithm>
+
+#include "prediction/predict_trials.hpp"
+
+namespace myo::planning {
+
+setup::Setup with_planned_trials(setup::Setup setup) {
+    const std::vector<experiment::MarkerDeclaration>& markers = setup.experiment.markers.on_body;
+    for (setup::PreparedTrial& trial : setup.trials) {
+        if (trial.role != experiment::TrialRole::simulate) continue;
+        trial.role = experiment::TrialRole::fit;
+        for (std::size_t m = 0; m < markers.size(); ++m)
+            if (!markers[m].probe) trial.measured.tracks[m].setZero();
+    }
+    return setup;
+}
+
+bool has_fit_recording(const setup::Setup& setup) {
+    return std::any_of(setup.trials.begin(), setup.trials.end(),
+                       [](const setup::PreparedTrial& trial) { return trial.role == experiment::TrialRole::fit; });
+}
+
+Result<setup::Setup> with_motion(setup::Setup setup, const prediction::ParameterValues& values,
+                                 const Progress& progress) {
+    const std::vector<std::size_t> trials = prediction::trials_with_role(setup, experiment::TrialRole::fit);
+    const std::vector<prediction::TrialPrediction> made = prediction::predict_trials_with(setup, values, trials,
+                                                                                          progress);
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        setup::PreparedTrial& trial = setup.trials[trials[i]];
+        if (!made[i].ok()) return Error{"cannot be run: " + made[i].message, "trial " + trial.name};
+        for (std::size_t m = 0; m < trial.measured.tracks.size(); ++m)
+            trial.measured.tracks[m] += made[i].residual_m[m];
+    }
+    return setup;
+}
+
+}  // namespace myo::planning

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cmath>
+
+namespace myo::planning {
+
+/// Two significant digits, as a person sets them: by `to`, a rounding function.
+template <class Rounding>
+double rounded_by(double value, const Rounding& to) {
+    if (!(std::abs(value) > 0.0)) return 0.0;
+    const double last_digit = std::floor(std::log10(std::abs(value))) - 1.0;
+    // Division by a whole power of ten gives the double next to the decimal number. A thousandth of a digit is
+    // rounding.
+    return last_digit < 0.0 ? to(value * std::pow(10.0, -last_digit) + 1e-3) / std::pow(10.0, -last_digit)
+                            : to(value / std::pow(10.0, last_digit) + 1e-3) * std::pow(10.0, last_digit);
+}
+
+/// To the nearest number of two digits.
+inline double rounded(double value) {
+    return rounded_by(value, [](double x) { return std::round(x); });
+}
+/// To the next smaller one, for limits; value >= 0.
+inline double rounded_down(double value) {
+    return rounded_by(value, [](double x) { return std::floor(x); });
+}
+
+}  // namespace myo::planning
