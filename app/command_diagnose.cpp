@@ -15,6 +15,8 @@
 #include "effect/catalogue.hpp"
 #include "exit_status.hpp"
 #include "experiment_command.hpp"
+#include "next_experiment.hpp"
+#include "planning/proposal_output.hpp"
 #include "results/finding_output.hpp"
 #include "results/output_files.hpp"
 #include "results/output_json.hpp"
@@ -113,12 +115,21 @@ std::string cost_lines(const diagnosis::Diagnosis& d) {
 }
 
 /// Writes both JSON reports, the augmented experiment, traces and report.html.
+///
+/// @param next  the trial that would tell more; empty: none is proposed
 Result<void> write_results(const DiagnoseCall& call, const experiment::Experiment& experiment,
-                           const setup::Setup& setup, const diagnosis::Diagnosis& d, const results::RunFacts& facts) {
+                           const setup::Setup& setup, const diagnosis::Diagnosis& d,
+                           const std::optional<planning::Proposal>& next, const results::RunFacts& facts) {
     // The augmented experiment is an edited copy of the declaration, which keeps its comments.
     const std::string name = report_name(experiment);
     report::Json report = diagnosis::diagnosis_json(setup, d, name);
     report["checks"] = results::findings_json(facts.findings);
+    report::HtmlReport page = diagnosis::diagnosis_report(setup, d, facts);
+    if (next) {
+        report["verdict"]["next_experiment"] = planning::next_experiment_json(*next);
+        page.sections.push_back(planning::proposal_section(*next, planning::PlanningPolicy().proposal));
+        if (const Result<void> signal = write_signal(call.out, *next); !signal) return signal.error();
+    }
     for (const std::string& file : {std::string("report.json"), name + ".json"})
         if (const Result<void> json = report::write_json(call.out / file, report); !json) return json.error();
     const Result<std::string> augmented = diagnosis::augmented_experiment(declaration_of(call), d.verdict.effects,
@@ -126,7 +137,7 @@ Result<void> write_results(const DiagnoseCall& call, const experiment::Experimen
     if (!augmented) return augmented.error();
     if (const Result<void> file = write_file(call.out / augmented_file, *augmented); !file) return file.error();
     if (const Result<void> traces = results::write_traces(call.out, setup, d.after); !traces) return traces.error();
-    return report::write_html(call.out / "report.html", diagnosis::diagnosis_report(setup, d, facts));
+    return report::write_html(call.out / "report.html", page);
 }
 
 diagnosis::DiagnoseSettings diagnose_settings(const DiagnoseCall& call) {
@@ -161,13 +172,17 @@ int diagnose_command(const DiagnoseCall& call) {
         console.complain(d.failure);
         return status_failed;
     }
+    const std::optional<planning::Proposal> next = next_experiment(setup, d, declaration_of(call), progress);
     results::RunFacts facts = run_facts(call, setup_s);
     facts.findings = check::check_after({diagnosis::as_diagnosed(d, setup), &d.after}, before);
     tell_findings(facts.findings, before, console);
     console.print("\n" + results::findings_line(facts.findings) + "\n\n" + candidate_lines(d) + "\n\n" +
                   trial_lines(setup, d) + "\n" + distance_line(d.before, d.after) + "\n\n" + verdict_lines(d) + "\n\n" +
                   cost_lines(d));
-    if (const Result<void> written = write_results(call, opening.experiment, setup, d, facts); !written)
+    if (next)
+        console.print("\n" + planning::proposal_lines(*next, planning::PlanningPolicy().proposal) + "\n" +
+                      format_number(next->seconds, 3) + " s");
+    if (const Result<void> written = write_results(call, opening.experiment, setup, d, next, facts); !written)
         return console.fail(written.error());
     console.print("report: " + (call.out / "report.html").string());
     return status_done;
@@ -180,9 +195,9 @@ std::function<int()> declare_diagnose(CLI::App& app) {
     call->fits = true;
     declare_experiment_call(app, *call);
     call->outputs = [own = call.get()](const experiment::Experiment& experiment) {
-        return trace_files_and(
-            *own, experiment,
-            {report_name(experiment) + ".json", "report.json", "report.html", augmented_file, fits_file});
+        return trace_files_and(*own, experiment,
+                               {report_name(experiment) + ".json", "report.json", "report.html", augmented_file,
+                                fits_file, planning::signal_file});
     };
     declare_leave_out(app, *call);
     app.add_option_function<std::string>(

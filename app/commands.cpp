@@ -15,6 +15,8 @@ const std::vector<Subcommand>& commands() {
         {"simulate", "Runs the trials of an experiment folder with its declared model", declare_simulate},
         {"calibrate", "Fits the declared unknowns of an experiment folder and reports", declare_calibrate},
         {"diagnose", "Finds the physical effect that the declared model lacks, with its parameters", declare_diagnose},
+        {"power", "Tells which effects of which size an experiment could reveal, before it is made", declare_power},
+        {"propose", "Proposes the trial that best tells two sets of effects apart", declare_propose},
         {"validate", "Diagnoses synthetic experiments with known answers: how reliable diagnose is", declare_validate,
          "study"},
         {"optimize", "Finds the actuation that makes the markers follow a trial's trace", declare_optimize},

@@ -28,6 +28,10 @@ std::vector<std::string> command_names();
 std::function<int()> declare_simulate(CLI::App& app);
 /// Finds the effect that the declared model lacks.
 std::function<int()> declare_diagnose(CLI::App& app);
+/// Tells which effects an experiment could reveal.
+std::function<int()> declare_power(CLI::App& app);
+/// Proposes the trial that tells two sets of effects apart.
+std::function<int()> declare_propose(CLI::App& app);
 /// Validates diagnosis or defaults on synthetic experiments.
 std::function<int()> declare_validate(CLI::App& app);
 /// Fits the declared unknowns.

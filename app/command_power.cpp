@@ -1,0 +1,89 @@
+#include <memory>
+
+#include "base/text.hpp"
+#include "commands.hpp"
+#include "effect/catalogue.hpp"
+#include "exit_status.hpp"
+#include "experiment_command.hpp"
+#include "planning/power_output.hpp"
+
+namespace myo::app {
+namespace {
+
+const char* const complete_map = "the map was complete";
+const char* const map_json_file = "power.json";
+const char* const map_page_file = "power.html";
+
+/// Parsed call of `myoloop power`.
+struct PowerCall : ExperimentCall {
+    std::string json;
+    std::optional<double> numerical_error_m;
+    std::vector<std::string> only;
+};
+
+Result<void> write_map(const PowerCall& call, const planning::PowerMap& map, const experiment::Experiment& experiment,
+                       const results::RunFacts& facts) {
+    const std::string folder = std::filesystem::weakly_canonical(experiment.folder).filename().string();
+    const report::Json json = planning::power_json(map, folder, facts);
+    if (!call.json.empty())
+        if (const Result<void> written = report::write_json(call.json, json); !written) return written;
+    if (call.out.empty()) return {};
+    if (const Result<void> written = report::write_json(call.out / map_json_file, json); !written) return written;
+    return report::write_html(call.out / map_page_file, planning::power_report(map, experiment.name, facts));
+}
+
+int power_command(PowerCall& call) {
+    Console console(call.work.quiet, call.work.json_progress);
+    const Progress progress = console.progress();
+    call.writes_folder = !call.out.empty();
+    const OpenedExperiment opening = open_command(call, TrialChoice::all, complete_map, console, progress);
+    if (!opening.setup) return opening.status;
+    const setup::Setup& setup = *opening.setup;
+    for (const std::string& warning : setup.warnings) console.warn(warning);
+    console.print(setup.experiment.name + "\n" + size_line(setup));
+    const double setup_s = opening.stopwatch.seconds();
+    planning::PowerSettings settings;
+    settings.numerical_error_m = call.numerical_error_m;
+    settings.only = call.only;
+    const planning::PowerMap map = planning::power_map(setup, settings, progress);
+    if (map.stopped) return stopped_before(complete_map, console);
+    if (!map.failure.empty()) {
+        console.complain(with_options(map.failure));
+        return status_failed;
+    }
+    console.print("\n" + planning::power_lines(map) + "\n\n" + std::to_string(map.runs) + " runs, " +
+                  format_number(map.seconds, 3) + " s");
+    if (const Result<void> written = write_map(call, map, opening.experiment, run_facts(call, setup_s)); !written)
+        return console.fail(written.error());
+    if (!call.out.empty()) console.print("report: " + (call.out / map_page_file).string());
+    return status_done;
+}
+
+}  // namespace
+
+std::function<int()> declare_power(CLI::App& app) {
+    const auto call = std::make_shared<PowerCall>();
+    declare_experiment_call(app, *call);
+    call->outputs = [own = call.get()](const experiment::Experiment&) {
+        std::vector<std::filesystem::path> files;
+        if (!own->json.empty()) files.emplace_back(own->json);
+        if (!own->out.empty()) files.insert(files.end(), {own->out / map_json_file, own->out / map_page_file});
+        return files;
+    };
+    app.add_option_function<std::string>(
+           "--effects",
+           [call](const std::string& text) {
+               call->only = split_words(text);
+               for (const std::string& id : call->only)
+                   if (!effect::find_effect(id))
+                       throw CLI::ValidationError("--effects", unknown_word(id, effect::effect_ids()));
+           },
+           "effects that are considered (default: all)")
+        ->type_name("A,B");
+    add_positive_number(app, "--numerical-error", call->numerical_error_m,
+                        "rms error of the predictions by mesh and step in m (default: from the noise)");
+    app.add_option("--json", call->json, "file for the map as JSON")->type_name("FILE");
+    return [call] { return power_command(*call); };
+}
+
+}  // namespace myo::app

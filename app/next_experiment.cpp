@@ -1,0 +1,58 @@
+#include "next_experiment.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "base/files.hpp"
+#include "planning/reported_rivals.hpp"
+
+namespace myo::app {
+
+PassingFolder::PassingFolder()
+    : path_(std::filesystem::temp_directory_path() / ("myoloop_signals_" + std::to_string(::getpid()))) {
+    std::filesystem::create_directories(path_);
+}
+
+PassingFolder::~PassingFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+}
+
+std::optional<planning::Proposal> next_experiment(const setup::Setup& setup, const diagnosis::Diagnosis& diagnosis,
+                                                  const std::filesystem::path& declaration, const Progress& progress) {
+    const std::optional<std::array<planning::Rival, 2>> rivals = planning::diagnosed_rivals(diagnosis);
+    const Result<std::string> text = read_file(declaration);
+    if (!rivals || !text) return std::nullopt;
+    const planning::PlanningPolicy policy;
+    const int runs = std::accumulate(diagnosis.cost.begin(), diagnosis.cost.end(), 0,
+                                     [](int sum, const diagnosis::PhaseCost& cost) { return sum + cost.runs; });
+    // A run with its derivatives counts as one per parameter, as in the costs of a diagnosis.
+    const double of_a_trial = 2.0 +
+                              static_cast<double>((*rivals)[0].parameters.size() + (*rivals)[1].parameters.size());
+    const auto affordable = static_cast<std::size_t>(policy.proposal.most_time * runs / of_a_trial);
+    const setup::Setup diagnosed = diagnosis::as_diagnosed(diagnosis, setup);
+    const PassingFolder signals;
+    const Result<planning::Proposal> proposal = planning::propose_trial(
+        {diagnosed,
+         *rivals,
+         *text,
+         declaration,
+         {},
+         signals.path(),
+         {},
+         std::max(policy.proposal.fewest_trials, affordable),
+         policy},
+        progress);
+    if (!proposal || !proposal->best()) return std::nullopt;
+    return *proposal;
+}
+
+Result<void> write_signal(const std::filesystem::path& folder, const planning::Proposal& proposal) {
+    const planning::RatedTrial* const best = proposal.best();
+    if (!best || !best->trial.signal) return {};
+    return measurement::write_actuation_csv(folder / planning::signal_file, *best->trial.signal);
+}
+
+}  // namespace myo::app

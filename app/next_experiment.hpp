@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "base/progress.hpp"
+#include "diagnosis/diagnosis.hpp"
+#include "planning/propose_trial.hpp"
+
+namespace myo::app {
+
+/// A folder for files of one run, removed at the end.
+class PassingFolder {
+public:
+    PassingFolder();
+    ~PassingFolder();
+    PassingFolder(const PassingFolder&) = delete;
+    PassingFolder& operator=(const PassingFolder&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+/// The trial that would tell apart what a diagnosis could not, with a small share of the runs that it took. Empty where
+/// everything was told apart, where no trial can be run, or if cancelled.
+///
+/// @param setup        as given to the diagnosis
+/// @param declaration  file of the experiment
+std::optional<planning::Proposal> next_experiment(const setup::Setup& setup, const diagnosis::Diagnosis& diagnosis,
+                                                  const std::filesystem::path& declaration, const Progress& progress);
+
+/// Writes the signal of the best trial into a folder, if it has one.
+Result<void> write_signal(const std::filesystem::path& folder, const planning::Proposal& proposal);
+
+}  // namespace myo::app
