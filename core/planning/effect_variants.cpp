@@ -31,13 +31,17 @@ effect::EffectParameter sized(const effect::EffectParameter& value, double size,
 }  // namespace
 
 std::vector<EffectVariant> effect_variants(const effect::Effect& effect, const effect::EffectSearch& search,
-                                           const setup::Setup& setup, const std::vector<std::size_t>& trials) {
+                                           const setup::Setup& setup, const std::vector<std::size_t>& trials,
+                                           const PowerPolicy& policy) {
     if (!effect.probes) return {typical_variant(effect, setup, trials.front())};
     const std::vector<effect::EffectProbe> probes = effect.probes(search);
     const bool small = std::any_of(probes.begin(), probes.end(), [](const auto& probe) { return !probe.large; });
     std::vector<EffectVariant> variants;
     for (const effect::EffectProbe& probe : probes)
         if (!small || !probe.large) variants.push_back({&effect, probe.columns});
+    const std::size_t all = variants.size(), most = std::min(all, policy.most_forms);
+    for (std::size_t i = 0; i < most; ++i) variants[i] = variants[i * all / most];
+    variants.resize(most);
     return variants;
 }
 

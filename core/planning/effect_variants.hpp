@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "effect/effect.hpp"
+#include "planning/planning_policy.hpp"
 #include "setup/setup.hpp"
 
 namespace myo::planning {
@@ -15,12 +16,14 @@ struct EffectVariant {
     std::vector<effect::EffectParameters> columns;
 };
 
-/// Forms of an effect that a diagnosis would try, or a typical one where it scans the recordings instead.
+/// Forms of an effect that a diagnosis would try, or a typical one where it scans the recordings instead; at
+/// most PowerPolicy::most_forms.
 ///
 /// @param trials  of the search, indices of the setup
 /// @return        empty if the effect cannot be seen in these trials
 std::vector<EffectVariant> effect_variants(const effect::Effect& effect, const effect::EffectSearch& search,
-                                           const setup::Setup& setup, const std::vector<std::size_t>& trials);
+                                           const setup::Setup& setup, const std::vector<std::size_t>& trials,
+                                           const PowerPolicy& policy);
 
 /// Sizes of an effect over its plausible range, from small to large by their influence; empty if it has none.
 std::vector<double> effect_sizes(const effect::Effect& effect, int count);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "diagnosis/discretisation/longer_steps.hpp"
 #include "prediction/predict_trials.hpp"
 
 namespace myo::planning {
@@ -14,6 +15,15 @@ setup::Setup with_planned_trials(setup::Setup setup) {
         for (std::size_t m = 0; m < markers.size(); ++m)
             if (!markers[m].probe) trial.measured.tracks[m].setZero();
     }
+    return setup;
+}
+
+setup::Setup with_longer_steps(setup::Setup setup, const prediction::ParameterValues& values, double most_change,
+                               const Progress& progress) {
+    if (setup.settings.h_s) return setup;
+    const diagnosis::LongerSteps longer = diagnosis::longer_steps(setup, values, most_change * setup::mean_noise(setup),
+                                                                  progress);
+    for (std::size_t t = 0; t < longer.factors.size(); ++t) setup.trials[t].options.h_s *= longer.factors[t];
     return setup;
 }
 

@@ -11,6 +11,11 @@ namespace myo::planning {
 /// depend on it.
 setup::Setup with_planned_trials(setup::Setup setup);
 
+/// The setup with time steps lengthened as in a diagnosis: while predictions change by at most this many noise levels.
+/// Requested steps are kept.
+setup::Setup with_longer_steps(setup::Setup setup, const prediction::ParameterValues& values, double most_change,
+                               const Progress& progress);
+
 /// True if a trial of the setup has a recording to fit.
 bool has_fit_recording(const setup::Setup& setup);
 

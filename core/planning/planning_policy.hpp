@@ -19,7 +19,8 @@ struct DetectionPolicy {
 
 /// Power map of an experiment.
 struct PowerPolicy {
-    int sizes = 3;  // of each effect over its range, equal ratios
+    int sizes = 3;               // of each effect over its range, equal ratios
+    std::size_t most_forms = 4;  // of an effect, evenly chosen among its places: enough for a median
 };
 
 /// Family of trials for the next experiment.

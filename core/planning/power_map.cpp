@@ -48,6 +48,7 @@ Reference reference_of(const setup::Setup& as_declared, const PowerSettings& set
         return r;
     }
     r.values = prediction::declared_values(r.setup);
+    r.setup = with_longer_steps(std::move(r.setup), r.values, all.policy.numerics.max_step_change, progress);
     r.parameters = diagnosis::joint_parameters(r.setup, r.values, all.policy.declared);
     r.predictions = prediction::predict_trials_with(r.setup, r.values, r.data.trials, progress, r.parameters);
     for (std::size_t i = 0; i < r.predictions.size(); ++i)
@@ -263,7 +264,7 @@ PowerMap power_map(const setup::Setup& as_declared, const PowerSettings& setting
     std::vector<EffectVariant> variants;
     for (const effect::Effect* const effect : considered)
         if (experiment::lacking_for(*effect, r.setup.experiment).empty())
-            for (EffectVariant& variant : effect_variants(*effect, r.search, r.setup, r.data.trials))
+            for (EffectVariant& variant : effect_variants(*effect, r.search, r.setup, r.data.trials, policy.power))
                 variants.push_back(std::move(variant));
     std::vector<SizedVariant> middle;
     for (std::size_t v = 0; v < variants.size(); ++v)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <mutex>
 
 #include "base/parallel.hpp"
@@ -72,9 +73,10 @@ private:
 /// Shortest step of the moving trials, in whole parts of the sampling interval.
 double step_of(const setup::Setup& setup, const setup::PreparedTrial& trial) {
     const double interval = setup::sampling_interval_s(trial);
-    double shortest = 0.5 * interval;
+    double shortest = std::numeric_limits<double>::infinity();
     for (const setup::PreparedTrial& other : setup.trials)
         if (!other.hold) shortest = std::min(shortest, other.options.h_s);
+    if (shortest > interval) shortest = 0.5 * interval;
     return interval / std::ceil(interval / shortest - 1e-9);
 }
 

@@ -116,6 +116,8 @@ Result<FittedRivals> fitted_rivals(const setup::Setup& as_declared, const std::a
         if (!made) return made.error();
         result.setup = std::move(*made);
     }
+    result.setup = with_longer_steps(std::move(result.setup), prediction::declared_values(result.setup),
+                                     diagnosis::NumericsPolicy().max_step_change, progress);
     const Fits fits(result.setup, progress);
     if (fits.data().layout.size() == 0) return Error{"no marker is seen in the trials to fit", ""};
     for (std::size_t i = 0; i < starts.size(); ++i) {

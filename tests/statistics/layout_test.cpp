@@ -51,6 +51,10 @@ TEST(Distributions, AgreeWithTables) {
     EXPECT_NEAR(chi_squared_tail(3.841459, 1.0), 0.05, 1e-7);
     EXPECT_NEAR(chi_squared_tail(2.0, 2.0), std::exp(-1.0), 1e-14);
     EXPECT_NEAR(chi_squared_upper_quantile(0.01, 10.0), 23.20925, 1e-5);
+    EXPECT_NEAR(noncentral_chi_squared_tail(3.841459, 1.0, 0.0), 0.05, 1e-7);
+    // (z + sqrt(lambda))^2 of a normal z.
+    EXPECT_NEAR(noncentral_chi_squared_tail(4.0, 1.0, 9.0), normal_tail(-1.0) + normal_tail(5.0), 1e-12);
+    EXPECT_EQ(noncentral_chi_squared_tail(4.0, 1.0, 1e8), 1.0);
     EXPECT_NEAR(fisher_f_tail(4.964603, 1.0, 10.0), 0.05, 1e-7);
     EXPECT_NEAR(student_two_sided(-2.228139, 10.0), 0.05, 1e-7);
     EXPECT_NEAR(normal_tail(1.959964), 0.025, 1e-8);
