@@ -37,19 +37,29 @@ public:
 
     const diagnosis::FitData& data() const { return data_; }
 
-    JointFit fit(const ParameterValues& start, const diagnosis::Effort& effort) const {
-        return diagnosis::joint_fit({setup_, data_, start, policy_, diagnosis::EffectFreedom::all, effort}, progress_);
+    JointFit fit(const ParameterValues& start, const diagnosis::Effort& effort,
+                 const diagnosis::WarmStart& warm = {}) const {
+        return diagnosis::joint_fit({setup_, data_, start, policy_, diagnosis::EffectFreedom::all, effort, warm},
+                                    progress_);
     }
     JointFit declared() const { return fit(prediction::declared_values(setup_), policy_.declared.effort); }
 
     /// The effects of the set one after the other, each from its best score on what the others leave.
-    JointFit of_set(const std::vector<std::string>& ids) const {
-        JointFit best = declared();
+    ///
+    /// @param declared  fit without them
+    JointFit of_set(const std::vector<std::string>& ids, const JointFit& declared) const {
+        JointFit best = declared;
         for (const std::string& id : ids) {
             if (!best.usable() || progress_.cancelled()) return best;
             ParameterValues start = best.values;
-            start.effects.push_back({id, best_start(best, id)});
-            best = fit(start, policy_.fits.leader);
+            const diagnosis::EffectScore::Start scored = best_start(best, id);
+            for (std::size_t i = 0; i < best.parameters.size() && scored.step.size() > 0; ++i) {
+                const prediction::ModelParameter& p = best.parameters[i];
+                const double value = prediction::value_of(p, start) + scored.step(static_cast<Eigen::Index>(i));
+                prediction::set_value(p, std::clamp(value, p.parameter.lower, p.parameter.upper), start);
+            }
+            start.effects.push_back({id, scored.effect});
+            best = fit(start, policy_.fits.other, diagnosis::warm_start_of(best));
         }
         return best;
     }
@@ -64,15 +74,15 @@ public:
     }
 
 private:
-    effect::EffectParameters best_start(const JointFit& base, const std::string& id) const {
+    diagnosis::EffectScore::Start best_start(const JointFit& base, const std::string& id) const {
         const std::vector<diagnosis::EffectScore> scores = diagnosis::score_effects(
             setup_, data_, base, base.predictions, [&](const std::string& other) { return other == id; },
             diagnosis::ProbeSize::small, policy_.screening, progress_);
         const auto best = std::max_element(scores.begin(), scores.end(),
                                            [](const auto& a, const auto& b) { return a.share() < b.share(); });
         if (best == scores.end() || !best->usable() || best->best.effect.empty())
-            return typical_effect(id, setup_).parameters;
-        return best->best.effect;
+            return {typical_effect(id, setup_).parameters, {}};
+        return best->best;
     }
 
     const setup::Setup& setup_;
@@ -120,10 +130,11 @@ Result<FittedRivals> fitted_rivals(const setup::Setup& as_declared, const std::a
                                      diagnosis::NumericsPolicy().max_step_change, progress);
     const Fits fits(result.setup, progress);
     if (fits.data().layout.size() == 0) return Error{"no marker is seen in the trials to fit", ""};
+    const auto is_known = [](const RivalStart& start) { return !start.effects.empty() || !start.parameters.empty(); };
+    const JointFit declared = is_known(starts[0]) && is_known(starts[1]) ? JointFit() : fits.declared();
     for (std::size_t i = 0; i < starts.size(); ++i) {
         progress.report({"fit of " + rival_words(starts[i].ids), static_cast<double>(i), 2.0, "fits", {}});
-        const bool known = !starts[i].effects.empty() || !starts[i].parameters.empty();
-        const JointFit fit = known ? fits.at(starts[i]) : fits.of_set(starts[i].ids);
+        const JointFit fit = is_known(starts[i]) ? fits.at(starts[i]) : fits.of_set(starts[i].ids, declared);
         if (progress.cancelled()) return Error{"stopped", ""};
         if (!fit.usable()) return Error{rival_words(starts[i].ids) + " cannot be fitted: " + fit.report.message, ""};
         result.rivals[i] = rival_of(fit, fits.data());

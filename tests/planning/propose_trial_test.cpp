@@ -160,6 +160,39 @@ TEST(TrialFamily, DrivesMusclesByFiles) {
     EXPECT_FALSE(folder.has("next_ramp_upper.csv"));
 }
 
+diagnosis::JudgedFit made_fit(const std::string& id, double weight) {
+    diagnosis::JudgedFit fit;
+    fit.fit.effects = {{id, {}, false}};
+    fit.fit.residual.setZero(3);
+    fit.fit.jacobian.setOnes(3, 1);
+    fit.weight = weight;
+    return fit;
+}
+
+diagnosis::Candidate candidate(const std::string& id, double weight) {
+    diagnosis::Candidate made;
+    made.score.id = id;
+    made.judged = made_fit(id, weight);
+    return made;
+}
+
+TEST(DiagnosedRivals, AreTheEffectsThatWereNotToldApart) {
+    diagnosis::Diagnosis d;
+    d.candidates = {candidate("linear_drag", 0.5), candidate("quadratic_drag", 0.4), candidate("gravity_tilt", 0.1)};
+    EXPECT_FALSE(diagnosed_rivals(d));
+    d.confusions = {{"linear_drag", "quadratic_drag", 0.99, ""}};
+    const auto rivals = diagnosed_rivals(d);
+    ASSERT_TRUE(rivals);
+    EXPECT_EQ((*rivals)[0].ids, std::vector<std::string>{"linear_drag"});
+    EXPECT_EQ((*rivals)[1].ids, std::vector<std::string>{"quadratic_drag"});
+    EXPECT_EQ((*rivals)[0].slopes.rows(), 3);
+    // The fits decide.
+    d.verdict.kind = diagnosis::VerdictKind::effects;
+    d.verdict.effects = {{"linear_drag", {}, false}};
+    d.candidates[1].judged->weight = 0.0;
+    EXPECT_FALSE(diagnosed_rivals(d));
+}
+
 class Reports : public ::testing::Test {
 protected:
     std::string said_of(const std::string& text) const {
