@@ -121,9 +121,11 @@ int propose_command(ProposeCall& call) {
     };
     if (!fitted) return failed(fitted.error());
     for (std::size_t i = 0; i < 2; ++i)
-        console.print(planning::rival_words(fitted->rivals[i].ids) + ": fitted to " +
-                      format_number(1e3 * fitted->rms_m[i], 3) + " mm rms" +
-                      (fitted->made_motion ? " of the motion that the first would cause" : ""));
+        console.print(
+            planning::rival_words(fitted->rivals[i].ids) + ": fitted to " + format_number(1e3 * fitted->rms_m[i], 3) +
+            " mm rms, noise " + format_number(1e3 * setup::mean_noise(fitted->setup), 3) + " mm" +
+            (fitted->made_motion ? "; nothing is recorded, so the motion is that of the first with typical values"
+                                 : ""));
     const Result<std::string> declaration = read_file(declaration_of(call));
     if (!declaration) return console.refuse(declaration.error());
     const double fits_s = opening.stopwatch.seconds() - setup_s;

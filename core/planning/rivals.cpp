@@ -59,7 +59,7 @@ public:
                 prediction::set_value(p, std::clamp(value, p.parameter.lower, p.parameter.upper), start);
             }
             start.effects.push_back({id, scored.effect});
-            best = fit(start, policy_.fits.other, diagnosis::warm_start_of(best));
+            best = fit(start, policy_.fits.leader, diagnosis::warm_start_of(best));
         }
         return best;
     }
