@@ -126,8 +126,9 @@ Result<FittedRivals> fitted_rivals(const setup::Setup& as_declared, const std::a
         if (!made) return made.error();
         result.setup = std::move(*made);
     }
-    result.setup = with_longer_steps(std::move(result.setup), prediction::declared_values(result.setup),
-                                     diagnosis::NumericsPolicy().max_step_change, progress);
+    const ParameterValues at = prediction::declared_values(result.setup);
+    result.setup = with_longer_steps(std::move(result.setup), at, diagnosis::NumericsPolicy().max_step_change,
+                                     progress);
     const Fits fits(result.setup, progress);
     if (fits.data().layout.size() == 0) return Error{"no marker is seen in the trials to fit", ""};
     const auto is_known = [](const RivalStart& start) { return !start.effects.empty() || !start.parameters.empty(); };
