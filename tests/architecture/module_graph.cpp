@@ -3,11 +3,13 @@
 #include <functional>
 #include <regex>
 #include <sstream>
+#include <string_view>
 
 namespace myo::test {
 namespace {
 
-const std::string library_prefix = "myoloop_";
+// Constant from the start: graphs are read before main().
+constexpr std::string_view library_prefix = "myoloop_";
 
 std::vector<std::string> words_of(const std::string& text) {
     std::istringstream stream(text);

@@ -36,7 +36,7 @@ TEST(DeclaredGradients, AgreeWithDifferences) {
         errors.push_back(row.relative_error);
         EXPECT_NE(row.adjoint, 0.0) << row.name;
         EXPECT_NE(row.adjoint, row.difference) << row.name << ": not independent";
-        EXPECT_LE(row.relative_error, 1e-5) << row.name;
+        EXPECT_LE(row.relative_error, 5e-5) << row.name;
     }
     EXPECT_THAT(names, testing::ElementsAre("tip.youngs_modulus_Pa", "tip.damping_s",
                                             "effect.soft_patch.relative_change", "effect.soft_patch.centre_m.x",
@@ -62,7 +62,7 @@ TEST(TendonGradient, AgreesWithDifferencesWhereNothingPulls) {
         if (row.name.find("tension_N") != std::string::npos) {
             ++tensions;
             EXPECT_NE(row.adjoint, 0.0);
-            EXPECT_LE(row.relative_error, 1e-5) << row.name;
+            EXPECT_LE(row.relative_error, 5e-5) << row.name;
         }
     EXPECT_EQ(tensions, 1);
 }

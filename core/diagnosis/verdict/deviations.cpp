@@ -8,6 +8,7 @@
 
 #include "effect/catalogue.hpp"
 #include "statistics/autocorrelation.hpp"
+#include "statistics/distributions.hpp"
 
 namespace myo::diagnosis {
 namespace {
@@ -15,8 +16,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double normal_97_5 = 1.959963984540054;  // quantile of the normal distribution
 
 /// Rows of the least-squares estimator: numbers = rows * residuals, parameters x (N + S).
 MatrixXd estimator(const JointFit& fit, const NumericsPolicy& policy) {
@@ -76,7 +75,7 @@ JudgedFit with_deviations(JudgedFit fit, const FitData& data, const NumericalErr
 
 std::optional<Interval> interval_95(const inverse::Parameter& parameter, double value, double deviation) {
     if (!std::isfinite(deviation)) return {};
-    const double half = normal_97_5 * deviation;
+    const double half = statistics::normal_upper_quantile(0.025) * deviation;
     Interval interval{value - half, value + half};
     if (parameter.over_decades && value > 0.0) {
         // The fit moves ln(1 + value / scale).
