@@ -21,7 +21,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 /// The model without further effects, and what recalibration absorbs.
 struct Reference {
