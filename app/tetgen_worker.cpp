@@ -77,7 +77,7 @@ int run(const std::string& request_path, const std::string& answer_path, std::st
 int main(int argc, char** argv) {
     if (argc != 6) return myo::mesh::worker_status::bad_call;
     prctl(PR_SET_PDEATHSIG, SIGKILL);  // ends with the caller
-#if !defined(__SANITIZE_ADDRESS__)     // the sanitizer reserves terabytes of address space
+#if !defined(MYOLOOP_SANITIZED)        // the sanitizer reserves terabytes of address space
     limit(RLIMIT_AS, std::strtoull(argv[4], nullptr, 10));
 #endif
     limit(RLIMIT_CPU, std::strtoull(argv[5], nullptr, 10));
