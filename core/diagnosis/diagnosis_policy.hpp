@@ -133,12 +133,8 @@ struct CandidateFitPolicy {
     Effort amount{4, 1e-3, 0};      // declared parameters and amounts, with the Jacobian known at the start
     Effort nonlinear{10, 1e-3, 1};  // as above, for starts beyond the linear range
     Effort repeated{8, 1e-3, 1};    // as above, if the first attempt missed its predicted reduction
-    Effort leader{20, 3e-4};    // all parameters of the best candidate, and of those with a large predicted reduction
-    Effort other{20, 1e-3, 1};  // all parameters of the others
-    /// All parameters of a candidate that leaves more than a share of the base's squares: enough to order such fits, of
-    /// which none is an explanation. It is continued as the others if it falls below.
-    Effort far{8, 1e-2, 1};
-    double far_share = 0.5;
+    Effort leader{20, 3e-4};      // all parameters of the best candidate, and of those with a large predicted reduction
+    Effort other{20, 1e-3, 1};    // all parameters of the others
     double relative_step = 1e-5;  // relative change of the parameters below which a fit has converged
     /// The first step of a parameter of unknown order of magnitude changes it by at most this factor, e squared.
     double max_factor = 7.38905609893065;

@@ -202,13 +202,8 @@ void continue_best(const CandidateFitInput& in, Rounds& rounds) {
         const auto leads = [&](std::size_t i) {
             return first || in.starts[i].predicted_reduction > policy.large_reduction;
         };
-        const auto is_far = [&](std::size_t i) {
-            return rounds.fit(i).fit.squares() > policy.far_share * in.base.squares();
-        };
-        rounds.continue_fits(policy.far, first, [&](std::size_t i) { return chosen[i] && is_far(i); });
-        const auto is_near = [&](std::size_t i) { return chosen[i] && !is_far(i); };
-        rounds.continue_fits(policy.leader, first, [&](std::size_t i) { return is_near(i) && leads(i); });
-        rounds.continue_fits(policy.other, first, [&](std::size_t i) { return is_near(i) && !leads(i); });
+        rounds.continue_fits(policy.leader, first, [&](std::size_t i) { return chosen[i] && leads(i); });
+        rounds.continue_fits(policy.other, first, [&](std::size_t i) { return chosen[i] && !leads(i); });
     }
 }
 
