@@ -6,11 +6,11 @@
 #include "base/stopwatch.hpp"
 #include "diagnosis/diagnosis_context.hpp"
 #include "diagnosis/missing_force/peak_energy.hpp"
+#include "diagnosis/screening/effect_responses.hpp"
 #include "diagnosis/screening/effect_scores.hpp"
 #include "effect/catalogue.hpp"
 #include "experiment/new_effect.hpp"
 #include "planning/detection.hpp"
-#include "planning/effect_responses.hpp"
 #include "planning/effect_variants.hpp"
 #include "planning/planned_trials.hpp"
 #include "prediction/predict_trials.hpp"
@@ -34,7 +34,7 @@ struct Reference {
     double numerical_error = 0.0;  // [noise levels]
     std::string failure;
 
-    UnaffectedRuns runs() const { return {setup, data, values, search, predictions}; }
+    diagnosis::UnaffectedRuns runs() const { return {setup, data, values, search, predictions}; }
 };
 
 Reference reference_of(const setup::Setup& as_declared, const PowerSettings& settings, const Progress& progress) {
@@ -85,7 +85,8 @@ void respond(const Reference& r, const statistics::NuisanceSpace& nuisance, cons
     for (const SizedVariant& s : sized)
         for (const effect::EffectParameters& column : s.columns)
             effects.push_back({variants[s.variant].effect->id, column});
-    const std::vector<EffectResponse> responses = effect_responses(r.runs(), effects, task, progress);
+    const std::vector<diagnosis::EffectResponse> responses = diagnosis::effect_responses(r.runs(), effects, task,
+                                                                                         progress);
     if (responses.empty()) return;
     map.runs += static_cast<int>(effects.size() * r.data.trials.size());
     std::size_t next = 0;

@@ -1,37 +1,24 @@
 #include "diagnosis/screening/effect_scores.hpp"
 
-#include <atomic>
-#include <mutex>
 #include <utility>
 
 #include "base/parallel.hpp"
-#include "base/stopwatch.hpp"
-#include "base/throttle.hpp"
 #include "diagnosis/missing_force/peak_energy.hpp"
+#include "diagnosis/screening/effect_responses.hpp"
 #include "diagnosis/screening/marker_scan.hpp"
 #include "diagnosis/screening/probe_score.hpp"
 #include "diagnosis/screening/residual_lines.hpp"
 #include "effect/catalogue.hpp"
-#include "prediction/predict_trials.hpp"
 
 namespace myo::diagnosis {
 namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 struct Probe {
     const effect::Effect* effect = nullptr;
     effect::EffectProbe probe;
-};
-
-/// One column of a probe with its predictions.
-struct ProbeColumn {
-    std::size_t probe = 0;  // index
-    Index number = 0;       // among the columns of the probe
-    prediction::ParameterValues values;
-    std::vector<prediction::TrialPrediction> predictions;  // per trial of the data
 };
 
 /// Probes of the given size of all allowed effects.
@@ -45,66 +32,30 @@ std::vector<Probe> chosen_probes(const effect::EffectSearch& search, const Effec
     return probes;
 }
 
-std::vector<ProbeColumn> columns_of(const std::vector<Probe>& probes, const prediction::ParameterValues& values,
-                                    std::size_t trials) {
-    std::vector<ProbeColumn> columns;
-    for (std::size_t p = 0; p < probes.size(); ++p)
-        for (std::size_t c = 0; c < probes[p].probe.columns.size(); ++c) {
-            ProbeColumn column{p, static_cast<Index>(c), values, std::vector<prediction::TrialPrediction>(trials)};
-            column.values.effects.push_back({probes[p].effect->id, probes[p].probe.columns[c]});
-            columns.push_back(std::move(column));
-        }
+/// The columns of all probes, one after the other.
+std::vector<effect::EffectDeclaration> columns_of(const std::vector<Probe>& probes) {
+    std::vector<effect::EffectDeclaration> columns;
+    for (const Probe& probe : probes)
+        for (const effect::EffectParameters& column : probe.probe.columns)
+            columns.push_back({probe.effect->id, column});
     return columns;
 }
 
-/// Prediction of a trial with a probe; without a run where the probe does not act or changes the observation only.
-prediction::TrialPrediction probed(const setup::Setup& setup, std::size_t trial, const effect::TrialContext& site,
-                                   const prediction::ParameterValues& values,
-                                   const prediction::TrialPrediction& unaffected, const Progress& progress) {
-    const effect::EffectDeclaration& effect = values.effects.back();
-    if (!effect::acts_on(site, effect.parameters)) return unaffected;
-    if (setup::changes_observation_only(effect))
-        return prediction::observe_trial(setup, trial, values, unaffected.trace);
-    return prediction::predict_trial(setup, trial, values, {}, progress.with_sink({}), unaffected.trace.path);
-}
-
-/// Runs all columns in all trials in parallel; adds the time of each to its score.
-void run_columns(const setup::Setup& setup, const FitData& data, const effect::EffectSearch& search,
-                 const std::vector<prediction::TrialPrediction>& unaffected, std::vector<ProbeColumn>& columns,
-                 std::vector<EffectScore>& scores, const Progress& progress) {
-    std::atomic<int> done{0};
-    std::mutex mutex;
-    Throttle throttle;
-    const auto trials = data.trials.size();
-    const int runs = static_cast<int>(columns.size() * trials);
-    parallel_tasks(runs, setup.settings.threads, [&](int task) {
-        if (progress.cancelled()) return;
-        ProbeColumn& column = columns[static_cast<std::size_t>(task) / trials];
-        const std::size_t i = static_cast<std::size_t>(task) % trials;
-        const Stopwatch watch;
-        column.predictions[i] = probed(setup, data.trials[i], search.trials[i], column.values, unaffected[i], progress);
-        column.predictions[i].trace = {};
-        const std::lock_guard<std::mutex> lock(mutex);
-        scores[column.probe].seconds += watch.seconds();
-        if (++done == runs || throttle.ready())
-            progress.report({"score", static_cast<double>(done), static_cast<double>(runs), "runs",
-                             column.values.effects.back().id});
-    });
-}
-
 /// Changes of the residual by the probes, N x columns each. Probes of which a run failed get the reason in their score.
-std::vector<MatrixXd> responses(const FitData& data, const std::vector<Probe>& probes,
-                                const std::vector<ProbeColumn>& columns, const VectorXd& before,
-                                std::vector<EffectScore>& scores) {
+std::vector<MatrixXd> changes_by(const std::vector<Probe>& probes, const std::vector<EffectResponse>& responses,
+                                 Index rows, std::vector<EffectScore>& scores) {
     std::vector<MatrixXd> S;
-    for (const Probe& probe : probes)
-        S.emplace_back(data.layout.size(), static_cast<Index>(probe.probe.columns.size()));
-    for (const ProbeColumn& column : columns) {
-        EffectScore& score = scores[column.probe];
-        for (const prediction::TrialPrediction& prediction : column.predictions)
-            if (!prediction.ok()) score.failure = prediction.message;
-        if (score.failure.empty())
-            S[column.probe].col(column.number) = flat_residual(data, column.predictions) - before;
+    std::size_t next = 0;
+    for (std::size_t p = 0; p < probes.size(); ++p) {
+        S.emplace_back(rows, static_cast<Index>(probes[p].probe.columns.size()));
+        for (Index c = 0; c < S.back().cols(); ++c, ++next) {
+            const EffectResponse& response = responses[next];
+            scores[p].seconds += response.seconds;
+            if (!response.failure.empty())
+                scores[p].failure = response.failure;
+            else
+                S.back().col(c) = response.change;
+        }
     }
     return S;
 }
@@ -132,14 +83,14 @@ std::vector<EffectScore> score_effects(const setup::Setup& setup, const FitData&
     search.largest_energy_density_J_m3 = peak_isochoric_energy(search.models, unaffected);
     search.residual_lines_Hz = residual_lines(flat_residual(data, unaffected), data.layout, policy.residual_lines);
     const std::vector<Probe> probes = chosen_probes(search, allowed, size);
-    std::vector<ProbeColumn> columns = columns_of(probes, fit.values, data.trials.size());
     std::vector<EffectScore> scores(probes.size());
     for (std::size_t p = 0; p < probes.size(); ++p) scores[p].id = probes[p].effect->id;
-    run_columns(setup, data, search, unaffected, columns, scores, progress);
+    const std::vector<EffectResponse> responses = effect_responses({setup, data, fit.values, search, unaffected},
+                                                                   columns_of(probes), "score", progress);
     if (progress.cancelled()) return {};
 
     const ScoreReference reference = score_reference(fit, data.layout);
-    const std::vector<MatrixXd> S = responses(data, probes, columns, flat_residual(data, unaffected), scores);
+    const std::vector<MatrixXd> S = changes_by(probes, responses, data.layout.size(), scores);
     parallel_tasks(static_cast<int>(probes.size()), setup.settings.threads, [&](int task) {
         const auto p = static_cast<std::size_t>(task);
         if (!scores[p].failure.empty()) return;

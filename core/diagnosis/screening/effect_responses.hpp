@@ -9,7 +9,7 @@
 #include "diagnosis/fit/fit_data.hpp"
 #include "effect/effect.hpp"
 
-namespace myo::planning {
+namespace myo::diagnosis {
 
 /// Runs to which effects are added. Refers to values that outlive the call.
 struct UnaffectedRuns {
@@ -24,6 +24,7 @@ struct UnaffectedRuns {
 struct EffectResponse {
     Eigen::VectorXd change;  // N [noise levels]; empty if it could not be run
     std::string failure;     // then the reason
+    double seconds = 0.0;    // of its runs
 };
 
 /// Responses to each effect by itself, in parallel on the setup's threads. Empty if cancelled.
@@ -33,4 +34,4 @@ std::vector<EffectResponse> effect_responses(const UnaffectedRuns& runs,
                                              const std::vector<effect::EffectDeclaration>& effects,
                                              const std::string& task, const Progress& progress);
 
-}  // namespace myo::planning
+}  // namespace myo::diagnosis

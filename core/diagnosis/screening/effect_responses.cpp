@@ -1,17 +1,18 @@
-#include "planning/effect_responses.hpp"
+#include "diagnosis/screening/effect_responses.hpp"
 
 #include <mutex>
 
 #include "base/parallel.hpp"
+#include "base/stopwatch.hpp"
 #include "base/throttle.hpp"
 #include "prediction/prediction.hpp"
 
-namespace myo::planning {
+namespace myo::diagnosis {
 namespace {
 
 /// Prediction of a trial with one more effect; without a run where it does not act or changes the observation only.
-prediction::TrialPrediction with_effect(const UnaffectedRuns& runs, std::size_t i,
-                                        const effect::EffectDeclaration& effect, const Progress& progress) {
+prediction::TrialPrediction probed(const UnaffectedRuns& runs, std::size_t i, const effect::EffectDeclaration& effect,
+                                   const Progress& progress) {
     const std::size_t trial = runs.data.trials[i];
     const prediction::TrialPrediction& unaffected = runs.predictions[i];
     prediction::TrialPrediction prediction;
@@ -39,6 +40,7 @@ std::vector<EffectResponse> effect_responses(const UnaffectedRuns& runs,
     const std::size_t trials = runs.data.trials.size();
     std::vector<std::vector<prediction::TrialPrediction>> predictions(effects.size(),
                                                                       std::vector<prediction::TrialPrediction>(trials));
+    std::vector<EffectResponse> responses(effects.size());
     std::mutex mutex;
     Throttle throttle;
     int done = 0;
@@ -46,14 +48,15 @@ std::vector<EffectResponse> effect_responses(const UnaffectedRuns& runs,
     parallel_tasks(all, runs.setup.settings.threads, [&](int number) {
         if (progress.cancelled()) return;
         const std::size_t e = static_cast<std::size_t>(number) / trials, i = static_cast<std::size_t>(number) % trials;
-        predictions[e][i] = with_effect(runs, i, effects[e], progress);
+        const Stopwatch watch;
+        predictions[e][i] = probed(runs, i, effects[e], progress);
         const std::lock_guard<std::mutex> lock(mutex);
+        responses[e].seconds += watch.seconds();
         if (++done == all || throttle.ready())
             progress.report({task, static_cast<double>(done), static_cast<double>(all), "runs", effects[e].id});
     });
     if (progress.cancelled()) return {};
     const Eigen::VectorXd before = diagnosis::flat_residual(runs.data, runs.predictions);
-    std::vector<EffectResponse> responses(effects.size());
     for (std::size_t e = 0; e < effects.size(); ++e) {
         for (const prediction::TrialPrediction& prediction : predictions[e])
             if (!prediction.ok()) responses[e].failure = prediction.message;
@@ -64,4 +67,4 @@ std::vector<EffectResponse> effect_responses(const UnaffectedRuns& runs,
     return responses;
 }
 
-}  // namespace myo::planning
+}  // namespace myo::diagnosis
