@@ -11,8 +11,8 @@ struct TrialDurations {
     double usual_s = 0.0, long_s = 0.0;
 };
 
-/// Of each actuator a step, a smaller one, a slow ramp, a faster sine and, in experiments with holds, the body at rest,
-/// over the range seen in the trials or up to a declared limit. The other actuators rest.
+/// For each actuator a step, a smaller one, a slow ramp, a faster sine and, in experiments with holds, the body at
+/// rest, over the range seen in the trials or up to a declared limit. The other actuators rest.
 std::vector<PossibleTrial> actuator_trials(const setup::Setup& setup, const experiment::LimitsDeclaration& limits,
                                            const TrialDurations& durations, const FamilyPolicy& policy);
 

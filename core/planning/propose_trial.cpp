@@ -11,6 +11,7 @@
 #include "experiment/read_experiment.hpp"
 #include "planning/planned_trials.hpp"
 #include "prediction/prediction.hpp"
+#include "prediction/time_step.hpp"
 #include "statistics/nuisance_space.hpp"
 
 namespace myo::planning {
@@ -77,7 +78,7 @@ double step_of(const setup::Setup& setup, const setup::PreparedTrial& trial) {
     for (const setup::PreparedTrial& other : setup.trials)
         if (!other.hold) shortest = std::min(shortest, other.options.h_s);
     if (shortest > interval) shortest = 0.5 * interval;
-    return interval / std::ceil(interval / shortest - 1e-9);
+    return prediction::whole_part(interval, shortest);
 }
 
 /// The setup with the trials of a family behind its own.

@@ -16,8 +16,8 @@ namespace myo::planning {
 /// effect that is not known.
 Result<std::array<RivalStart, 2>> reported_rivals(const std::filesystem::path& report);
 
-/// The same in a diagnosis that has just ended, for its effects `not_told_apart`. Empty if there are none, or if one of
-/// them was not fitted without the other.
+/// The two rivals of a diagnosis that has just ended, for its effects `not_told_apart`. Empty if there are none, or if
+/// one of them was not fitted without the other.
 std::optional<std::array<Rival, 2>> diagnosed_rivals(const diagnosis::Diagnosis& diagnosis);
 
 }  // namespace myo::planning

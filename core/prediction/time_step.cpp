@@ -44,9 +44,6 @@ double trace_error(const dynamics::TimeScheme& scheme, const Vibration& vibratio
     return vibration.amplitude_m * std::min(1.0, turned_rad);
 }
 
-/// Longest integer fraction of an interval not longer than h, so that samples fall on steps.
-double whole_part(double interval, double h) { return interval / std::ceil(interval / h * (1.0 - 1e-9)); }
-
 double omega_of(const setup::TrialStep& step) { return 2.0 * std::numbers::pi * step.vibration_Hz; }
 
 /// Half a sampling interval, or a shorter step at which the slowest natural vibration would be visible if excited.
@@ -137,6 +134,8 @@ setup::TrialStep choose_step(setup::Setup& setup, std::size_t index, const Param
 }
 
 }  // namespace
+
+double whole_part(double interval, double h) { return interval / std::ceil(interval / h * (1.0 - 1e-9)); }
 
 setup::TrialStep step_seen_in(const setup::Setup& setup, std::size_t trial, const ParameterValues& values,
                               const dynamics::Trace& trace) {

@@ -20,6 +20,9 @@ struct StepPolicy {
 };
 inline constexpr StepPolicy step_policy;
 
+/// Longest integer fraction of an interval not longer than h, so that samples fall on steps.
+double whole_part(double interval, double h);
+
 /// What a run reveals about its time step: the dominant natural vibration at the markers and the step's frequency error
 /// in it. Only h_s is set if the markers show no vibration of at least a third of the noise.
 ///

@@ -30,6 +30,7 @@ bool lengthen_steps(DeclaredFit& result, double max_m, PhaseLog& log) {
 /// Repeated trials, by the declared motion of all.
 Repeatability repeats_of(const setup::Setup& setup, const prediction::ParameterValues& declared,
                          const RepeatPolicy& policy, PhaseLog& log) {
+    if (setup.trials.size() < 2) return {};
     std::vector<std::size_t> all(setup.trials.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     return log.timed("repeated trials", static_cast<int>(all.size()), [&] {

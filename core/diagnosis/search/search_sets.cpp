@@ -207,9 +207,8 @@ bool SearchOfSets::correct() {
 
 SetSearch search_sets(const DiagnosisContext& context, RankedFits singles, FitStore& store, PhaseLog& log,
                       const SearchObserver& show) {
-    const std::vector<Candidate>& ranked = singles.candidates;
-    if (ranked.empty() || !ranked.front().judged || !is_worth_a_set(*ranked.front().judged, context.baseline()))
-        return {std::move(singles), context.data.shift};
+    const JudgedFit* const best = best_fit(singles.candidates);
+    if (!best || !is_worth_a_set(*best, context.baseline())) return {std::move(singles), context.data.shift};
     return SearchOfSets(context, std::move(singles), store, log, show).run();
 }
 

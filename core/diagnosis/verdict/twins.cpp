@@ -1,11 +1,10 @@
 #include "diagnosis/verdict/twins.hpp"
 
-#include <Eigen/QR>
-
 #include <algorithm>
 #include <cmath>
 
 #include "diagnosis/selection/ranking.hpp"
+#include "statistics/nuisance_space.hpp"
 
 namespace myo::diagnosis {
 namespace {
@@ -21,25 +20,6 @@ const JudgedFit* fit_of(const Diagnosis& d, const Effects& effects) {
         if (have_same_ids(set.fit.effects, effects)) return &set;
     return nullptr;
 }
-
-/// Change of the residual between two fits, without what the declared parameters compensate to first order.
-class Contributions {
-public:
-    Contributions(const JointFit& declared, const NumericsPolicy& policy) {
-        if (declared.jacobian.cols() == 0) return;
-        solver_.setThreshold(policy.tangent_tolerance);
-        solver_.compute(declared.jacobian);
-        slopes_ = &declared.jacobian;
-    }
-    Eigen::VectorXd between(const JudgedFit& with, const JudgedFit& without) const {
-        const Eigen::VectorXd change = with.fit.residual - without.fit.residual;
-        return slopes_ ? Eigen::VectorXd(change - *slopes_ * solver_.solve(change)) : change;
-    }
-
-private:
-    const Eigen::MatrixXd* slopes_ = nullptr;
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver_;
-};
 
 /// The named effects with one of them exchanged for another.
 Effects exchanged(Effects named, const std::string& effect, const std::string& other) {
@@ -67,15 +47,18 @@ std::vector<std::string> twins_of(const Diagnosis& d, const std::string& effect)
     const JudgedFit* const with = fit_of(d, named);
     const JudgedFit* const without = fit_of(d, rest);
     if (!with || !without || with->fit.residual.size() != without->fit.residual.size()) return {};
-    const Contributions contributions(d.declared.fit, d.settings.policy.numerics);
-    const Eigen::VectorXd own = contributions.between(*with, *without).normalized();
+    const statistics::NuisanceSpace nuisance(d.declared.fit.jacobian);
+    const auto contribution = [&](const JudgedFit& fit) {
+        return Eigen::VectorXd(nuisance.outside(fit.fit.residual - without->fit.residual)).normalized();
+    };
+    const Eigen::VectorXd own = contribution(*with);
     std::vector<std::string> twins;
     for (const Candidate& candidate : d.candidates) {
         const std::string& id = candidate.score.id;
         if (std::any_of(named.begin(), named.end(), [&](const auto& member) { return member.id == id; })) continue;
         const JudgedFit* const other = fit_of(d, exchanged(named, effect, id));
         if (!other || !other->usable() || other->fit.residual.size() != own.size()) continue;
-        const double cosine = std::abs(own.dot(contributions.between(*other, *without).normalized()));
+        const double cosine = std::abs(own.dot(contribution(*other)));
         if (cosine >= d.settings.policy.confusion.twin_cosine) twins.push_back(id);
     }
     return twins;
