@@ -12,7 +12,6 @@
 #include "diagnosis/report/effect_words.hpp"
 #include "diagnosis/screening/confusion.hpp"
 #include "diagnosis/whole_diagnosis.hpp"
-#include "effect/catalogue.hpp"
 #include "exit_status.hpp"
 #include "experiment_command.hpp"
 #include "next_experiment.hpp"
@@ -200,16 +199,7 @@ std::function<int()> declare_diagnose(CLI::App& app) {
                                 fits_file, planning::signal_file});
     };
     declare_leave_out(app, *call);
-    app.add_option_function<std::string>(
-           "--without",
-           [call](const std::string& text) {
-               call->without = split_words(text);
-               for (const std::string& id : call->without)
-                   if (!effect::find_effect(id))
-                       throw CLI::ValidationError("--without", unknown_word(id, effect::effect_ids()));
-           },
-           "effects to exclude")
-        ->type_name("A,B");
+    add_effect_list(app, "--without", call->without, "effects to exclude");
     app.add_flag("--resume", call->resume, "continue from the fits kept in DIR by a run that was stopped");
     return [call] { return diagnose_command(*call); };
 }

@@ -2,7 +2,6 @@
 
 #include "base/text.hpp"
 #include "commands.hpp"
-#include "effect/catalogue.hpp"
 #include "exit_status.hpp"
 #include "experiment_command.hpp"
 #include "planning/power_output.hpp"
@@ -70,16 +69,7 @@ std::function<int()> declare_power(CLI::App& app) {
         if (!own->out.empty()) files.insert(files.end(), {own->out / map_json_file, own->out / map_page_file});
         return files;
     };
-    app.add_option_function<std::string>(
-           "--effects",
-           [call](const std::string& text) {
-               call->only = split_words(text);
-               for (const std::string& id : call->only)
-                   if (!effect::find_effect(id))
-                       throw CLI::ValidationError("--effects", unknown_word(id, effect::effect_ids()));
-           },
-           "effects that are considered (default: all)")
-        ->type_name("A,B");
+    add_effect_list(app, "--effects", call->only, "effects that are considered (default: all)");
     add_positive_number(app, "--numerical-error", call->numerical_error_m,
                         "rms error of the predictions by mesh and step in m (default: from the noise)");
     app.add_option("--json", call->json, "file for the map as JSON")->type_name("FILE");

@@ -4,7 +4,6 @@
 #include "base/files.hpp"
 #include "base/text.hpp"
 #include "commands.hpp"
-#include "effect/catalogue.hpp"
 #include "exit_status.hpp"
 #include "experiment_command.hpp"
 #include "next_experiment.hpp"
@@ -59,14 +58,10 @@ void read_limits(const std::string& text, experiment::LimitsDeclaration& limits)
 /// Effects of one --between; `none` is the declared model.
 std::vector<std::string> read_set(const std::string& text) {
     if (text == declared_word) return {};
-    std::vector<std::string> ids = split_words(text);
-    for (std::size_t i = 0; i < ids.size(); ++i) {
-        if (!effect::find_effect(ids[i]))
-            throw CLI::ValidationError("--between", unknown_word(ids[i], effect::effect_ids()));
-        if (std::find(ids.begin(), ids.begin() + static_cast<std::ptrdiff_t>(i), ids[i]) !=
-            ids.begin() + static_cast<std::ptrdiff_t>(i))
-            throw CLI::ValidationError("--between", "'" + text + "' names " + ids[i] + " twice");
-    }
+    std::vector<std::string> ids = effect_list("--between", text);
+    for (const std::string& id : ids)
+        if (std::count(ids.begin(), ids.end(), id) > 1)
+            throw CLI::ValidationError("--between", "'" + text + "' names " + id + " twice");
     return ids;
 }
 

@@ -10,7 +10,6 @@
 #include "base/text.hpp"
 #include "commands.hpp"
 #include "console.hpp"
-#include "effect/catalogue.hpp"
 #include "exit_status.hpp"
 #include "options.hpp"
 #include "validation/defaults_summary.hpp"
@@ -145,12 +144,6 @@ void read_families(const std::string& text, std::vector<validation::BodyFamily>&
     }
 }
 
-void read_effects(const std::string& text, std::vector<std::string>& effects) {
-    effects = split_words(text);
-    for (const std::string& id : effects)
-        if (!effect::find_effect(id)) throw CLI::ValidationError("--effects", unknown_word(id, effect::effect_ids()));
-}
-
 }  // namespace
 
 std::function<int()> declare_validate(CLI::App& app) {
@@ -174,10 +167,8 @@ std::function<int()> declare_validate(CLI::App& app) {
            "--geometry", [call](const std::string& text) { read_families(text, call->options.choice.families); },
            "bodies: " + join(validation::body_family_ids()) + " (default: all that suit the effect)")
         ->type_name("A,B");
-    app.add_option_function<std::string>(
-           "--effects", [call](const std::string& text) { read_effects(text, call->options.choice.effects); },
-           "effects to draw from (default: all of the catalogue)")
-        ->type_name("A,B");
+    add_effect_list(app, "--effects", call->options.choice.effects,
+                    "effects to draw from (default: all of the catalogue)");
     add_work_options(app, call->work);
     return [call] { return run_validate(*call); };
 }

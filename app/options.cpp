@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "dynamics/integrator.hpp"
 #include "dynamics/solver_options.hpp"
+#include "effect/catalogue.hpp"
 #include "fem/element_block.hpp"
 #include "material/catalogue.hpp"
 
@@ -130,6 +131,21 @@ CLI::Option* add_positive_number(CLI::App& app, const std::string& name, std::op
             },
             help)
         ->type_name("NUMBER");
+}
+
+std::vector<std::string> effect_list(const std::string& option, const std::string& text) {
+    std::vector<std::string> ids = split_words(text);
+    for (const std::string& id : ids)
+        if (!effect::find_effect(id)) reject(option, unknown_word(id, effect::effect_ids()));
+    return ids;
+}
+
+CLI::Option* add_effect_list(CLI::App& app, const std::string& name, std::vector<std::string>& target,
+                             const std::string& help) {
+    return app
+        .add_option_function<std::string>(
+            name, [name, &target](const std::string& text) { target = effect_list(name, text); }, help)
+        ->type_name("A,B");
 }
 
 CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, const std::string& help) {

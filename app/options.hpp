@@ -50,6 +50,12 @@ CLI::Option* add_count(CLI::App& app, const std::string& name, int& target, cons
 /// An element by its id.
 CLI::Option* add_element(CLI::App& app, const std::string& name, std::optional<fem::ElementKind>& target);
 
+/// Ids of effects out of "A,B"; an unknown one is refused under the name of the option.
+std::vector<std::string> effect_list(const std::string& option, const std::string& text);
+/// A list of effects, "A,B".
+CLI::Option* add_effect_list(CLI::App& app, const std::string& name, std::vector<std::string>& target,
+                             const std::string& help);
+
 /// --unit mm|m, stored as metres per unit.
 CLI::Option* add_unit(CLI::App& app, std::optional<double>& metres_per_unit);
 
