@@ -41,9 +41,10 @@ inline measurement::Recording make_take(const SyntheticTake& take) {
                                                                  (std::cos(omega * since) +
                                                                   take.damping_1_s / omega * std::sin(omega * since)));
             const double drift = share * take.drift_m_per_s * std::min(recording.time_s(t), take.start_s);
+            // One statement each: compilers order the arguments of one call differently.
+            const double z = noise(generator), y = noise(generator), x = noise(generator);
             track.col(t) = place + share * d * Eigen::Vector3d(0.3, 0.1, -0.95) +
-                           drift * Eigen::Vector3d(0.0, 1.0, 0.2) +
-                           Eigen::Vector3d(noise(generator), noise(generator), noise(generator));
+                           drift * Eigen::Vector3d(0.0, 1.0, 0.2) + Eigen::Vector3d(x, y, z);
         }
         recording.tracks.push_back(std::move(track));
     }
