@@ -11,10 +11,10 @@
 
 #include <Eigen/Geometry>
 
+#include "base/child_process.hpp"
 #include "base/stopwatch.hpp"
 #include "base/text.hpp"
 #include "mesh/box_mesh.hpp"
-#include "mesh/child_process.hpp"
 #include "mesh/mesh_repair.hpp"
 #include "mesh/quality.hpp"
 #include "mesh/region_facets.hpp"
@@ -201,12 +201,15 @@ Result<VolumeMesh> run_tetgen(const RegionFacets& facets, FlatFacets flat, doubl
         return Error{"no temporary file can be written for the tetrahedral mesher", ""};
     }
     const ChildEnd end = run_child(
-        *worker,
-        {request_path.string(), answer_path.string(), switches_for(options, max_volume / (scale * scale * scale), flat),
-         // The worker limits its own memory and processor time; the time limit is a second line of defence.
-         std::to_string(static_cast<unsigned long long>(options.memory_limit_bytes)),
-         std::to_string(static_cast<unsigned long long>(std::ceil(time_limit_s)) + 1)},
-        time_limit_s, [&] { return progress.cancelled(); },
+        {.program = *worker,
+         .arguments = {request_path.string(), answer_path.string(),
+                       switches_for(options, max_volume / (scale * scale * scale), flat),
+                       // The worker limits its own memory and processor time; the time limit is a second line of
+                       // defence.
+                       std::to_string(static_cast<unsigned long long>(options.memory_limit_bytes)),
+                       std::to_string(static_cast<unsigned long long>(std::ceil(time_limit_s)) + 1)},
+         .time_limit_s = time_limit_s},
+        [&] { return progress.cancelled(); },
         // The remaining time is unknown, so only the elapsed time is reported.
         [&](double seconds) {
             progress.report({"tetrahedral mesh", seconds, 0.0, "s", ""});
