@@ -20,37 +20,21 @@ const std::string& text_of(const ui::commands::Scene& scene, const Declaration& 
     return declaration.text ? *declaration.text : *source_of(scene).text;
 }
 
-/// A value and all that it holds, for comparison.
-std::string words(const toml::TomlValue& value) {
-    switch (value.kind) {
-        case toml::TomlValue::Kind::number: return toml::toml_number(value.number);
-        case toml::TomlValue::Kind::boolean: return value.truth ? "true" : "false";
-        case toml::TomlValue::Kind::array: return toml::toml_list(value.items, words);
-        case toml::TomlValue::Kind::table: {
-            std::string text = "{";
-            for (std::size_t i = 0; i < value.items.size(); ++i)
-                text += value.keys[i] + "=" + words(value.items[i]) + ",";
-            return text + "}";
-        }
-        default: return toml::toml_text(value.text);
-    }
-}
-
 /// What of a declaration changes the mesh.
 std::string mesh_words(const std::string& text) {
     const Result<toml::TomlValue> document = toml::parse_toml(text, "");
     std::string result;
     if (!document) return result;
     for (const char* key : {"geometry", "clamp"})
-        if (const toml::TomlValue* value = document->find(key)) result += words(*value);
+        if (const toml::TomlValue* value = document->find(key)) result += toml::toml_value_text(*value);
     if (const toml::TomlValue* supports = document->find("support"))
         for (const toml::TomlValue& support : supports->items)
-            if (const toml::TomlValue* box = support.find("box_m")) result += words(*box);
+            if (const toml::TomlValue* box = support.find("box_m")) result += toml::toml_value_text(*box);
     // The mesh meets the faces of parts; it does not depend on their material.
     if (const toml::TomlValue* parts = document->find("part"))
         for (const toml::TomlValue& part : parts->items)
             for (const char* key : {"box_m", "file", "region"})
-                if (const toml::TomlValue* value = part.find(key)) result += words(*value);
+                if (const toml::TomlValue* value = part.find(key)) result += toml::toml_value_text(*value);
     return result;
 }
 

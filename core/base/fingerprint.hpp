@@ -4,10 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <string_view>
 
 namespace myo {
 
-/// Hash of lists of numbers, computed from their bits.
+/// Hash of lists of numbers and of texts, computed from their bits.
 ///
 /// Reproducible between runs and between machines of the same byte order. All NaN hash to one value.
 /// Source: FNV-1a (Fowler, Noll, Vo).
@@ -22,6 +23,11 @@ public:
         }
     }
     void add(double value) { add(&value, 1); }
+    /// Appends a text and its length, so that parts of texts cannot move from one to the next.
+    void add_text(std::string_view text) {
+        for (const char c : text) hash_ = (hash_ ^ static_cast<unsigned char>(c)) * 1099511628211u;
+        add(static_cast<double>(text.size()));
+    }
     /// Appends the entries of a dense matrix of doubles in storage order.
     template <class Matrix>
     void add_all(const Matrix& values) {

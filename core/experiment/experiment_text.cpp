@@ -33,19 +33,24 @@ bool names_a_file(const std::string& key, const std::string& text, std::size_t p
 Result<std::string> experiment_text_for(const std::filesystem::path& folder, const std::filesystem::path& written) {
     const Result<std::string> text = read_file(written);
     if (!text) return text.error();
+    return experiment_text_for(folder, *text, written.parent_path());
+}
+
+std::string experiment_text_for(const std::filesystem::path& folder, const std::string& text,
+                                const std::filesystem::path& home) {
     static const std::regex named(
         R"(\b(file|trace|actuation|mask|signal|sensors|path)(\s*=\s*)(\"[^\"\n]*\"|'[^'\n]*'))");
     std::string result;
-    auto from = text->cbegin();
-    for (std::sregex_iterator match(text->begin(), text->end(), named), end; match != end; ++match) {
-        if (!names_a_file((*match)[1].str(), *text, static_cast<std::size_t>(match->position()))) continue;
+    auto from = text.cbegin();
+    for (std::sregex_iterator match(text.begin(), text.end(), named), end; match != end; ++match) {
+        if (!names_a_file((*match)[1].str(), text, static_cast<std::size_t>(match->position()))) continue;
         result.append(from, (*match)[0].first);
         const std::string name = (*match)[3].str();
         result += (*match)[1].str() + (*match)[2].str() +
-                  toml::toml_text(seen_from(name.substr(1, name.size() - 2), written.parent_path(), folder));
+                  toml::toml_text(seen_from(name.substr(1, name.size() - 2), home, folder));
         from = (*match)[0].second;
     }
-    result.append(from, text->cend());
+    result.append(from, text.cend());
     if (!result.empty() && result.back() != '\n') result += '\n';
     return result;
 }

@@ -9,9 +9,7 @@ namespace myo::toml {
 
 /// Sets one value of a document from the command line, as if it stood in the file. Its location becomes "--set".
 ///
-/// @param key    "material.density_kg_m3", "trial[0].start_s", or an element of an array of tables by its name or id:
-///               "trial.gravity_release.start". A part that contains dots is quoted with double quotes. Missing tables
-///               are created; an index one past the end appends an element.
+/// @param key    as path_of_key() takes it; missing tables are created, an index one past the end appends an element
 /// @param value  in TOML syntax, or a bare word
 /// Errors: malformed key or value, missing element. Whether the key is known is checked later, by the reader.
 Result<void> override_toml(TomlValue& document, const std::string& key, const std::string& value);

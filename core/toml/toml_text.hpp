@@ -6,6 +6,8 @@
 
 namespace myo::toml {
 
+struct TomlValue;
+
 // Formatting of values for TOML files.
 
 /// Shortest decimal text that parses to the same double.
@@ -28,6 +30,11 @@ std::string toml_list(const Items& items, const Text& text) {
     for (const auto& item : items) result += (result.empty() ? "" : ", ") + text(item);
     return "[" + result + "]";
 }
+
+/// A value with all that it holds, on one line: `[1.0, "a"]`, `{box_m = [...], name = "a"}`.
+///
+/// @param value  without dates, whose text is not kept (asserted)
+std::string toml_value_text(const TomlValue& value);
 
 /// TOML array "[x, y, z]".
 std::string toml_vector(const Eigen::Vector3d& v);
