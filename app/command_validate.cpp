@@ -1,7 +1,6 @@
 #include <CLI/CLI.hpp>
 
 #include <charconv>
-#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -114,19 +113,7 @@ int run_validate(ValidateCall call) {
     return status_stopped;
 }
 
-/// Parses "1/4", the first of four shares, to share 0 of 4.
-void read_share(const std::string& text, validation::CaseRange& range) {
-    const std::size_t slash = text.find('/');
-    double part = 0.0, parts = 0.0;
-    const bool numbers = slash != std::string::npos && parse_number(text.substr(0, slash), part) &&
-                         parse_number(text.substr(slash + 1), parts);
-    if (!numbers || part != std::floor(part) || parts != std::floor(parts) || part < 1.0 || parts < part || parts > 1e6)
-        throw CLI::ValidationError("--share", "'" + text + "' is not a share like 1/4, the first of four");
-    range.share = static_cast<int>(part) - 1;
-    range.shares = static_cast<int>(parts);
-}
-
-void read_first(const std::string& text, validation::CaseRange& range) {
+void read_first(const std::string& text, cases::CaseRange& range) {
     int value = 0;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (code != std::errc{} || end != text.data() + text.size() || value < 0)
@@ -159,10 +146,7 @@ std::function<int()> declare_validate(CLI::App& app) {
            "--first", [call](const std::string& text) { read_first(text, call->options.range); },
            "number of the first case (default: 0); case k is the same for any count")
         ->type_name("K");
-    app.add_option_function<std::string>(
-           "--share", [call](const std::string& text) { read_share(text, call->options.range); },
-           "1/4: every fourth case, for four processes on one folder")
-        ->type_name("I/N");
+    add_share(app, call->options.range.share);
     app.add_option_function<std::string>(
            "--geometry", [call](const std::string& text) { read_families(text, call->options.choice.families); },
            "bodies: " + join(validation::body_family_ids()) + " (default: all that suit the effect)")

@@ -36,24 +36,6 @@ int complain(std::string sentence) {
     return status_wrong;
 }
 
-// Long option names of a command, for suggestions.
-std::vector<std::string> option_names(const CLI::App& app) {
-    std::vector<std::string> names;
-    for (const CLI::Option* option : app.get_options())
-        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    return names;
-}
-
-/// Message for unparsed arguments: an unknown option, or one argument too many.
-std::string surplus(const CLI::App& app) {
-    const std::vector<std::string> rest = app.remaining();
-    const auto option = std::find_if(rest.begin(), rest.end(),
-                                     [](const std::string& word) { return word.size() > 1 && word[0] == '-'; });
-    if (option == rest.end()) return "'" + rest.front() + "' is one argument too many";
-    const std::string name = option->substr(0, option->find('='));
-    return "unknown option " + unknown_word(name, option_names(app));
-}
-
 /// Without a command: opens a file in the workbench, or reports a misspelt command.
 int open_or_complain(const std::string& file, const CLI::App& app) {
     std::error_code code;
@@ -62,7 +44,7 @@ int open_or_complain(const std::string& file, const CLI::App& app) {
         if (path_like) return complain(file + ": file not found");
         return complain("there is no command or file of this name: " + unknown_word(file, command_names()));
     }
-    if (!app.remaining().empty()) return complain(surplus(app));
+    if (!app.remaining().empty()) return complain(surplus_arguments(app));
     WindowOptions options;
     options.open = file;
     const Result<void> closed = run_window(backend::make_core_backend(), options);
@@ -82,7 +64,7 @@ int run(int argc, char** argv) {
     if (argc > 1) note_former_name(argv[1]);
     CLI::App app("Myoloop: a workbench for soft robots. Without a command it opens the window.", "myoloop");
     app.set_version_flag("--version", "myoloop " MYOLOOP_VERSION);
-    // Extra arguments are reported by surplus(), with a suggestion, instead of by CLI11.
+    // Extra arguments are reported by surplus_arguments(), with a suggestion, instead of by CLI11.
     app.allow_extras();
     std::string file;
     app.add_option("FILE", file, "experiment folder or mesh to open in the workbench")->type_name("");
@@ -110,7 +92,7 @@ int run(int argc, char** argv) {
     if (!file.empty()) return complain("'" + file + "' stands before the command " + chosen.front()->get_name());
     if (chosen.size() > 1)
         return complain("one command at a time: " + chosen[0]->get_name() + " or " + chosen[1]->get_name());
-    if (!chosen.front()->remaining().empty()) return complain(surplus(*chosen.front()));
+    if (!chosen.front()->remaining().empty()) return complain(surplus_arguments(*chosen.front()));
     catch_interrupts();
     const Progress interrupts({}, &interrupt_flag());
     const CancellationScope scope(&interrupts);

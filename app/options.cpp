@@ -1,5 +1,6 @@
 #include "options.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -17,6 +18,14 @@ namespace {
 // CLI11 prints the option and the sentence.
 [[noreturn]] void reject(const std::string& option, const std::string& sentence) {
     throw CLI::ValidationError(option, sentence);
+}
+
+// Long option names of a command, for suggestions.
+std::vector<std::string> option_names(const CLI::App& app) {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app.get_options())
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    return names;
 }
 
 /// A finite number; the entire word must be a number.
@@ -102,6 +111,15 @@ std::string unknown_word(const std::string& word, const std::vector<std::string>
     const std::string near = closest_word(word, known);
     return "'" + word + "' is not known" + (near.empty() ? "" : "; did you mean '" + near + "'?") +
            (near.empty() ? "; known: " : " Known: ") + join(known);
+}
+
+std::string surplus_arguments(const CLI::App& app) {
+    const std::vector<std::string> rest = app.remaining();
+    const auto option = std::find_if(rest.begin(), rest.end(),
+                                     [](const std::string& word) { return word.size() > 1 && word[0] == '-'; });
+    if (option == rest.end()) return "'" + rest.front() + "' is one argument too many";
+    const std::string name = option->substr(0, option->find('='));
+    return "unknown option " + unknown_word(name, option_names(app));
 }
 
 std::vector<std::string> split_words(const std::string& text) {
@@ -195,6 +213,24 @@ CLI::Option* add_element(CLI::App& app, const std::string& name, std::optional<f
         ->type_name("NAME");
 }
 
+CLI::Option* add_share(CLI::App& app, cases::Share& share) {
+    return app
+        .add_option_function<std::string>(
+            "--share",
+            [&share](const std::string& text) {
+                const std::optional<cases::Share> parsed = cases::parse_share(text);
+                if (!parsed) reject("--share", "'" + text + "' is not a share like 1/4, the first of four");
+                share = *parsed;
+            },
+            "1/4: every fourth case, for four processes on one folder")
+        ->type_name("I/N");
+}
+
+void add_console_options(CLI::App& app, WorkOptions& options) {
+    app.add_flag("--quiet", options.quiet, "print errors only");
+    app.add_flag("--json-progress", options.json_progress, "progress as one JSON line per event on standard error");
+}
+
 void add_work_options(CLI::App& app, WorkOptions& options) {
     add_count(app, "--threads", options.threads, "threads to work with (default: all)");
     app.add_option_function<std::string>(
@@ -203,8 +239,7 @@ void add_work_options(CLI::App& app, WorkOptions& options) {
            "seed of random starts (calibrate, optimize, reproduce beam-modulus), of --leave-out and of the cases of "
            "validate, recorded with the results")
         ->type_name("N");
-    app.add_flag("--quiet", options.quiet, "print errors only");
-    app.add_flag("--json-progress", options.json_progress, "progress as one JSON line per event on standard error");
+    add_console_options(app, options);
 }
 
 void add_setup_options(CLI::App& app, SetupOptions& options) {

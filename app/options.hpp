@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/result.hpp"
+#include "cases/case_range.hpp"
 #include "setup/setup.hpp"
 
 namespace myo::app {
@@ -21,7 +22,9 @@ struct WorkOptions {
     bool quiet = false;
     bool json_progress = false;  // progress as JSON lines on standard error
 };
-/// Adds --threads, --seed, --quiet and --json-progress.
+/// Adds --quiet and --json-progress.
+void add_console_options(CLI::App& app, WorkOptions& options);
+/// Adds those, --threads and --seed.
 void add_work_options(CLI::App& app, WorkOptions& options);
 
 /// Options on how an experiment is simulated.
@@ -56,11 +59,17 @@ std::vector<std::string> effect_list(const std::string& option, const std::strin
 CLI::Option* add_effect_list(CLI::App& app, const std::string& name, std::vector<std::string>& target,
                              const std::string& help);
 
+/// --share I/N.
+CLI::Option* add_share(CLI::App& app, cases::Share& share);
+
 /// --unit mm|m, stored as metres per unit.
 CLI::Option* add_unit(CLI::App& app, std::optional<double>& metres_per_unit);
 
 /// Message "'voxel' is not known; did you mean 'x'? Known: a, b, c".
 std::string unknown_word(const std::string& word, const std::vector<std::string>& known);
+
+/// Message for arguments that a command leaves over: an unknown option, or one argument too many.
+std::string surplus_arguments(const CLI::App& app);
 
 /// Splits at commas: "a,b" -> {"a", "b"}; surrounding blanks are removed, empty words are kept.
 std::vector<std::string> split_words(const std::string& text);

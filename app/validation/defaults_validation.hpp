@@ -12,7 +12,7 @@ namespace myo::validation {
 /// Validation of the defaults: experiments of all sizes, moduli and cameras, a third of them with a declaration error.
 struct DefaultsValidationOptions {
     std::uint64_t seed = 1;
-    CaseRange range;
+    cases::CaseRange range;
 };
 
 /// Makes the experiment of a case in `folder`, reads it and calibrates it with default options.

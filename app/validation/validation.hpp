@@ -12,7 +12,7 @@ namespace myo::validation {
 /// Which cases are validated, and with which settings of the diagnosis.
 struct ValidationOptions {
     CaseChoice choice;
-    CaseRange range;
+    cases::CaseRange range;
     diagnosis::DiagnoseSettings diagnose;  // `without` and `fits` are set per case
 };
 

@@ -69,16 +69,16 @@ std::filesystem::path ValidationFolder::case_folder(int number) const {
     return folder_ / "cases" / name;
 }
 
-Result<void> ValidationFolder::run(const CaseRange& range, const std::function<report::Json(int number)>& run_case,
-                                   const Progress& progress, const std::function<void(const report::Json&)>& done) {
+Result<void> ValidationFolder::run(const cases::CaseRange& range,
+                                   const std::function<report::Json(int number)>& run_case, const Progress& progress,
+                                   const std::function<void(const report::Json&)>& done) {
     const Result<std::vector<report::Json>> there = records();
     if (!there) return there.error();
     std::set<int> finished;
     for (const report::Json& record : *there) finished.insert(record.at("case").get<int>());
     std::vector<int> numbers;
-    // Shares interleave, so that processes started together finish together.
-    for (int number = range.first; number < range.first + range.cases; ++number)
-        if (number % range.shares == range.share && finished.count(number) == 0) numbers.push_back(number);
+    for (const int number : cases::numbers_of(range))
+        if (finished.count(number) == 0) numbers.push_back(number);
 
     std::mutex mutex;
     int count = 0;

@@ -8,16 +8,10 @@
 
 #include "base/progress.hpp"
 #include "base/result.hpp"
+#include "cases/case_range.hpp"
 #include "report/json.hpp"
 
 namespace myo::validation {
-
-/// Cases that this process runs, and how many at a time.
-struct CaseRange {
-    int first = 0, cases = 24;  // numbers first ... first + cases - 1
-    int share = 0, shares = 1;  // of these, the ones with number % shares == share
-    int threads = 1;            // cases in parallel, one thread each
-};
 
 /// A folder that several processes fill with the records of one validation: one JSON line each in cases.jsonl, in the
 /// order of completion. Finished cases are kept after an interruption and are not repeated.
@@ -43,7 +37,7 @@ public:
     /// @param run_case  returns the record, or null if it was cancelled; may be called from several threads
     /// @param done      called with each new record, one at a time; may be null
     /// Errors: those of records(); a record cannot be written.
-    Result<void> run(const CaseRange& range, const std::function<report::Json(int number)>& run_case,
+    Result<void> run(const cases::CaseRange& range, const std::function<report::Json(int number)>& run_case,
                      const Progress& progress, const std::function<void(const report::Json&)>& done = {});
 
 private:

@@ -153,7 +153,7 @@ TEST(ValidationFolder, KeepsRecordsAndPassesOverAnUnfinishedLine) {
     validation::ValidationFolder setup(folder.path());
     int runs = 0;
     const auto run = [&](int number) { return ++runs, report::Json{{"case", number}}; };
-    ASSERT_TRUE(setup.run({.first = 2, .cases = 6, .share = 1, .shares = 2}, run, {}));
+    ASSERT_TRUE(setup.run({.first = 2, .cases = 6, .share = {1, 2}}, run, {}));
     EXPECT_EQ(runs, 3);  // 3, 5, 7
     std::ofstream(folder.path() / "cases.jsonl", std::ios::app) << "{\"case\": 11, \"ki";
     ASSERT_TRUE(setup.run({.first = 3, .cases = 2}, run, {}));
