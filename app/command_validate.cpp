@@ -1,5 +1,6 @@
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <memory>
@@ -11,6 +12,7 @@
 #include "console.hpp"
 #include "exit_status.hpp"
 #include "options.hpp"
+#include "slurm.hpp"
 #include "validation/defaults_summary.hpp"
 #include "validation/defaults_validation.hpp"
 #include "validation/validation.hpp"
@@ -25,6 +27,7 @@ struct ValidateCall {
     bool defaults = false;  // validates the defaults of calibrate instead of the diagnosis
     std::filesystem::path out;
     WorkOptions work;
+    SlurmOptions slurm;
 };
 
 /// One case: "  7  tail+  viscoelastic_creep      5.2 x  viscoelastic_creep  0.97  21 s".
@@ -101,6 +104,17 @@ int run_validate(ValidateCall call) {
     if (call.defaults && !(choice.families.empty() && choice.effects.empty()))
         return console.refuse(
             {"draws its own bodies and has no effects; leave --geometry and --effects out", "--defaults"});
+    if (const Result<void> fine = check_slurm_options(call.slurm, call.options.range.share); !fine)
+        return console.refuse(fine.error());
+    if (call.slurm.submit)
+        return submit_to_slurm(call.slurm,
+                               {.name = "myoloop-validate",
+                                .out = call.out,
+                                .cases = call.options.range.cases,
+                                .at_once_option = "--threads",
+                                .at_once = std::max(1, call.work.threads)},
+                               console);
+    if (call.slurm.collect) call.options.range.cases = 0;
     // The same seed draws the same cases.
     call.options.choice.seed = call.work.seed.value_or(1);
     call.options.range.threads = call.work.threads > 0 ? call.work.threads : hardware_threads();
@@ -154,6 +168,7 @@ std::function<int()> declare_validate(CLI::App& app) {
     add_effect_list(app, "--effects", call->options.choice.effects,
                     "effects to draw from (default: all of the catalogue)");
     add_work_options(app, call->work);
+    add_slurm_options(app, call->slurm);
     return [call] { return run_validate(*call); };
 }
 
