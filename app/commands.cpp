@@ -19,6 +19,7 @@ const std::vector<Subcommand>& commands() {
         {"propose", "Proposes the trial that best tells two sets of effects apart", declare_propose},
         {"validate", "Diagnoses synthetic experiments with known answers: how reliable diagnose is", declare_validate,
          "study"},
+        {"sweep", "Runs a command on many variants of an experiment; one table and figures at the end", declare_sweep},
         {"optimize", "Finds the actuation that makes the markers follow a trial's trace", declare_optimize},
         {"gradcheck", "Compares the gradient of a trial's run with differences, for every parameter",
          declare_gradcheck},

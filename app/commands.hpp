@@ -34,6 +34,8 @@ std::function<int()> declare_power(CLI::App& app);
 std::function<int()> declare_propose(CLI::App& app);
 /// Validates diagnosis or defaults on synthetic experiments.
 std::function<int()> declare_validate(CLI::App& app);
+/// Runs a command on many variants of an experiment.
+std::function<int()> declare_sweep(CLI::App& app);
 /// Fits the declared unknowns.
 std::function<int()> declare_calibrate(CLI::App& app);
 /// Finds the actuation that follows a recorded motion.

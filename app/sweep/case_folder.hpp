@@ -1,0 +1,56 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "base/progress.hpp"
+#include "base/result.hpp"
+#include "sweep/sweep_cases.hpp"
+
+namespace myo::sweep {
+
+/// How a case stands. Only `done` and `failed` are kept when a sweep continues.
+enum class CaseState {
+    not_run,
+    running,  // by another process
+    done,     // the command ended with status 0
+    failed,   // it did not; what it wrote is kept
+    stopped,  // interrupted: nothing is kept but the fits of a diagnosis
+};
+std::string to_string(CaseState state);
+
+/// The file case.json in the folder of a case. Written before the command begins and again when it has ended.
+struct CaseMarker {
+    std::string fingerprint;  // hexadecimal
+    CaseState state = CaseState::not_run;
+    std::string message = {};  // why it failed
+    double seconds = 0.0;      // wall-clock time of the command
+};
+
+/// Folder of a case, OUT/cases/0007.
+std::filesystem::path case_folder(const std::filesystem::path& out, int number);
+
+/// Fingerprint as the marker holds it.
+std::string fingerprint_text(const SweepCase& sweep_case);
+
+/// Marker of a folder; empty if there is none that can be read.
+std::optional<CaseMarker> read_marker(const std::filesystem::path& folder);
+
+/// The program that runs the cases, and how.
+struct CaseRunner {
+    std::filesystem::path program;
+    std::string command;
+    std::filesystem::path home;  // folder against which the text of a case names files
+    double grace_s = 0.0;        // see ChildCall
+};
+
+/// Runs a case in its folder: writes experiment.toml, runs the command on it with one thread, keeps what it printed in
+/// output.txt and messages.txt, and writes the marker last. What an earlier run of the case left is removed before.
+///
+/// @return  state done, failed, stopped, or running if another process works in the folder
+/// Errors: the folder holds files but no marker, or a file cannot be written.
+Result<CaseMarker> run_case(const CaseRunner& runner, const SweepCase& sweep_case, const std::filesystem::path& folder,
+                            const Progress& progress);
+
+}  // namespace myo::sweep
