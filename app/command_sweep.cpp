@@ -49,10 +49,12 @@ Result<void> check_arguments(const std::string& command, const std::vector<std::
 }
 
 std::string count_words(const sweep::SweepTable& table) {
-    const int done = table.count(sweep::CaseState::done), failed = table.count(sweep::CaseState::failed);
-    std::string words = std::to_string(table.rows.size()) + (table.rows.size() == 1 ? " case: " : " cases: ") +
-                        std::to_string(done) + " done";
-    if (failed > 0) words += ", " + std::to_string(failed) + " failed";
+    const std::size_t cases = table.rows.size();
+    std::string words = std::to_string(cases) + (cases == 1 ? " case: " : " cases: ") +
+                        std::to_string(table.count(sweep::CaseState::done)) + " done";
+    for (const sweep::CaseState state : {sweep::CaseState::unconverged, sweep::CaseState::failed})
+        if (const int count = table.count(state); count > 0)
+            words += ", " + std::to_string(count) + " " + to_string(state);
     if (table.missing() > 0) words += ", " + std::to_string(table.missing()) + " not run yet";
     return words;
 }

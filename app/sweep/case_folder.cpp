@@ -12,6 +12,7 @@
 #include "base/stopwatch.hpp"
 #include "experiment/experiment_text.hpp"
 #include "report/json.hpp"
+#include "sweep/case_numbers.hpp"
 
 namespace myo::sweep {
 namespace {
@@ -28,8 +29,8 @@ const char* const fits_file = "diagnose_fits.json";
 /// Exit status of a command that was interrupted, see app::ExitStatus.
 enum : int { status_of_interrupt = 130 };
 
-constexpr CaseState all_states[] = {CaseState::not_run, CaseState::running, CaseState::done, CaseState::failed,
-                                    CaseState::stopped};
+constexpr CaseState all_states[] = {CaseState::not_run,     CaseState::running, CaseState::done,
+                                    CaseState::unconverged, CaseState::failed,  CaseState::stopped};
 
 Result<void> write_marker(const fs::path& folder, int number, const CaseMarker& marker) {
     report::Json json{{"schema", "sweep_case/1"},
@@ -76,8 +77,14 @@ std::string last_complaint(const fs::path& messages) {
     return found;
 }
 
+/// Whether the report says that a fit or search did not converge.
+bool says_unconverged(const fs::path& report_file) {
+    const Result<report::Json> json = report::read_json(report_file);
+    return json && json->is_object() && json->value("converged", report::Json()) == report::Json(false);
+}
+
 /// State and message of a command that has ended.
-CaseMarker ended_case(const ChildEnd& end, const fs::path& folder, CaseMarker marker) {
+CaseMarker ended_case(const ChildEnd& end, CaseCommand command, const fs::path& folder, CaseMarker marker) {
     switch (end.how) {
         case ChildEnd::How::cancelled: marker.state = CaseState::stopped; return marker;
         case ChildEnd::How::not_started:
@@ -98,13 +105,17 @@ CaseMarker ended_case(const ChildEnd& end, const fs::path& folder, CaseMarker ma
             }
             marker.message = last_complaint(folder / messages_file);
             if (marker.message.empty()) marker.message = "exit status " + std::to_string(end.code);
+            if (says_unconverged(report_of(command, folder))) {
+                marker.state = CaseState::unconverged;
+                return marker;
+            }
     }
     marker.state = CaseState::failed;
     return marker;
 }
 
 std::vector<std::string> arguments_of(const CaseRunner& runner, const SweepCase& c, const fs::path& folder) {
-    std::vector<std::string> words{runner.command, folder.string()};
+    std::vector<std::string> words{to_string(runner.command), folder.string()};
     words.insert(words.end(), c.options.begin(), c.options.end());
     words.insert(words.end(), {"--threads", "1", "--out", folder.string()});
     std::error_code code;
@@ -119,10 +130,15 @@ std::string to_string(CaseState state) {
         case CaseState::not_run: return "not run";
         case CaseState::running: return "running";
         case CaseState::done: return "done";
+        case CaseState::unconverged: return "not converged";
         case CaseState::failed: return "failed";
         case CaseState::stopped: return "stopped";
     }
     return {};
+}
+
+bool has_ended(CaseState state) {
+    return state == CaseState::done || state == CaseState::unconverged || state == CaseState::failed;
 }
 
 fs::path case_folder(const fs::path& out, int number) {
@@ -168,7 +184,7 @@ Result<CaseMarker> run_case(const CaseRunner& runner, const SweepCase& sweep_cas
                                     .messages = folder / messages_file,
                                     .grace_s = runner.grace_s},
                                    [&] { return progress.cancelled(); });
-    marker = ended_case(end, folder, marker);
+    marker = ended_case(end, runner.command, folder, marker);
     marker.seconds = watch.seconds();
     if (marker.state == CaseState::stopped) {
         remove_stopped(folder);

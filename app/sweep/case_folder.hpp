@@ -10,13 +10,14 @@
 
 namespace myo::sweep {
 
-/// How a case stands. Only `done` and `failed` are kept when a sweep continues.
+/// How a case stands. What was not run, is running or was stopped is run when a sweep continues.
 enum class CaseState {
     not_run,
-    running,  // by another process
-    done,     // the command ended with status 0
-    failed,   // it did not; what it wrote is kept
-    stopped,  // interrupted: nothing is kept but the fits of a diagnosis
+    running,      // by another process
+    done,         // the command ended with status 0
+    unconverged,  // its fit or search ended before it converged; the report is complete
+    failed,       // it ended otherwise; what it wrote is kept
+    stopped,      // interrupted: nothing is kept but the fits of a diagnosis
 };
 std::string to_string(CaseState state);
 
@@ -24,9 +25,12 @@ std::string to_string(CaseState state);
 struct CaseMarker {
     std::string fingerprint;  // hexadecimal
     CaseState state = CaseState::not_run;
-    std::string message = {};  // why it failed
+    std::string message = {};  // why it is not done
     double seconds = 0.0;      // wall-clock time of the command
 };
+
+/// True for cases with a report or a failure: done, unconverged, failed.
+bool has_ended(CaseState state);
 
 /// Folder of a case, OUT/cases/0007.
 std::filesystem::path case_folder(const std::filesystem::path& out, int number);
@@ -40,7 +44,7 @@ std::optional<CaseMarker> read_marker(const std::filesystem::path& folder);
 /// The program that runs the cases, and how.
 struct CaseRunner {
     std::filesystem::path program;
-    std::string command;
+    CaseCommand command = CaseCommand::simulate;
     std::filesystem::path home;  // folder against which the text of a case names files
     double grace_s = 0.0;        // see ChildCall
 };
@@ -48,7 +52,7 @@ struct CaseRunner {
 /// Runs a case in its folder: writes experiment.toml, runs the command on it with one thread, keeps what it printed in
 /// output.txt and messages.txt, and writes the marker last. What an earlier run of the case left is removed before.
 ///
-/// @return  state done, failed, stopped, or running if another process works in the folder
+/// @return  an ended state, stopped, or running if another process works in the folder
 /// Errors: the folder holds files but no marker, or a file cannot be written.
 Result<CaseMarker> run_case(const CaseRunner& runner, const SweepCase& sweep_case, const std::filesystem::path& folder,
                             const Progress& progress);

@@ -15,10 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool has_ended(const CaseMarker& marker) {
-    return marker.state == CaseState::done || marker.state == CaseState::failed;
-}
-
 /// Marker of a case if it belongs to it.
 std::optional<CaseMarker> own_marker(const SweepCase& c, const fs::path& folder) {
     std::optional<CaseMarker> marker = read_marker(folder);
@@ -28,7 +24,7 @@ std::optional<CaseMarker> own_marker(const SweepCase& c, const fs::path& folder)
 
 bool to_be_run(const SweepCase& c, const fs::path& folder, const SweepRun& run) {
     const std::optional<CaseMarker> marker = own_marker(c, folder);
-    return !marker || !has_ended(*marker) || (run.retry && marker->state == CaseState::failed);
+    return !marker || !has_ended(marker->state) || (run.retry && marker->state == CaseState::failed);
 }
 
 /// Cases of a share that are to be run.
@@ -94,7 +90,7 @@ private:
         if (!marker) {
             trouble_ = marker.error();
             stop_ = true;
-        } else if (has_ended(*marker)) {
+        } else if (has_ended(marker->state)) {
             ++ended_count_;
             report();
             if (ended_) ended_(c, *marker);
@@ -120,7 +116,7 @@ Result<void> check_kept_cases(const PreparedSweep& sweep, const fs::path& out) {
     for (const SweepCase& c : sweep.cases) {
         const fs::path folder = case_folder(out, c.number);
         const std::optional<CaseMarker> marker = read_marker(folder);
-        if (marker && has_ended(*marker) && marker->fingerprint != fingerprint_text(c))
+        if (marker && has_ended(marker->state) && marker->fingerprint != fingerprint_text(c))
             return Error{
                 "was run with other values, options, data or another version of the program; choose another "
                 "folder, or --replace to repeat such cases",
@@ -136,7 +132,7 @@ Result<void> run_sweep(const PreparedSweep& sweep, const fs::path& out, const Sw
     std::error_code code;
     fs::create_directories(out / "cases", code);
     if (code) return Error{"folder cannot be made: " + code.message(), (out / "cases").string()};
-    const CaseRunner runner{run.program, to_string(sweep.sweep.command), sweep.home, run.grace_s};
+    const CaseRunner runner{run.program, sweep.sweep.command, sweep.home, run.grace_s};
     return CaseQueue(open_cases(sweep, out, run), out, run, runner, progress, ended).work_off();
 }
 

@@ -91,13 +91,15 @@ report::HtmlReport sweep_report(const SweepTable& table, const std::string& call
     double seconds = 0.0;
     for (const SweepRow& row : table.rows) seconds += row.seconds;
     page.key_figures = {{"cases done", std::to_string(table.count(CaseState::done)), "", "of " + std::to_string(count)},
+                        {"not converged", std::to_string(table.count(CaseState::unconverged)), "", ""},
                         {"failed", std::to_string(table.count(CaseState::failed)), "", ""},
                         {"time of all cases", format_number(seconds, 3), "s", "one thread each"}};
     if (table.missing() > 0)
         page.warnings.lines.push_back(counted(table.missing(), "case") + " not run yet; the table is incomplete.");
     for (const SweepRow& row : table.rows)
-        if (row.state == CaseState::failed)
-            page.warnings.lines.push_back("case " + std::to_string(row.number) + " failed: " + row.message);
+        if (row.state == CaseState::failed || row.state == CaseState::unconverged)
+            page.warnings.lines.push_back("case " + std::to_string(row.number) + " " + to_string(row.state) + ": " +
+                                          row.message);
     page.sections.push_back(figure_section(table));
     page.sections.push_back({"Cases", {result_table(table)}});
     if (const Result<std::string> text = read_file(table.sweep.file); text)

@@ -87,14 +87,19 @@ int SweepTable::count(CaseState state) const {
         std::count_if(rows.begin(), rows.end(), [&](const SweepRow& row) { return row.state == state; }));
 }
 
+int SweepTable::missing() const {
+    return static_cast<int>(
+        std::count_if(rows.begin(), rows.end(), [](const SweepRow& row) { return !has_ended(row.state); }));
+}
+
 SweepRow sweep_row(const PreparedSweep& sweep, const SweepCase& sweep_case, const CaseMarker& marker,
                    const std::filesystem::path& out) {
     SweepRow row{sweep_case.number, sweep_case.choice, marker.state, marker.message, marker.seconds, {}};
-    if (marker.state != CaseState::done && marker.state != CaseState::failed) return row;
+    if (!has_ended(marker.state)) return row;
     Result<CaseNumbers> numbers = read_case_numbers(sweep.sweep.command, case_folder(out, sweep_case.number));
     if (numbers) {
         row.result = *std::move(numbers);
-    } else if (marker.state == CaseState::done) {
+    } else if (marker.state != CaseState::failed) {
         // A case that failed need not have a report, and its own message says more.
         row.state = CaseState::failed;
         row.message = numbers.error().text();
@@ -146,6 +151,7 @@ report::Json sweep_json(const SweepTable& table, const std::string& version, con
                       {"varied", report::Json::array()},
                       {"cases", table.rows.size()},
                       {"done", table.count(CaseState::done)},
+                      {"not_converged", table.count(CaseState::unconverged)},
                       {"failed", table.count(CaseState::failed)},
                       {"missing", table.missing()},
                       {"rows", report::Json::array()}};

@@ -37,8 +37,8 @@ struct SweepTable {
     std::vector<SweepColumn> columns;  // the numbers of all rows, in the order in which they first occur
 
     int count(CaseState state) const;
-    /// Cases without a row: not run, at work or stopped.
-    int missing() const { return static_cast<int>(rows.size()) - count(CaseState::done) - count(CaseState::failed); }
+    /// Cases that have not ended: not run, at work or stopped.
+    int missing() const;
 };
 
 /// A case with the report in its folder. A report that cannot be read makes it a failed row.
