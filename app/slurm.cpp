@@ -110,7 +110,8 @@ void add_slurm_options(CLI::App& app, SlurmOptions& options) {
     add_text("--time", options.time, "with --slurm: time limit of a task, for example 2:00:00", "T");
     add_text("--account", options.account, "with --slurm: account of the jobs", "A");
     add_count(app, "--nodes", options.nodes,
-              "with --slurm: tasks of the array, each on a node of its own choice (default: one per case, at most 32)")
+              "with --slurm: tasks of the array, each on one node (default: one per case, at most " +
+                  std::to_string(SlurmPolicy().most_tasks) + ")")
         ->default_str("");
     app.add_flag("--collect", options.collect, "run nothing; make tables and figures of the cases that are finished");
 }

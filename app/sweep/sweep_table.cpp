@@ -176,7 +176,7 @@ std::string row_line(const Sweep& sweep, const SweepRow& row) {
     for (const CaseNumber& number : row.result.numbers)
         if (number.shown) text += "  " + number.name + " " + words_of(number);
     if (!row.message.empty()) text += "  " + row.message;
-    return text + end;
+    return has_ended(row.state) ? text + end : text;
 }
 
 }  // namespace myo::sweep
