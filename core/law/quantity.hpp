@@ -1,0 +1,25 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "law/expressions.hpp"
+#include "law/unit.hpp"
+
+namespace myo::law {
+
+/// What an expression, or a part of it, is.
+enum class Shape { number, vector, condition };
+/// "a number", "a vector", "a condition".
+const char* to_string(Shape shape);
+
+/// Part of an expression with its unit.
+struct Quantity {
+    Shape shape = Shape::number;
+    std::array<Node, 3> nodes{-1, -1, -1};  // a number or condition has one
+    std::optional<Unit> unit = Unit{};      // nullopt: not known, so that it fits everywhere
+
+    Node node() const { return nodes[0]; }
+};
+
+}  // namespace myo::law

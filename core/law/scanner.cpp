@@ -1,0 +1,70 @@
+#include "law/scanner.hpp"
+
+#include <array>
+#include <cctype>
+
+#include "base/text.hpp"
+
+namespace myo::law {
+namespace {
+
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+bool starts_word(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+constexpr std::array<std::string_view, 4> long_signs{"<=", ">=", "==", "!="};
+constexpr std::string_view signs = "+-*/^(),.<>[]";
+
+}  // namespace
+
+void Scanner::read_number() {
+    std::size_t end = next_;
+    while (end < text_.size() && is_digit(text_[end])) ++end;
+    if (end < text_.size() && text_[end] == '.') ++end;
+    while (end < text_.size() && is_digit(text_[end])) ++end;
+    if (end < text_.size() && (text_[end] == 'e' || text_[end] == 'E')) {
+        std::size_t exponent = end + 1;
+        if (exponent < text_.size() && (text_[exponent] == '+' || text_[exponent] == '-')) ++exponent;
+        if (exponent < text_.size() && is_digit(text_[exponent])) {
+            end = exponent;
+            while (end < text_.size() && is_digit(text_[end])) ++end;
+        }
+    }
+    now_.text = text_.substr(next_, end - next_);
+    now_.kind = TokenKind::number;
+    if (!parse_number(now_.text, now_.value))
+        throw ExpressionError{next_, "\"" + std::string(now_.text) + "\" is not a number"};
+}
+
+void Scanner::advance() {
+    while (next_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[next_]))) ++next_;
+    now_ = {TokenKind::end, {}, next_, 0.0};
+    if (next_ == text_.size()) return;
+    const char c = text_[next_];
+    if (is_digit(c) || (c == '.' && next_ + 1 < text_.size() && is_digit(text_[next_ + 1]))) {
+        read_number();
+    } else if (starts_word(c)) {
+        std::size_t end = next_;
+        while (end < text_.size() && (starts_word(text_[end]) || is_digit(text_[end]))) ++end;
+        now_.text = text_.substr(next_, end - next_);
+        now_.kind = TokenKind::word;
+    } else {
+        now_.kind = TokenKind::sign;
+        now_.text = text_.substr(next_, 1);
+        for (const std::string_view sign : long_signs)
+            if (text_.substr(next_, 2) == sign) now_.text = text_.substr(next_, 2);
+        if (now_.text.size() == 1 && signs.find(c) == std::string_view::npos)
+            throw ExpressionError{next_, "\"" + std::string(1, c) + "\" has no meaning in an expression"};
+    }
+    next_ += now_.text.size();
+}
+
+std::string_view Scanner::up_to(char closing) {
+    const std::size_t from = next_, end = text_.find(closing, from);
+    if (end == std::string_view::npos)
+        throw ExpressionError{from, std::string("\"") + closing + "\" is missing after the unit"};
+    next_ = end + 1;
+    advance();
+    return text_.substr(from, end - from);
+}
+
+}  // namespace myo::law
