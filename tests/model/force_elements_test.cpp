@@ -7,6 +7,7 @@
 #include "model/cavity_pressure.hpp"
 #include "model/contact.hpp"
 #include "model/elastic_bed.hpp"
+#include "model/law_cases.hpp"
 #include "model/loaded_face.hpp"
 #include "model/mount_forces.hpp"
 #include "model/point_friction.hpp"
@@ -49,6 +50,11 @@ Model model_with(const ForceCase& c) {
     const Body& body = *model.body;
     const std::string element = c.element;
     if (element == "bed") model.force_elements = {elastic_bed(body, free_faces(body), 3e5)};
+    if (element.starts_with("law_"))
+        model.force_elements = {test::law_element(body, element.substr(4), tip_cell(body))};
+    if (element == "seen_law")
+        model.force_elements = {
+            in_laboratory(test::law_element(body, "lift", tip_cell(body)), test::tumbling_mount())};
     if (element == "drag") model.force_elements = {surface_drag(body, free_faces(body), 20.0, 900.0)};
     if (element == "friction") {
         const std::vector<int> nodes = nodes_of_tip(body);
@@ -190,23 +196,29 @@ TEST_P(ForceElements, KnowTheirDerivativesByParametersAndVelocity) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, ForceElements,
-    testing::Values(ForceCase{"bed", fem::ElementKind::hex8}, ForceCase{"bed", fem::ElementKind::tet10},
-                    ForceCase{"drag", fem::ElementKind::hex8}, ForceCase{"drag", fem::ElementKind::tet10},
-                    ForceCase{"friction", fem::ElementKind::hex8}, ForceCase{"friction", fem::ElementKind::tet10},
-                    ForceCase{"pressure", fem::ElementKind::hex8}, ForceCase{"pressure", fem::ElementKind::tet4},
-                    ForceCase{"pressure", fem::ElementKind::tet10}, ForceCase{"tension", fem::ElementKind::hex8},
-                    ForceCase{"tension", fem::ElementKind::tet10}, ForceCase{"shortening", fem::ElementKind::hex8},
-                    ForceCase{"shortening", fem::ElementKind::tet10}, ForceCase{"capstan", fem::ElementKind::hex8},
-                    ForceCase{"capstan_shortening", fem::ElementKind::tet10}, ForceCase{"stop", fem::ElementKind::hex8},
-                    ForceCase{"pull", fem::ElementKind::hex8}, ForceCase{"pull", fem::ElementKind::tet10},
-                    ForceCase{"stop", fem::ElementKind::tet10}, ForceCase{"smooth_sphere", fem::ElementKind::hex8},
-                    ForceCase{"smooth_sphere", fem::ElementKind::tet10},
-                    ForceCase{"rough_plane", fem::ElementKind::tet10},
-                    ForceCase{"rough_sphere", fem::ElementKind::hex8},
-                    ForceCase{"rough_sphere", fem::ElementKind::tet10}, ForceCase{"rough_box", fem::ElementKind::hex8},
-                    ForceCase{"mount", fem::ElementKind::hex8}, ForceCase{"mount", fem::ElementKind::tet10},
-                    ForceCase{"seen_bed", fem::ElementKind::hex8}, ForceCase{"seen_drag", fem::ElementKind::hex8},
-                    ForceCase{"seen_rough_plane", fem::ElementKind::hex8}),
+    testing::Values(
+        ForceCase{"bed", fem::ElementKind::hex8}, ForceCase{"bed", fem::ElementKind::tet10},
+        ForceCase{"drag", fem::ElementKind::hex8}, ForceCase{"drag", fem::ElementKind::tet10},
+        ForceCase{"friction", fem::ElementKind::hex8}, ForceCase{"friction", fem::ElementKind::tet10},
+        ForceCase{"pressure", fem::ElementKind::hex8}, ForceCase{"pressure", fem::ElementKind::tet4},
+        ForceCase{"pressure", fem::ElementKind::tet10}, ForceCase{"tension", fem::ElementKind::hex8},
+        ForceCase{"tension", fem::ElementKind::tet10}, ForceCase{"shortening", fem::ElementKind::hex8},
+        ForceCase{"shortening", fem::ElementKind::tet10}, ForceCase{"capstan", fem::ElementKind::hex8},
+        ForceCase{"capstan_shortening", fem::ElementKind::tet10}, ForceCase{"stop", fem::ElementKind::hex8},
+        ForceCase{"pull", fem::ElementKind::hex8}, ForceCase{"pull", fem::ElementKind::tet10},
+        ForceCase{"stop", fem::ElementKind::tet10}, ForceCase{"smooth_sphere", fem::ElementKind::hex8},
+        ForceCase{"smooth_sphere", fem::ElementKind::tet10}, ForceCase{"rough_plane", fem::ElementKind::tet10},
+        ForceCase{"rough_sphere", fem::ElementKind::hex8}, ForceCase{"rough_sphere", fem::ElementKind::tet10},
+        ForceCase{"rough_box", fem::ElementKind::hex8}, ForceCase{"mount", fem::ElementKind::hex8},
+        ForceCase{"mount", fem::ElementKind::tet10}, ForceCase{"seen_bed", fem::ElementKind::hex8},
+        ForceCase{"seen_drag", fem::ElementKind::hex8}, ForceCase{"seen_rough_plane", fem::ElementKind::hex8},
+        ForceCase{"law_drag", fem::ElementKind::hex8}, ForceCase{"law_drag", fem::ElementKind::tet10},
+        ForceCase{"law_bed", fem::ElementKind::tet4}, ForceCase{"law_bed_energy", fem::ElementKind::hex8},
+        ForceCase{"law_damper", fem::ElementKind::hex8}, ForceCase{"law_lift", fem::ElementKind::hex8},
+        ForceCase{"law_pressure", fem::ElementKind::hex8}, ForceCase{"law_pressure", fem::ElementKind::tet10},
+        ForceCase{"law_wet_drag", fem::ElementKind::tet4}, ForceCase{"law_point", fem::ElementKind::tet10},
+        ForceCase{"law_volume", fem::ElementKind::hex8}, ForceCase{"law_volume", fem::ElementKind::tet10},
+        ForceCase{"seen_law", fem::ElementKind::hex8}),
     [](const auto& c) { return std::string(c.param.element) + "_" + to_string(c.param.kind); });
 
 /// In statics the displacement from the rest shape stands for the velocity, and springs hold what nothing holds.
