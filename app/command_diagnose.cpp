@@ -199,7 +199,7 @@ std::function<int()> declare_diagnose(CLI::App& app) {
                                 fits_file, planning::signal_file});
     };
     declare_leave_out(app, *call);
-    add_effect_list(app, "--without", call->without, "effects to exclude");
+    add_named_effects(app, "--without", call->without, "effects to exclude", *call);
     app.add_flag("--resume", call->resume, "continue from the fits kept in DIR by a run that was stopped");
     return [call] { return diagnose_command(*call); };
 }

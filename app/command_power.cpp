@@ -69,7 +69,7 @@ std::function<int()> declare_power(CLI::App& app) {
         if (!own->out.empty()) files.insert(files.end(), {own->out / map_json_file, own->out / map_page_file});
         return files;
     };
-    add_effect_list(app, "--effects", call->only, "effects that are considered (default: all)");
+    add_named_effects(app, "--effects", call->only, "effects that are considered (default: all)", *call);
     add_positive_number(app, "--numerical-error", call->numerical_error_m,
                         "rms error of the predictions by mesh and step in m (default: from the noise)");
     app.add_option("--json", call->json, "file for the map as JSON")->type_name("FILE");

@@ -5,6 +5,7 @@
 #include "base/text.hpp"
 #include "commands.hpp"
 #include "exit_status.hpp"
+#include "experiment/read_experiment.hpp"
 #include "experiment_command.hpp"
 #include "next_experiment.hpp"
 #include "planning/proposal_output.hpp"
@@ -23,6 +24,7 @@ const char* const declared_word = "none";
 /// Parsed call of `myoloop propose`.
 struct ProposeCall : ExperimentCall {
     std::vector<std::string> between;
+    std::vector<std::string> between_ids;  // all that they name
     std::filesystem::path report;
     experiment::LimitsDeclaration limits;
     std::optional<double> numerical_error_m;
@@ -58,7 +60,7 @@ void read_limits(const std::string& text, experiment::LimitsDeclaration& limits)
 /// Effects of one --between; `none` is the declared model.
 std::vector<std::string> read_set(const std::string& text) {
     if (text == declared_word) return {};
-    std::vector<std::string> ids = effect_list("--between", text);
+    std::vector<std::string> ids = split_words(text);
     for (const std::string& id : ids)
         if (std::count(ids.begin(), ids.end(), id) > 1)
             throw CLI::ValidationError("--between", "'" + text + "' names " + id + " twice");
@@ -69,7 +71,11 @@ std::vector<std::string> read_set(const std::string& text) {
 Result<std::array<planning::RivalStart, 2>> starts_of(const ProposeCall& call) {
     if (call.between.empty() == call.report.empty())
         return Error{"give either two sets of effects, or --report with the report of a diagnosis", "--between"};
-    if (!call.report.empty()) return planning::reported_rivals(call.report);
+    if (!call.report.empty()) {
+        const Result<experiment::Experiment> declared = experiment::read_experiment(call.experiment,
+                                                                                    call.setup.overrides);
+        return planning::reported_rivals(call.report, declared ? declared->laws : effect::Laws());
+    }
     if (call.between.size() != 2) return Error{"must be given twice, once for each set of effects", "--between"};
     std::array<planning::RivalStart, 2> starts{planning::RivalStart{read_set(call.between[0])},
                                                planning::RivalStart{read_set(call.between[1])}};
@@ -153,6 +159,7 @@ int propose_command(ProposeCall& call) {
 std::function<int()> declare_propose(CLI::App& app) {
     const auto call = std::make_shared<ProposeCall>();
     declare_experiment_call(app, *call);
+    call->named_effects.emplace_back("--between", &call->between_ids);
     call->outputs = [own = call.get()](const experiment::Experiment&) {
         std::vector<std::filesystem::path> files;
         if (!own->out.empty())
@@ -163,7 +170,8 @@ std::function<int()> declare_propose(CLI::App& app) {
     app.add_option_function<std::vector<std::string>>(
            "--between",
            [call](const std::vector<std::string>& sets) {
-               for (const std::string& set : sets) read_set(set);
+               for (const std::string& set : sets)
+                   for (std::string& id : read_set(set)) call->between_ids.push_back(std::move(id));
                call->between = sets;
            },
            "a set of effects, or none for the declared model; given twice")

@@ -13,6 +13,7 @@
 #include "check/declared_steps.hpp"
 #include "commands.hpp"
 #include "dynamics/run_advice.hpp"
+#include "effect/catalogue.hpp"
 #include "exit_status.hpp"
 #include "experiment/check_body.hpp"
 #include "experiment/leave_out.hpp"
@@ -71,6 +72,10 @@ Result<experiment::Experiment> open_experiment(const ExperimentCall& call, std::
                      "--spectral-radius"};
     Result<experiment::Experiment> experiment = experiment::read_experiment(call.experiment, call.setup.overrides);
     if (!experiment) return experiment;
+    for (const auto& [option, ids] : call.named_effects)
+        for (const std::string& id : *ids)
+            if (effect::find_effect(id, experiment->laws) == nullptr)
+                return Error{unknown_word(id, effect::effect_ids(experiment->laws)), option};
     if (call.leave_out > 0) {
         const Result<std::vector<std::string>> left = experiment::leave_out(*experiment, call.leave_out,
                                                                             call.work.seed.value_or(1));
@@ -116,6 +121,14 @@ Result<setup::Setup> open_setup(const ExperimentCall& call, const experiment::Ex
 }
 
 }  // namespace
+
+void add_named_effects(CLI::App& app, const std::string& name, std::vector<std::string>& target,
+                       const std::string& help, ExperimentCall& call) {
+    call.named_effects.emplace_back(name, &target);
+    app.add_option_function<std::string>(
+           name, [&target](const std::string& text) { target = split_words(text); }, help)
+        ->type_name("A,B");
+}
 
 void declare_leave_out(CLI::App& app, ExperimentCall& call) {
     add_count(app, "--leave-out", call.leave_out,

@@ -36,11 +36,18 @@ struct ExperimentCall {
     /// Files that the command may write for an experiment; none may be an input.
     std::function<std::vector<std::filesystem::path>(const experiment::Experiment&)> outputs;
     std::string trial;  // for commands with --trial; empty: default
+    /// Ids of effects that options name, by option: of the catalogue, or laws of the experiment.
+    std::vector<std::pair<std::string, const std::vector<std::string>*>> named_effects{};
     WorkOptions work;
     SetupOptions setup;
 };
 /// Adds the common options to a command.
 void declare_experiment_call(CLI::App& app, ExperimentCall& call);
+
+/// Adds an option that names effects, "A,B": of the catalogue, or laws of the experiment. Unknown ones are refused once
+/// the experiment is read.
+void add_named_effects(CLI::App& app, const std::string& name, std::vector<std::string>& target,
+                       const std::string& help, ExperimentCall& call);
 
 /// Adds --leave-out to a command that fits.
 void declare_leave_out(CLI::App& app, ExperimentCall& call);

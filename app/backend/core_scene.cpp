@@ -23,6 +23,7 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "check/catalogue.hpp"
+#include "effect/catalogue.hpp"
 #include "experiment/read_experiment.hpp"
 #include "mesh/boundary_surface.hpp"
 #include "mesh/quality.hpp"
@@ -187,8 +188,13 @@ experiment::Experiment with_settings(experiment::Experiment experiment, const ui
     experiment.material.density_kg_m3 = settings.density_kg_m3;
     experiment.material.damping_s = settings.damping_s;
     experiment.effects = ui::commands::effects_on(experiment.effects, settings.off);
-    for (const ui::commands::AddedEffect& effect : settings.effects)
-        if (!effect.off) experiment.effects.push_back(effect.declaration);
+    for (const ui::commands::AddedEffect& effect : settings.effects) {
+        if (effect.off) continue;
+        // A project keeps ids and values; the laws are those of the experiment as it is now.
+        effect::EffectDeclaration declaration = effect.declaration;
+        declaration.law = effect::find_law(declaration.id, experiment.laws);
+        if (effect::find_effect(declaration) != nullptr) experiment.effects.push_back(std::move(declaration));
+    }
     experiment.muscles = declared_muscles(experiment, settings);
     return experiment;
 }

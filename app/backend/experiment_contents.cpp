@@ -19,6 +19,8 @@ namespace fs = std::filesystem;
 /// Keys of a declaration whose texts are files. A text that names something else under such a key, for example a signal
 /// by its name, is no existing file.
 constexpr std::array file_keys{"file", "mask", "signal", "trace", "actuation", "sensors"};
+/// Keys whose texts are lists of files.
+constexpr std::array list_keys{"laws"};
 constexpr const char* outside_folder = "outside";
 
 void collect(const toml::TomlValue& value, toml::TomlPath& at, const fs::path& folder, std::vector<NamedFile>& files) {
@@ -27,6 +29,14 @@ void collect(const toml::TomlValue& value, toml::TomlPath& at, const fs::path& f
         at.push_back(table ? toml::TomlStep(value.keys[i]) : toml::TomlStep(i));
         const toml::TomlValue& item = value.items[i];
         std::error_code ignored;
+        if (table && at.size() == 1 && item.kind == toml::TomlValue::Kind::array &&
+            std::find(list_keys.begin(), list_keys.end(), value.keys[i]) != list_keys.end())
+            for (std::size_t k = 0; k < item.items.size(); ++k)
+                if (fs::is_regular_file(folder / item.items[k].text, ignored)) {
+                    at.push_back(toml::TomlStep(k));
+                    files.push_back({at, (folder / item.items[k].text).lexically_normal()});
+                    at.pop_back();
+                }
         if (table && item.kind == toml::TomlValue::Kind::text && !item.text.empty() &&
             std::find(file_keys.begin(), file_keys.end(), value.keys[i]) != file_keys.end() &&
             fs::is_regular_file(folder / item.text, ignored))

@@ -11,9 +11,9 @@ namespace {
 ui::commands::SceneEffects shown_effects(const experiment::Experiment& experiment, const Box& body, double time_s) {
     ui::commands::SceneEffects shown;
     shown.declared = experiment.effects;
-    for (const effect::Effect& entry : effect::effect_catalogue()) {
-        shown.offered.push_back(experiment::new_effect(entry, experiment, {body, time_s}));
-        shown.lacking.push_back(experiment::lacking_for(entry, experiment));
+    for (const effect::Effect* const entry : effect::all_effects(experiment.laws)) {
+        shown.offered.push_back(experiment::new_effect(*entry, experiment, {body, time_s}));
+        shown.lacking.push_back(experiment::lacking_for(*entry, experiment));
     }
     for (const experiment::Actuator& actuator : experiment::actuators(experiment))
         shown.actuators.push_back(actuator.name);

@@ -29,7 +29,7 @@ using Eigen::MatrixXd;
 inverse::ActingSignals acting_signals(const setup::Setup& setup) {
     std::vector<effect::EffectDeclaration> effects;
     for (const effect::EffectDeclaration& effect : setup.experiment.effects)
-        if (effect::find_effect(effect.id)->kind == effect::EffectKind::actuation) effects.push_back(effect);
+        if (effect::find_effect(effect)->kind == effect::EffectKind::actuation) effects.push_back(effect);
     if (effects.empty()) return nullptr;
     return [kept = std::make_shared<const setup::Setup>(setup), effects](const std::vector<fibre::Signal>& commanded) {
         const model::Model acting = setup::with_effects(

@@ -23,9 +23,9 @@ setup::Setup prepared_setup(const setup::Setup& as_declared, const DiagnoseSetti
 }
 
 setup::Setup for_candidates(setup::Setup setup, const DiagnoseSettings& settings) {
-    const std::vector<effect::Effect>& all = effect::effect_catalogue();
-    const bool fine = std::any_of(all.begin(), all.end(), [&](const effect::Effect& effect) {
-        return effect.varies_within_cells && may_be_named(settings, effect.id);
+    const std::vector<const effect::Effect*> all = effect::all_effects(setup.experiment.laws);
+    const bool fine = std::any_of(all.begin(), all.end(), [&](const effect::Effect* effect) {
+        return effect->varies_within_cells && may_be_named(settings, effect->id);
     });
     return fine ? setup::with_fine_element(std::move(setup)) : setup;
 }

@@ -62,9 +62,31 @@ const Effect* find_effect(const std::string& id) {
     return nullptr;
 }
 
-std::vector<std::string> effect_ids() {
+LawPointer find_law(const std::string& id, const Laws& laws) {
+    for (const LawPointer& law : laws)
+        if (law->id == id) return law;
+    return nullptr;
+}
+
+const Effect* find_effect(const std::string& id, const Laws& laws) {
+    if (const LawPointer law = find_law(id, laws)) return law.get();
+    return find_effect(id);
+}
+
+const Effect* find_effect(const EffectDeclaration& declaration) {
+    return declaration.law ? declaration.law.get() : find_effect(declaration.id);
+}
+
+std::vector<const Effect*> all_effects(const Laws& laws) {
+    std::vector<const Effect*> all;
+    for (const Effect& effect : effect_catalogue()) all.push_back(&effect);
+    for (const LawPointer& law : laws) all.push_back(law.get());
+    return all;
+}
+
+std::vector<std::string> effect_ids(const Laws& laws) {
     std::vector<std::string> ids;
-    for (const Effect& effect : effect_catalogue()) ids.push_back(effect.id);
+    for (const Effect* const effect : all_effects(laws)) ids.push_back(effect->id);
     return ids;
 }
 
@@ -72,7 +94,7 @@ namespace {
 
 bool any_with(const std::vector<EffectDeclaration>& effects, bool Effect::*trait) {
     return std::any_of(effects.begin(), effects.end(), [&](const EffectDeclaration& declaration) {
-        const Effect* const effect = find_effect(declaration.id);
+        const Effect* const effect = find_effect(declaration);
         return effect != nullptr && effect->*trait;
     });
 }
@@ -111,7 +133,7 @@ void apply_effects(const TrialContext& context, const std::vector<EffectDeclarat
     // stable_sort below keeps the order of declaration within an EffectKind.
     std::vector<std::pair<const Effect*, const EffectDeclaration*>> order;
     for (const EffectDeclaration& declaration : effects) {
-        order.emplace_back(find_effect(declaration.id), &declaration);
+        order.emplace_back(find_effect(declaration), &declaration);
         assert(order.back().first != nullptr);
     }
     // Order by EffectKind: stress-free shapes refer to the cells as supported, whatever was declared first.

@@ -10,11 +10,21 @@ namespace myo::effect {
 /// All effects, in the order of the vocabulary. "none" and "unknown" are verdicts and not effects.
 const std::vector<Effect>& effect_catalogue();
 
-/// Entry with this id; null if there is none.
+/// Entry of the catalogue with this id; null if there is none.
 const Effect* find_effect(const std::string& id);
+/// Entry with this id among the laws, then in the catalogue; null if there is none.
+const Effect* find_effect(const std::string& id, const Laws& laws);
+/// Entry of a declared effect or candidate; null if there is none.
+const Effect* find_effect(const EffectDeclaration& declaration);
 
-/// Ids of all effects, in the order of the catalogue.
-std::vector<std::string> effect_ids();
+/// The law with this id; null if it is none.
+LawPointer find_law(const std::string& id, const Laws& laws);
+
+/// Entries of the catalogue, then those of the laws.
+std::vector<const Effect*> all_effects(const Laws& laws);
+
+/// Ids of all effects, in the order of the catalogue, then those of the laws.
+std::vector<std::string> effect_ids(const Laws& laws = {});
 
 /// Whether any of these effects varies within cells; their body then requires fine_element().
 bool any_varies_within_cells(const std::vector<EffectDeclaration>& effects);
@@ -23,7 +33,7 @@ bool any_varies_within_cells(const std::vector<EffectDeclaration>& effects);
 bool any_has_corner(const std::vector<EffectDeclaration>& effects);
 
 /// Applies effects ordered by EffectKind, and by declaration within each of them. Effects for other trials are
-/// skipped. Asserts that all are in the catalogue.
+/// skipped. Asserts that all have an entry.
 void apply_effects(const TrialContext& context, const std::vector<EffectDeclaration>& effects, Affected& affected);
 
 }  // namespace myo::effect

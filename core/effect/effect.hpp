@@ -2,7 +2,10 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <limits>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +15,7 @@
 #include "measurement/marker_binding.hpp"
 #include "measurement/observation_error.hpp"
 #include "mesh/surface_mesh.hpp"
+#include "sensitivity/model_tangent.hpp"
 
 namespace myo::effect {
 
@@ -56,8 +60,9 @@ struct TrialContext {
     std::vector<measurement::MarkerBinding> markers;  // bound to the cells of the body
     std::vector<std::string> actuator_names;          // muscles, chambers, tendons
     std::string trial;
-    std::size_t number = 0;       // of the trial in the experiment
-    double session_time_s = 0.0;  // time of the trial within the session
+    std::size_t number = 0;                     // of the trial in the experiment
+    double session_time_s = 0.0;                // time of the trial within the session
+    std::map<std::string, double> condition{};  // test conditions of the trial, by name
     dynamics::StartKind start = dynamics::StartKind::straight;
     double interval_s = 0.01;  // between samples of the recording
     double end_s = 0.0;        // end of the trial
@@ -116,9 +121,14 @@ struct Effect {
     std::string summary{};  // one line for the user
     std::vector<EffectParameterEntry> parameters{};
     /// Changes the model, options or recording of a trial.
-    void (*apply)(const TrialContext&, const EffectParameters&, Affected&) = nullptr;
+    std::function<void(const TrialContext&, const EffectParameters&, Affected&)> apply = nullptr;
     /// Start values of a search; an empty list: not observable in this experiment; null: no probes exist.
-    std::vector<EffectProbe> (*probes)(const EffectSearch&) = nullptr;
+    std::function<std::vector<EffectProbe>(const EffectSearch&)> probes = nullptr;
+    /// Derivative by a number of the effect, where it has a closed form: a component of a parameter, or -1 of a plain
+    /// one, in the model that apply() has changed and others may have; empty: it has none. Null: no number has one.
+    std::function<std::optional<sensitivity::ModelTangent>(const EffectParameters&, const std::string& parameter,
+                                                           int component, const Affected&)>
+        tangent = nullptr;
     /// Canonical form of equivalent parameters; null: every value has one form.
     EffectParameters (*canonical)(const model::Model& declared, const EffectParameters&) = nullptr;
     /// Form in which equivalent parameters are equal without knowing the model, for errors of estimates; null: as they
@@ -132,6 +142,8 @@ struct Effect {
     std::string resolved_length{};
     /// Parameter by which the clamp is shorter, so that a mesh can conform to the clamp's end instead; empty: none.
     std::string clamp_shortening{};
+    /// Test conditions that every trial must state.
+    std::vector<std::string> conditions{};
     MarkerEvent marker_event = MarkerEvent::none;
     EffectDraw draw{};
 

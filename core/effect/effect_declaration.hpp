@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include <map>
+#include <memory>
 #include <string>
 #include <variant>
 #include <vector>
@@ -14,13 +15,20 @@ using EffectParameter = std::variant<double, Eigen::VectorXd, std::string, std::
 /// Values by parameter name. Vectors and positions are in the mesh frame of the rest shape.
 using EffectParameters = std::map<std::string, EffectParameter>;
 
+struct Effect;
+/// An entry that an experiment adds to the catalogue by a file of its own.
+using LawPointer = std::shared_ptr<const Effect>;
+/// All those of an experiment, in the order of their files.
+using Laws = std::vector<LawPointer>;
+
 /// An effect with its parameter values: declared by an experiment, or a candidate of a diagnosis.
 struct EffectDeclaration {
     std::string id;
     EffectParameters parameters;
     bool calibrate = false;  // the parameters are fitted
+    LawPointer law{};        // its entry if a file of the experiment states it; null: the catalogue has it
 
-    /// Whether id, all values and calibrate agree; vectors may differ in length.
+    /// Whether id, all values and calibrate agree, whatever the law; vectors may differ in length.
     bool operator==(const EffectDeclaration& other) const;
 };
 

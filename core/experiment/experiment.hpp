@@ -228,7 +228,9 @@ struct Experiment {
     MarkersDeclaration markers;
     std::vector<TrialDeclaration> trials;
     std::vector<effect::EffectDeclaration> effects;
-    std::vector<std::string> warnings;  // readable sentences; each starts with its key
+    effect::Laws laws{};                             // entries beside those of the catalogue
+    std::vector<std::filesystem::path> law_files{};  // of the laws, resolved
+    std::vector<std::string> warnings;               // readable sentences; each starts with its key
     std::map<std::string, std::string>
         key_locations;  // "trial[2].load[0].box_m" -> "folder/experiment.toml:41", or "--set"
 };

@@ -28,6 +28,27 @@ bool names_a_file(const std::string& key, const std::string& text, std::size_t p
     return !line.starts_with("[[effect]]");
 }
 
+/// The text with the names in the list `laws` at its top made relative to `folder`.
+std::string with_laws_seen_from(const std::string& text, const std::filesystem::path& home,
+                                const std::filesystem::path& folder) {
+    static const std::regex list(R"((^|\n)(\s*laws\s*=\s*\[)([^\]]*)(\]))"), quoted(R"(\"[^\"\n]*\"|'[^'\n]*')");
+    std::smatch found;
+    const std::string top = text.substr(0, text.find("\n["));
+    if (!std::regex_search(top, found, list)) return text;
+    const std::string names = found[3].str();
+    std::string moved;
+    auto from = names.cbegin();
+    for (std::sregex_iterator match(names.begin(), names.end(), quoted), end; match != end; ++match) {
+        moved.append(from, (*match)[0].first);
+        const std::string name = (*match)[0].str();
+        moved += toml::toml_text(seen_from(name.substr(1, name.size() - 2), home, folder));
+        from = (*match)[0].second;
+    }
+    moved.append(from, names.cend());
+    const auto place = static_cast<std::size_t>(found.position(3));
+    return text.substr(0, place) + moved + text.substr(place + names.size());
+}
+
 }  // namespace
 
 Result<std::string> experiment_text_for(const std::filesystem::path& folder, const std::filesystem::path& written) {
@@ -51,6 +72,7 @@ std::string experiment_text_for(const std::filesystem::path& folder, const std::
         from = (*match)[0].second;
     }
     result.append(from, text.cend());
+    result = with_laws_seen_from(result, home, folder);
     if (!result.empty() && result.back() != '\n') result += '\n';
     return result;
 }

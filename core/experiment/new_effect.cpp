@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "effect/catalogue.hpp"
 #include "experiment/actuators.hpp"
 
 namespace myo::experiment {
@@ -142,6 +143,7 @@ effect::EffectDeclaration new_effect(const effect::Effect& effect, const Experim
                                      const NewEffectPlace& place) {
     effect::EffectDeclaration declaration;
     declaration.id = effect.id;
+    declaration.law = effect::find_law(effect.id, experiment.laws);
     const NewValues values(effect, experiment, place);
     for (const EffectParameterEntry& entry : effect.parameters)
         declaration.parameters[entry.name] = values.value(entry);

@@ -31,9 +31,10 @@ Experiment read_document(const toml::TomlValue& root, const fs::path& folder) {
                   schema->where}};
     // Unknown keys are errors: a misspelt key would otherwise silently select a default.
     const toml::TomlReader document(
-        root, "", {"schema",      "name",   "description",  "geometry", "clamp",   "support", "material",
-                   "environment", "muscle", "chamber",      "tendon",   "part",    "mount",   "obstacle",
-                   "sensor",      "limits", "registration", "unknown",  "markers", "trial",   "effect"});
+        root, "",
+        {"schema",       "name",    "description", "geometry", "clamp",  "support",  "material", "environment",
+         "muscle",       "chamber", "tendon",      "part",     "mount",  "obstacle", "sensor",   "limits",
+         "registration", "unknown", "markers",     "trial",    "effect", "laws"});
     document.text("schema");
 
     Experiment experiment;
@@ -63,7 +64,9 @@ Experiment read_document(const toml::TomlValue& root, const fs::path& folder) {
     experiment.unknowns = read_unknowns(document);
     experiment.trials = read_trials(document, folder);
     experiment.markers = read_markers(document, has_recordings(experiment));
-    experiment.effects = read_effects(document);
+    experiment.law_files = law_files(document, folder);
+    experiment.laws = read_laws(document, experiment.law_files);
+    experiment.effects = read_effects(document, experiment.laws);
     check_declarations(experiment);
     check_unknowns(experiment);
     // A box is complete without further files; an STL is checked when its triangles are read.

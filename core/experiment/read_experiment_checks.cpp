@@ -209,6 +209,16 @@ void check_calibrate(Experiment& experiment) {
             "material.youngs_modulus_tolerance: 0 declares the modulus exact, so a fit does not move it");
 }
 
+// Laws, declared or candidates, may read test conditions, which are complete only after the trials have been read.
+void check_laws(const Experiment& experiment) {
+    for (const effect::LawPointer& law : experiment.laws)
+        for (const std::string& condition : law->conditions)
+            for (std::size_t t = 0; t < experiment.trials.size(); ++t)
+                if (experiment.trials[t].condition.count(condition) == 0)
+                    fail(experiment, element("trial", t) + ".condition",
+                         "\"" + condition + "\" is missing, which the law \"" + law->id + "\" reads");
+}
+
 // Effects may name trials and markers, which are complete only after all tables have been read.
 void check_effects(const Experiment& experiment) {
     const std::vector<std::string> markers = recorded_names(experiment);
@@ -226,7 +236,7 @@ void check_effects(const Experiment& experiment) {
                 fail(experiment, element("effect", i) + "." + parameter,
                      std::string("unknown ") + what + " \"" + word + "\"; " + toml::suggest(word, known));
         };
-        for (const effect::EffectParameterEntry& entry : effect::find_effect(effect.id)->parameters) {
+        for (const effect::EffectParameterEntry& entry : effect::find_effect(effect)->parameters) {
             const auto found = effect.parameters.find(entry.name);
             if (found == effect.parameters.end()) continue;
             if (entry.kind == effect::EffectParameterKind::trial)
@@ -269,6 +279,7 @@ void check_declarations(Experiment& experiment) {
     check_robot_parts(experiment);
     check_trials(experiment);
     check_calibrate(experiment);
+    check_laws(experiment);
     check_effects(experiment);
 }
 

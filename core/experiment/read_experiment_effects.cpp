@@ -63,7 +63,7 @@ effect::EffectParameter read_parameter(const toml::TomlReader& effect, const eff
 }  // namespace
 
 // The keys of an [[effect]] table depend on its id, so the id is read before the keys are checked.
-std::vector<effect::EffectDeclaration> read_effects(const toml::TomlReader& document) {
+std::vector<effect::EffectDeclaration> read_effects(const toml::TomlReader& document, const effect::Laws& laws) {
     std::vector<effect::EffectDeclaration> effects;
     const bool muscles_only = !document.has_entry("chamber") && !document.has_entry("tendon");
     const auto trials = static_cast<Eigen::Index>(document.tables_of_names("trial").size());
@@ -71,12 +71,14 @@ std::vector<effect::EffectDeclaration> read_effects(const toml::TomlReader& docu
         if (!table.has_entry("id")) table.fail("id", "required key is missing");
         effect::EffectDeclaration effect;
         effect.id = table.text("id");
-        const effect::Effect* const entry = effect::find_effect(effect.id);
+        effect.law = effect::find_law(effect.id, laws);
+        const effect::Effect* const entry = effect::find_effect(effect);
         // These ids exist in the output of the diagnosis and are easily copied from there.
         if (effect.id == "none" || effect.id == "unknown")
             table.fail("id", "\"" + effect.id + "\" is a verdict, not an effect the model can have");
         if (entry == nullptr)
-            table.fail("id", "unknown effect \"" + effect.id + "\"; " + toml::suggest(effect.id, effect::effect_ids()));
+            table.fail("id",
+                       "unknown effect \"" + effect.id + "\"; " + toml::suggest(effect.id, effect::effect_ids(laws)));
 
         std::vector<std::string> known = {"id", "calibrate"};
         for (const effect::EffectParameterEntry& parameter : entry->parameters) known.push_back(parameter.name);

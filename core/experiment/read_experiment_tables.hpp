@@ -72,8 +72,12 @@ std::vector<GoalDeclaration> read_goals(const toml::TomlReader& trial, const std
                                         const TrialDeclaration& declared);
 /// [[trial.repair]]: what is done to the recording by hand; names are checked on reading the recording.
 std::vector<measurement::TraceRepair> read_repairs(const toml::TomlReader& trial);
-/// [[effect]]: parameters as the effect catalogue declares them.
-std::vector<effect::EffectDeclaration> read_effects(const toml::TomlReader& document);
+/// `laws`: files of laws of one's own.
+std::vector<std::filesystem::path> law_files(const toml::TomlReader& document, const std::filesystem::path& folder);
+/// The laws in these files, each an entry beside the catalogue.
+effect::Laws read_laws(const toml::TomlReader& document, const std::vector<std::filesystem::path>& files);
+/// [[effect]]: parameters as the laws and the effect catalogue declare them.
+std::vector<effect::EffectDeclaration> read_effects(const toml::TomlReader& document, const effect::Laws& laws);
 
 /// Checks conditions on several tables: unique names, references to muscles, markers and trials, cycles of followers.
 ///

@@ -1,5 +1,6 @@
 #include "measurement/observation_error.hpp"
 
+#include <algorithm>
 #include <cassert>
 
 namespace myo::measurement {
@@ -16,6 +17,17 @@ void exchange_and_scale(const ObservationError& error, std::vector<Matrix3Xd>& t
             if (stamped_s(t) >= swap.from_s) tracks[swap.first].col(t).swap(tracks[swap.second].col(t));
     if (error.scale_error != 0.0)
         for (Matrix3Xd& track : tracks) track *= 1.0 + error.scale_error;
+}
+
+void add_shifts(const ObservationError& error, std::vector<Matrix3Xd>& tracks, const Eigen::VectorXd& stamped_s) {
+    for (const MarkerShift& shift : error.shifts)
+        for (Index t = 0; t < stamped_s.size(); ++t)
+            if (stamped_s(t) >= shift.from_s) tracks[shift.marker].col(t) += shift.shift_m;
+}
+
+/// What a lens does before the recording is what it does at its start.
+SeenPlace seen_by(const Lens& lens, const Eigen::Vector3d& place_m, double stamped_s) {
+    return lens(place_m, std::max(0.0, stamped_s));
 }
 
 }  // namespace
@@ -59,17 +71,41 @@ Eigen::VectorXd true_times(const ObservationError& error, const Eigen::VectorXd&
 std::vector<Matrix3Xd> observed_tracks(const ObservationError& error, std::vector<Matrix3Xd> tracks,
                                        const Eigen::VectorXd& stamped_s) {
     // Shifts act on the marker itself and hence precede the exchange of labels.
-    for (const MarkerShift& shift : error.shifts)
-        for (Index t = 0; t < stamped_s.size(); ++t)
-            if (stamped_s(t) >= shift.from_s) tracks[shift.marker].col(t) += shift.shift_m;
+    add_shifts(error, tracks, stamped_s);
     exchange_and_scale(error, tracks, stamped_s);
+    for (const Lens& lens : error.lenses)
+        for (Matrix3Xd& track : tracks)
+            for (Index t = 0; t < track.cols(); ++t) track.col(t) = seen_by(lens, track.col(t), stamped_s(t)).place_m;
     return tracks;
 }
 
 std::vector<Matrix3Xd> observed_tangents(const ObservationError& error, std::vector<Matrix3Xd> tangents,
-                                         const Eigen::VectorXd& stamped_s) {
+                                         const std::vector<Matrix3Xd>& tracks, const Eigen::VectorXd& stamped_s) {
     exchange_and_scale(error, tangents, stamped_s);
+    if (error.lenses.empty()) return tangents;
+    std::vector<Matrix3Xd> seen = tracks;
+    add_shifts(error, seen, stamped_s);
+    exchange_and_scale(error, seen, stamped_s);
+    for (const Lens& lens : error.lenses)
+        for (std::size_t m = 0; m < tangents.size(); ++m)
+            for (Index t = 0; t < tangents[m].cols(); ++t) {
+                const SeenPlace at = seen_by(lens, seen[m].col(t), stamped_s(t));
+                tangents[m].col(t) = (at.by_place * tangents[m].col(t)).eval();
+                seen[m].col(t) = at.place_m;
+            }
     return tangents;
+}
+
+Eigen::Matrix3d seen_by_place(const ObservationError& error, const Eigen::Vector3d& place_m) {
+    const double scale = 1.0 + error.scale_error;
+    Eigen::Vector3d seen = scale * place_m;
+    Eigen::Matrix3d slope = scale * Eigen::Matrix3d::Identity();
+    for (const Lens& lens : error.lenses) {
+        const SeenPlace at = seen_by(lens, seen, 0.0);
+        slope = (at.by_place * slope).eval();
+        seen = at.place_m;
+    }
+    return slope;
 }
 
 }  // namespace myo::measurement

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <vector>
 
 #include "measurement/marker_binding.hpp"
@@ -30,6 +31,14 @@ struct MarkerPlace {
     MarkerBinding binding;                              // at the true place
 };
 
+/// Place at which cameras see a point, and its derivative by the true place.
+struct SeenPlace {
+    Eigen::Vector3d place_m = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d by_place = Eigen::Matrix3d::Identity();
+};
+/// Where cameras see a point [m] at a time [s] by the stamps of the recording.
+using Lens = std::function<SeenPlace(const Eigen::Vector3d& place_m, double stamped_s)>;
+
 /// Systematic errors of a recording.
 struct ObservationError {
     double clock_offset_s = 0.0;  // a sample stamped t was taken offset later
@@ -37,6 +46,7 @@ struct ObservationError {
     double scale_error = 0.0;     // all coordinates are multiplied by 1 + error, about the mesh origin
     std::vector<MarkerSwap> swaps;
     std::vector<MarkerShift> shifts;
+    std::vector<Lens> lenses{};       // one after the other, behind the scale
     std::vector<MarkerPlace> places;  // at most one per marker; observe() takes them by seen_markers()
     /// How the mount moves against the cameras, by the clock of the simulation; null: it stands still. No error, but
     /// what turns a motion in the mount's frame into one that cameras see.
@@ -74,7 +84,14 @@ std::vector<Eigen::Matrix3Xd> observed_tracks(const ObservationError& error, std
                                               const Eigen::VectorXd& stamped_s);
 
 /// Derivatives of the recorded tracks from those of the true tracks; shifts are constant and drop out.
+///
+/// @param tangents  one per marker, 3 x T, or of no columns: zero
+/// @param tracks    true tracks as of observed_tracks(), at which lenses are differentiated; not read without lenses
 std::vector<Eigen::Matrix3Xd> observed_tangents(const ObservationError& error, std::vector<Eigen::Matrix3Xd> tangents,
+                                                const std::vector<Eigen::Matrix3Xd>& tracks,
                                                 const Eigen::VectorXd& stamped_s);
+
+/// Derivative of where a marker is seen before the recording by its true place, exchanges of markers left out.
+Eigen::Matrix3d seen_by_place(const ObservationError& error, const Eigen::Vector3d& place_m);
 
 }  // namespace myo::measurement

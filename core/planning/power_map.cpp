@@ -84,7 +84,8 @@ void respond(const Reference& r, const statistics::NuisanceSpace& nuisance, cons
     std::vector<effect::EffectDeclaration> effects;
     for (const SizedVariant& s : sized)
         for (const effect::EffectParameters& column : s.columns)
-            effects.push_back({variants[s.variant].effect->id, column});
+            effects.push_back({variants[s.variant].effect->id, column, false,
+                               effect::find_law(variants[s.variant].effect->id, r.setup.experiment.laws)});
     const std::vector<diagnosis::EffectResponse> responses = diagnosis::effect_responses(r.runs(), effects, task,
                                                                                          progress);
     if (responses.empty()) return;
@@ -197,12 +198,12 @@ SizedVariant sized_variant(const std::vector<EffectVariant>& variants, std::size
     return {v, size, std::move(columns), {}, 0.0, 0.0, {}};
 }
 
-std::vector<const effect::Effect*> considered_effects(const PowerSettings& settings) {
+std::vector<const effect::Effect*> considered_effects(const PowerSettings& settings, const effect::Laws& laws) {
     std::vector<const effect::Effect*> considered;
-    for (const effect::Effect& effect : effect::effect_catalogue())
+    for (const effect::Effect* const effect : effect::all_effects(laws))
         if (settings.only.empty() ||
-            std::find(settings.only.begin(), settings.only.end(), effect.id) != settings.only.end())
-            considered.push_back(&effect);
+            std::find(settings.only.begin(), settings.only.end(), effect->id) != settings.only.end())
+            considered.push_back(effect);
     return considered;
 }
 
@@ -260,7 +261,7 @@ PowerMap power_map(const setup::Setup& as_declared, const PowerSettings& setting
     for (const prediction::ModelParameter& p : r.parameters) map.parameters.push_back(p.parameter.name);
     const statistics::NuisanceSpace nuisance(diagnosis::flat_jacobian(r.data, r.predictions, r.parameters.size()));
 
-    const std::vector<const effect::Effect*> considered = considered_effects(settings);
+    const std::vector<const effect::Effect*> considered = considered_effects(settings, r.setup.experiment.laws);
     std::vector<EffectVariant> variants;
     for (const effect::Effect* const effect : considered)
         if (experiment::lacking_for(*effect, r.setup.experiment).empty())

@@ -67,17 +67,18 @@ RivalStart start_with(const std::vector<ReportedFit>& fits, const std::string& i
     return {{id}};
 }
 
-Result<std::array<RivalStart, 2>> rivals_in(const Json& report, const std::filesystem::path& file) {
+Result<std::array<RivalStart, 2>> rivals_in(const Json& report, const std::filesystem::path& file,
+                                            const effect::Laws& laws) {
     const std::vector<ReportedFit> fits = fits_in(report);
     for (const ReportedFit& fit : fits)
         for (const std::string& id : fit.start.ids)
-            if (!effect::find_effect(id))
+            if (!effect::find_effect(id, laws))
                 return Error{"names an effect that is not known: \"" + id + "\"", file.string()};
     const Json& groups = report.at("verdict").at("not_told_apart");
     if (!groups.empty() && groups.front().size() > 1) {
         const auto first = groups.front().at(0).get<std::string>(), second = groups.front().at(1).get<std::string>();
         for (const std::string& id : {first, second})
-            if (!effect::find_effect(id))
+            if (!effect::find_effect(id, laws))
                 return Error{"names an effect that is not known: \"" + id + "\"", file.string()};
         return std::array{start_with(fits, first, second), start_with(fits, second, first)};
     }
@@ -103,11 +104,11 @@ const diagnosis::JudgedFit* heaviest(const diagnosis::Diagnosis& d, const std::s
 
 }  // namespace
 
-Result<std::array<RivalStart, 2>> reported_rivals(const std::filesystem::path& file) {
+Result<std::array<RivalStart, 2>> reported_rivals(const std::filesystem::path& file, const effect::Laws& laws) {
     const Result<Json> json = report::read_json(file);
     if (!json) return json.error();
     try {
-        return rivals_in(*json, file);
+        return rivals_in(*json, file, laws);
     } catch (const Json::exception&) {
         return Error{"is no report of a diagnosis", file.string()};
     }

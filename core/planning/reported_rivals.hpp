@@ -14,7 +14,7 @@ namespace myo::planning {
 ///
 /// Errors (place: the file): it cannot be read; it is no report of a diagnosis; it has fewer than two fits, or names an
 /// effect that is not known.
-Result<std::array<RivalStart, 2>> reported_rivals(const std::filesystem::path& report);
+Result<std::array<RivalStart, 2>> reported_rivals(const std::filesystem::path& report, const effect::Laws& laws = {});
 
 /// The two rivals of a diagnosis that has just ended, for its effects `not_told_apart`. Empty if there are none, or if
 /// one of them was not fitted without the other.

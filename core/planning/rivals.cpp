@@ -21,7 +21,7 @@ using prediction::ParameterValues;
 effect::EffectDeclaration typical_effect(const std::string& id, const setup::Setup& setup) {
     const experiment::NewEffectPlace place{mesh::bounding_box(setup.surface.vertices),
                                            0.5 * setup.trials.front().options.end_s};
-    return experiment::new_effect(*effect::find_effect(id), setup.experiment, place);
+    return experiment::new_effect(*effect::find_effect(id, setup.experiment.laws), setup.experiment, place);
 }
 
 /// Fits of one setup to its data.
@@ -58,7 +58,7 @@ public:
                 const double value = prediction::value_of(p, start) + scored.step(static_cast<Eigen::Index>(i));
                 prediction::set_value(p, std::clamp(value, p.parameter.lower, p.parameter.upper), start);
             }
-            start.effects.push_back({id, scored.effect});
+            start.effects.push_back({id, scored.effect, false, effect::find_law(id, setup_.experiment.laws)});
             best = fit(start, policy_.fits.leader, diagnosis::warm_start_of(best));
         }
         return best;
@@ -66,7 +66,10 @@ public:
     /// Fitted values of a report, evaluated.
     JointFit at(const RivalStart& known) const {
         ParameterValues values = prediction::declared_values(setup_);
-        for (const effect::EffectDeclaration& effect : known.effects) values.effects.push_back(effect);
+        for (effect::EffectDeclaration effect : known.effects) {
+            effect.law = effect::find_law(effect.id, setup_.experiment.laws);
+            values.effects.push_back(std::move(effect));
+        }
         for (const prediction::ModelParameter& p : prediction::free_parameters(setup_))
             if (const auto value = known.parameters.find(p.parameter.name); value != known.parameters.end())
                 prediction::set_value(p, value->second, values);

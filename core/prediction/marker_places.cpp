@@ -34,6 +34,10 @@ std::vector<std::vector<Matrix3Xd>> place_tangents(const setup::Setup& setup, st
     const VectorXd start_s = VectorXd::Zero(1);
     const std::vector<Matrix3Xd> origin = measurement::laboratory_tangents(
         error, measurement::observe(trace, columns, start_s).positions, start_s);
+    const std::vector<Matrix3Xd> seen_from = measurement::laboratory_tracks(
+                                     error, measurement::observe(trace, markers, times_s).positions, times_s),
+                                 start_from = measurement::laboratory_tracks(
+                                     error, measurement::observe(trace, markers, start_s).positions, start_s);
     const Eigen::Matrix3d R = measurement::small_rotation(values.rotation_rad);
     const Index samples = trial.measured.sample_count();
     std::vector<std::vector<Matrix3Xd>> tangents;
@@ -42,9 +46,10 @@ std::vector<std::vector<Matrix3Xd>> place_tangents(const setup::Setup& setup, st
         // Only an exchange of names lets a place act on the tracks of other markers.
         std::vector<Matrix3Xd> tracks(markers.bindings.size(), Matrix3Xd::Zero(3, error.swaps.empty() ? 0 : samples));
         tracks[own] = std::move(moving[k]);
-        tracks = measurement::observed_tangents(error, std::move(tracks), trial.measured.time_s);
+        tracks = measurement::observed_tangents(error, std::move(tracks), seen_from, trial.measured.time_s);
         if (compares_displacements(setup))
-            tracks[own].colwise() -= (1.0 + error.scale_error) * Vector3d(origin[k].col(0));
+            tracks[own].colwise() -= measurement::seen_by_place(error, start_from[own].col(0)) *
+                                     Vector3d(origin[k].col(0));
         else
             for (Matrix3Xd& track : tracks) track = (R * track).eval();
         if (trial.registration_by_places.size() > 0) {

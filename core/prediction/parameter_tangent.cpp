@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "effect/affected_tangent.hpp"
+#include "effect/catalogue.hpp"
 #include "setup/actuator_signals.hpp"
 #include "setup/trial_effects.hpp"
 
@@ -37,6 +38,16 @@ std::optional<sensitivity::ModelTangent> tangent_between(const setup::Setup& set
     return effect::affected_tangent(under, affected_trial(setup, trial, values), over, high - low);
 }
 
+/// The derivative that the entry of an effect states.
+std::optional<sensitivity::ModelTangent> closed_form(const setup::Setup& setup, std::size_t trial,
+                                                     const ParameterValues& values, const ModelParameter& parameter) {
+    const effect::EffectDeclaration& effect = values.effects[parameter.index];
+    const effect::Effect* const entry = effect::find_effect(effect);
+    if (entry == nullptr || !entry->tangent) return std::nullopt;
+    return entry->tangent(effect.parameters, parameter.of_effect, parameter.component,
+                          affected_trial(setup, trial, values));
+}
+
 }  // namespace
 
 bool moves_the_body(const setup::Setup& setup, std::size_t trial, const ParameterValues& values,
@@ -61,6 +72,8 @@ bool moves_the_body(const setup::Setup& setup, std::size_t trial, const Paramete
 std::optional<sensitivity::ModelTangent> parameter_tangent(const setup::Setup& setup, std::size_t trial,
                                                            const ParameterValues& values,
                                                            const ModelParameter& parameter) {
+    if (parameter.kind == Kind::effect)
+        if (std::optional<sensitivity::ModelTangent> exact = closed_form(setup, trial, values, parameter)) return exact;
     // A cell at an interface depends on the values of several materials.
     if (!values.effects.empty() || setup.part_shares.size() > 0)
         return tangent_between(setup, trial, values, parameter);

@@ -15,7 +15,8 @@ bool moves_the_body(const setup::Setup& setup, std::size_t trial, const Paramete
 
 /// Derivative of a trial's model with respect to a parameter that moves the body.
 ///
-/// Exact for modulus, damping, levels and parameters of the law. With effects it is a difference of the models at both
+/// Exact for modulus, damping, levels, parameters of the law and numbers of effects that state their derivative. Of
+/// others, with effects, it is a difference of the models at both
 /// sides of the value, see affected_tangent().
 /// @return  empty if the difference cannot be expressed as a model tangent
 std::optional<sensitivity::ModelTangent> parameter_tangent(const setup::Setup& setup, std::size_t trial,

@@ -177,17 +177,18 @@ std::vector<Matrix3Xd> moved_tangent(const setup::Setup& setup, std::size_t inde
                                      const SensitiveMotion& motion, std::size_t row) {
     const setup::PreparedTrial& trial = setup.trials[index];
     const Eigen::Matrix3d R = measurement::small_rotation(values.rotation_rad);
+    const Eigen::VectorXd times = motion_times(trial, motion.error, values.start_shift_s[index]);
     std::vector<Matrix3Xd> d = measurement::observed_tangents(
-        motion.error,
-        measurement::laboratory_tangents(motion.error, motion.tracks.tangents[row],
-                                         motion_times(trial, motion.error, values.start_shift_s[index])),
-        trial.measured.time_s);
+        motion.error, measurement::laboratory_tangents(motion.error, motion.tracks.tangents[row], times),
+        measurement::laboratory_tracks(motion.error, motion.tracks.tracks.positions, times), trial.measured.time_s);
+    const std::vector<Matrix3Xd> origin = measurement::laboratory_tracks(motion.error, motion.origin.tracks.positions,
+                                                                         Eigen::VectorXd::Zero(1));
     const std::vector<Matrix3Xd> start = measurement::laboratory_tangents(motion.error, motion.origin.tangents[row],
                                                                           Eigen::VectorXd::Zero(1));
     for (std::size_t m = 0; m < d.size(); ++m) {
         // The reference position at t = 0 depends on the parameter as well and is subtracted from each sample.
         if (by_displacement(setup))
-            d[m].colwise() -= (1.0 + motion.error.scale_error) * Vector3d(start[m].col(0));
+            d[m].colwise() -= measurement::seen_by_place(motion.error, origin[m].col(0)) * Vector3d(start[m].col(0));
         else
             d[m] = R * d[m];
     }
@@ -268,7 +269,7 @@ std::vector<Matrix3Xd> start_tangent(const setup::Setup& setup, std::size_t inde
     const Eigen::Matrix3d R = measurement::small_rotation(values.rotation_rad);
     std::vector<Matrix3Xd> tangent = measurement::observed_tangents(
         error, measurement::laboratory_velocities(error, tracks.positions, tracks.velocities, times),
-        trial.measured.time_s);
+        measurement::laboratory_tracks(error, tracks.positions, times), trial.measured.time_s);
     for (Matrix3Xd& marker : tangent) marker = by_displacement(setup) ? Matrix3Xd(-marker) : Matrix3Xd(-R * marker);
     return tangent;
 }

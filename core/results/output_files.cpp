@@ -141,6 +141,7 @@ std::vector<fs::path> files_read(const fs::path& declared, const experiment::Exp
     std::vector<fs::path> files{fs::is_directory(declared, code) ? declared / "experiment.toml" : declared};
     if (const auto* surface = std::get_if<experiment::StlGeometry>(&experiment.geometry))
         files.push_back(surface->file);
+    files.insert(files.end(), experiment.law_files.begin(), experiment.law_files.end());
     if (const auto* volume = std::get_if<experiment::VolumeGeometry>(&experiment.geometry))
         files.push_back(volume->file);
     for (const experiment::PartDeclaration& part : experiment.parts)

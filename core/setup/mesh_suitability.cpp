@@ -148,7 +148,7 @@ std::optional<std::string> cells_too_flat(const MeshFacts& facts) {
 std::optional<std::string> effect_too_small(const MeshFacts& facts) {
     const double edge = mesh::mean_edge_length(facts.mesh.mesh);
     for (const effect::EffectDeclaration& effect : facts.effects) {
-        const effect::Effect* const entry = effect::find_effect(effect.id);
+        const effect::Effect* const entry = effect::find_effect(effect);
         if (entry == nullptr || !effect::has(effect.parameters, entry->resolved_length)) continue;
         const double length = effect::number(effect.parameters, entry->resolved_length);
         if (length >= suitability_policy.min_cells_per_length * edge) continue;

@@ -310,7 +310,7 @@ Result<void> add_trials(Setup& setup, const model::Model& model, const Progress&
     if (const Result<void> seen = check_seen(setup); !seen) return seen.error();
     // An effect on the actuation of a body without actuators is declared in vain.
     for (const effect::EffectDeclaration& effect : experiment.effects)
-        if (actuator_names(experiment).empty() && effect::find_effect(effect.id)->kind == effect::EffectKind::actuation)
+        if (actuator_names(experiment).empty() && effect::find_effect(effect)->kind == effect::EffectKind::actuation)
             setup.warnings.push_back("effect " + effect.id + ": there is no actuator, so it does nothing");
     set_noise(recordings, setup);
     return {};

@@ -25,6 +25,7 @@ effect::TrialContext trial_context(const Setup& setup, std::size_t index) {
     context.trial = trial.name;
     context.number = index;
     context.session_time_s = experiment.trials[index].session_time_s;
+    context.condition = experiment.trials[index].condition;
     context.start = trial.options.start;
     context.interval_s = sampling_interval_s(trial);
     context.end_s = trial.options.end_s;
@@ -46,12 +47,12 @@ effect::Affected with_effects(const Setup& setup, std::size_t trial, model::Mode
 }
 
 bool changes_observation_only(const effect::EffectDeclaration& effect) {
-    const effect::Effect* const entry = effect::find_effect(effect.id);
+    const effect::Effect* const entry = effect::find_effect(effect);
     return entry != nullptr && entry->kind == effect::EffectKind::measurement;
 }
 
 std::vector<EffectNumber> effect_numbers(const effect::EffectDeclaration& effect, double signal_size) {
-    const effect::Effect* const entry = effect::find_effect(effect.id);
+    const effect::Effect* const entry = effect::find_effect(effect);
     assert(entry != nullptr);
     std::vector<EffectNumber> numbers;
     for (const effect::EffectParameterEntry& parameter : entry->parameters) {

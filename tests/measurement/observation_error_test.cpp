@@ -22,7 +22,7 @@ TEST(ObservationError, StampsScalesSwapsAndShiftsAsItSays) {
     EXPECT_DOUBLE_EQ(seen[0](2, 2), 2.2);        // swapped
     EXPECT_DOUBLE_EQ(seen[0](2, 3), 1.1 * 5.0);  // and shifted
     EXPECT_DOUBLE_EQ(seen[1](2, 4), 1.1);
-    EXPECT_DOUBLE_EQ(observed_tangents(error, tracks, stamped)[0](2, 4), 2.2);  // a shift is a constant
+    EXPECT_DOUBLE_EQ(observed_tangents(error, tracks, tracks, stamped)[0](2, 4), 2.2);  // a shift is a constant
     const std::vector<Eigen::Matrix3Xd> plain = observed_tracks({}, tracks, stamped);
     EXPECT_EQ(plain[0], tracks[0]);
     EXPECT_EQ(true_times({}, stamped), stamped);

@@ -33,17 +33,20 @@ std::string declared_text(const effect::EffectParameter& value) {
 }
 
 std::string effect_text(const effect::EffectDeclaration& effect) {
-    const effect::Effect* const entry = effect::find_effect(effect.id);
-    assert(entry != nullptr);
+    const effect::Effect* const entry = effect::find_effect(effect);
     std::string text = "id = " + toml::toml_text(effect.id) + "\n";
-    for (const effect::EffectParameterEntry& parameter : entry->parameters)
-        if (const auto value = effect.parameters.find(parameter.name); value != effect.parameters.end())
-            text += parameter.name + " = " + declared_text(value->second) + "\n";
+    // A law that a project names has its values alone.
+    if (entry == nullptr)
+        for (const auto& [name, value] : effect.parameters) text += name + " = " + declared_text(value) + "\n";
+    else
+        for (const effect::EffectParameterEntry& parameter : entry->parameters)
+            if (const auto value = effect.parameters.find(parameter.name); value != effect.parameters.end())
+                text += parameter.name + " = " + declared_text(value->second) + "\n";
     return effect.calibrate ? text + "calibrate = true\n" : text;
 }
 
 std::string new_effect_text(const effect::EffectDeclaration& effect) {
-    const effect::Effect* const entry = effect::find_effect(effect.id);
+    const effect::Effect* const entry = effect::find_effect(effect);
     assert(entry != nullptr);
     std::string text = "id = " + toml::toml_text(effect.id) + "\n";
     for (const effect::EffectParameterEntry& parameter : entry->parameters)

@@ -10,8 +10,9 @@ struct ManualPage {
     const char* name;   // of its file in assets/manual, without the ending
     const char* title;  // in the list of pages
 };
-inline constexpr std::array<ManualPage, 7> manual_pages{{{"workbench", "Workbench"},
+inline constexpr std::array<ManualPage, 8> manual_pages{{{"workbench", "Workbench"},
                                                          {"experiment", "Experiment folder"},
+                                                         {"laws", "Laws of one's own"},
                                                          {"theory", "Theory"},
                                                          {"diagnosis", "Diagnosis"},
                                                          {"glossary", "Glossary"},

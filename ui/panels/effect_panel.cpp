@@ -31,16 +31,20 @@ const effect::EffectDeclaration* start_of(const commands::Scene& scene, const st
     return nullptr;
 }
 
-std::string summary_of(const std::string& id) {
-    const effect::Effect* const entry = effect::find_effect(id);
+/// Entry of an effect among those that the scene offers, laws of the experiment included; null if there is none.
+const effect::Effect* entry_of(const commands::Scene& scene, const std::string& id) {
+    const effect::EffectDeclaration* const offered = start_of(scene, id);
+    return offered ? effect::find_effect(*offered) : effect::find_effect(id);
+}
+
+std::string summary_of(const effect::Effect* entry) {
     if (!entry) return {};
     std::string sentence = entry->summary;
     if (!sentence.empty()) sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
     return sentence + ".";
 }
 
-bool can_be_fitted(const std::string& id) {
-    const effect::Effect* const entry = effect::find_effect(id);
+bool can_be_fitted(const effect::Effect* entry) {
     return entry && std::any_of(entry->parameters.begin(), entry->parameters.end(),
                                 [](const effect::EffectParameterEntry& p) { return p.scale > 0.0; });
 }
@@ -48,9 +52,10 @@ bool can_be_fitted(const std::string& id) {
 /// Heading with a switch. Returns whether the effect was switched, and in `removed` whether it was removed.
 bool effect_heading(PanelContext& context, const std::string& item, const std::string& id, bool is_on, bool& removed) {
     const float box = ImGui::GetFrameHeight(), spacing = ImGui::GetStyle().ItemSpacing.x;
-    const ItemPress press = item_heading(
-        context, {item, effect::effect_name(id) + (is_on ? "" : " (off)"), summary_of(id), "Remove the effect", !is_on},
-        box + spacing);
+    const ItemPress press = item_heading(context,
+                                         {item, effect::effect_name(id) + (is_on ? "" : " (off)"),
+                                          summary_of(entry_of(*context.state.scene, id)), "Remove the effect", !is_on},
+                                         box + spacing);
     removed = press == ItemPress::removed;
     ImGui::SameLine(ImGui::GetWindowContentRegionMax().x - 2.0f * box - spacing);
     bool on = is_on;
@@ -64,7 +69,7 @@ bool effect_heading(PanelContext& context, const std::string& item, const std::s
 
 /// Whether a fit moves the values. Returns true if that changed.
 bool fit_row(PanelContext& context, const std::string& item, const std::string& id, bool& fitted) {
-    if (!can_be_fitted(id)) return false;
+    if (!can_be_fitted(entry_of(*context.state.scene, id))) return false;
     row_label(context.theme, "Values");
     const bool changed = ImGui::Checkbox(("found by a fit##" + item).c_str(), &fitted);
     context.items.mark(item + "/fit");
@@ -174,7 +179,7 @@ void add_effect(PanelContext& context, const effect::EffectDeclaration& start) {
     }
     commands::AddedEffect added;
     added.declaration.id = start.id;
-    for (const effect::EffectParameterEntry& parameter : effect::find_effect(start.id)->parameters)
+    for (const effect::EffectParameterEntry& parameter : effect::find_effect(start)->parameters)
         if (!parameter.optional) added.declaration.parameters[parameter.name] = start.parameters.at(parameter.name);
     added.name = effect::effect_name(start.id);
     added.value = commands::effect_words(added.declaration.parameters);
@@ -197,7 +202,7 @@ bool draw_entry(PanelContext& context, const effect::Effect& entry, const std::s
     const bool chosen = ImGui::Selectable(effect::effect_name(entry.id).c_str());
     ImGui::EndDisabled();
     context.items.mark("effect/add/" + entry.id);
-    tooltip(context.theme, summary_of(entry.id) + (lacking.empty() ? "" : "\n\nNeeds " + lacking + "."));
+    tooltip(context.theme, summary_of(&entry) + (lacking.empty() ? "" : "\n\nNeeds " + lacking + "."));
     muted_text(context.theme, lacking.empty() ? entry.summary : "needs " + lacking);
     return chosen;
 }
@@ -216,7 +221,7 @@ void EffectPanel::draw_catalogue(PanelContext& context) {
     ImGui::BeginChild("effect catalogue", {0.0f, catalogue_height * context.theme.scale}, true);
     std::string group;
     for (std::size_t i = 0; i < effects.offered.size(); ++i) {
-        const effect::Effect* const entry = effect::find_effect(effects.offered[i].id);
+        const effect::Effect* const entry = effect::find_effect(effects.offered[i]);
         if (!entry || !is_wanted(*entry, wanted_)) continue;
         if (const std::string kind = to_string(entry->kind); kind != group)
             heading(context.theme, effect::effect_name(group = kind));

@@ -176,7 +176,7 @@ void draw_parameter(PanelContext& context, const EditedEffect& edited, const Eff
 }  // namespace
 
 void effect_rows(PanelContext& context, const EditedEffect& edited, NumberEdits& edits) {
-    const effect::Effect* const entry = effect::find_effect(edited.effect.id);
+    const effect::Effect* const entry = effect::find_effect(edited.start ? *edited.start : edited.effect);
     if (!entry) return muted_text(context.theme, "This version does not know the effect.");
     for (const EffectParameterEntry& parameter : entry->parameters) draw_parameter(context, edited, parameter, edits);
 }

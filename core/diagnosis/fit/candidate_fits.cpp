@@ -156,7 +156,7 @@ void fit_first_amounts(const CandidateFitInput& in, Rounds& rounds) {
     rounds.fit_amounts(
         policy.nonlinear, [&](std::size_t i) { return !starts[i].safe.empty() && went_wrong(i); },
         [&](std::size_t i) {
-            return with_effect(in.base.values, {starts[i].effect.id, starts[i].safe, false});
+            return with_effect(in.base.values, {starts[i].effect.id, starts[i].safe, false, starts[i].effect.law});
         });
 }
 
@@ -210,7 +210,7 @@ void continue_best(const CandidateFitInput& in, Rounds& rounds) {
 }  // namespace
 
 CandidateStart start_of(const EffectScore& score) {
-    return {{score.id, score.best.effect, false}, score.best.step, false, score.share(), score.probed};
+    return {{score.id, score.best.effect, false, score.law}, score.best.step, false, score.share(), score.probed};
 }
 
 std::vector<CandidateStart> nonlinear_starts(const std::vector<EffectScore>& scores,
@@ -224,7 +224,7 @@ std::vector<CandidateStart> nonlinear_starts(const std::vector<EffectScore>& sco
     std::vector<CandidateStart> starts;
     for (const auto& [id, score] : best)
         for (const EffectScore::Start& start : score->nonlinear)
-            starts.push_back({{id, start.effect, false}, start.step, true, score->share(), {}});
+            starts.push_back({{id, start.effect, false, score->law}, start.step, true, score->share(), {}});
     return starts;
 }
 

@@ -258,7 +258,7 @@ JointFit joint_fit(const FitTask& task, const Progress& progress) {
     }
     for (std::size_t e = setup.experiment.effects.size(); e < fit.values.effects.size(); ++e) {
         effect::EffectDeclaration& tried = fit.values.effects[e];
-        if (const effect::Effect* const effect = effect::find_effect(tried.id); effect && effect->canonical)
+        if (const effect::Effect* const effect = effect::find_effect(tried); effect && effect->canonical)
             tried.parameters = effect->canonical(setup.trials.front().model, tried.parameters);
     }
     fit.effects.assign(fit.values.effects.begin() + static_cast<std::ptrdiff_t>(setup.experiment.effects.size()),

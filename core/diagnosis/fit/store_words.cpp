@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/files.hpp"
 #include "base/fingerprint.hpp"
 
 namespace myo::diagnosis {
@@ -18,6 +19,10 @@ std::uint64_t setup_fingerprint(const setup::Setup& setup) {
     for (const double number : material.law) print.add(number);
     print.add_all(setup.experiment.gravity_m_s2);
     print.add_all(setup.noise_m);
+    // A law may have changed under its id.
+    for (const std::filesystem::path& file : setup.experiment.law_files)
+        if (const Result<std::string> text = read_file(file))
+            for (const char c : *text) print.add(static_cast<double>(c));
     if (setup.experiment.markers.placement_m > 0.0) print.add(setup.experiment.markers.placement_m);
     for (const setup::PreparedTrial& trial : setup.trials) {
         print.add_all(trial.measured.time_s);

@@ -160,12 +160,15 @@ MatrixXd force_response(const setup::Setup& setup, const FitData& data, const pr
             std::vector<Matrix3Xd> d = measurement::observed_tangents(
                 affected.observation_error,
                 measurement::laboratory_tangents(affected.observation_error, tracks.tangents[f], times),
+                measurement::laboratory_tracks(affected.observation_error, tracks.tracks.positions, times),
                 trial.measured.time_s);
             const std::vector<Matrix3Xd> start = measurement::laboratory_tangents(
                 affected.observation_error, origin.tangents[f], VectorXd::Zero(1));
             for (std::size_t m = 0; m < d.size(); ++m) {
                 if (displacement)
-                    d[m].colwise() -= (1.0 + affected.observation_error.scale_error) * Vector3d(start[m].col(0));
+                    d[m].colwise() -= measurement::seen_by_place(affected.observation_error,
+                                                                 origin.tracks.positions[m].col(0)) *
+                                      Vector3d(start[m].col(0));
                 else
                     d[m] = R * d[m];
             }

@@ -66,7 +66,7 @@ std::vector<std::string> summary(const setup::Setup& setup, const Diagnosis& d) 
     std::vector<std::string> lines{setup.experiment.name};
     if (!setup.experiment.description.empty()) lines.push_back(setup.experiment.description);
     for (const effect::EffectDeclaration& effect : d.verdict.effects)
-        if (const effect::Effect* entry = effect::find_effect(effect.id))
+        if (const effect::Effect* entry = effect::find_effect(effect))
             lines.push_back(results::effect_name(effect.id) + ": " + entry->summary + ".");
     return lines;
 }

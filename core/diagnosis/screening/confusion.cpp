@@ -23,6 +23,10 @@ std::string advice(const effect::Effect& first, const effect::Effect& second) {
     return "releases from two other deflections, one small and one large";
 }
 
+const effect::Effect& entry_of(const EffectScore& score) {
+    return score.law ? *score.law : *effect::find_effect(score.id);
+}
+
 /// Cosine between the changes of the residual by two effects that their scores predict; 0 if one of them predicts a
 /// far smaller reduction than the best candidate.
 double predicted_cosine(const Candidate& a, const Candidate& b, double largest_reduction,
@@ -61,8 +65,7 @@ std::vector<Confusion> find_confusions(const std::vector<Candidate>& candidates,
                                            fitted_cosine(*a, *b, declared, policy));
             if (cosine < policy.min_cosine) continue;
             const std::string &first = a->score.id, &second = b->score.id;
-            confusions.push_back(
-                {first, second, cosine, advice(*effect::find_effect(first), *effect::find_effect(second))});
+            confusions.push_back({first, second, cosine, advice(entry_of(a->score), entry_of(b->score))});
         }
     return confusions;
 }

@@ -18,16 +18,19 @@ using Eigen::MatrixXd;
 
 struct Probe {
     const effect::Effect* effect = nullptr;
+    effect::LawPointer law;  // null: the effect is in the catalogue
     effect::EffectProbe probe;
 };
 
 /// Probes of the given size of all allowed effects.
-std::vector<Probe> chosen_probes(const effect::EffectSearch& search, const EffectFilter& allowed, ProbeSize size) {
+std::vector<Probe> chosen_probes(const effect::EffectSearch& search, const effect::Laws& laws,
+                                 const EffectFilter& allowed, ProbeSize size) {
     std::vector<Probe> probes;
-    for (const effect::Effect& effect : effect::effect_catalogue()) {
-        if (!effect.probes || !allowed(effect.id)) continue;
-        for (effect::EffectProbe& probe : effect.probes(search))
-            if (probe.large == (size == ProbeSize::large)) probes.push_back({&effect, std::move(probe)});
+    for (const effect::Effect* const effect : effect::all_effects(laws)) {
+        if (!effect->probes || !allowed(effect->id)) continue;
+        for (effect::EffectProbe& probe : effect->probes(search))
+            if (probe.large == (size == ProbeSize::large))
+                probes.push_back({effect, effect::find_law(effect->id, laws), std::move(probe)});
     }
     return probes;
 }
@@ -37,7 +40,7 @@ std::vector<effect::EffectDeclaration> columns_of(const std::vector<Probe>& prob
     std::vector<effect::EffectDeclaration> columns;
     for (const Probe& probe : probes)
         for (const effect::EffectParameters& column : probe.probe.columns)
-            columns.push_back({probe.effect->id, column});
+            columns.push_back({probe.effect->id, column, false, probe.law});
     return columns;
 }
 
@@ -82,7 +85,7 @@ std::vector<EffectScore> score_effects(const setup::Setup& setup, const FitData&
     effect::EffectSearch search = effect_search(setup, data, fit.values);
     search.largest_energy_density_J_m3 = peak_isochoric_energy(search.models, unaffected);
     search.residual_lines_Hz = residual_lines(flat_residual(data, unaffected), data.layout, policy.residual_lines);
-    const std::vector<Probe> probes = chosen_probes(search, allowed, size);
+    const std::vector<Probe> probes = chosen_probes(search, setup.experiment.laws, allowed, size);
     std::vector<EffectScore> scores(probes.size());
     for (std::size_t p = 0; p < probes.size(); ++p) scores[p].id = probes[p].effect->id;
     const std::vector<EffectResponse> responses = effect_responses({setup, data, fit.values, search, unaffected},
@@ -97,6 +100,7 @@ std::vector<EffectScore> score_effects(const setup::Setup& setup, const FitData&
         const double seconds = scores[p].seconds;
         scores[p] = score_probe(*probes[p].effect, probes[p].probe, S[p], reference, policy);
         scores[p].seconds = seconds;
+        scores[p].law = probes[p].law;
     });
     if (size == ProbeSize::large) return scores;
     for (EffectScore& score : scan_markers(setup, data, fit, reference.nuisance, allowed, policy)) {

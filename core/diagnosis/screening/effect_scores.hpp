@@ -21,7 +21,8 @@ struct EffectScore {
     };
 
     std::string id;
-    Start best;  // best explanation of the residual to first order
+    effect::LawPointer law{};  // see effect::EffectDeclaration
+    Start best;                // best explanation of the residual to first order
     /// Parameters of the probe that was run, start of a fit beyond the linear range; empty for several columns.
     effect::EffectParameters probed;
     statistics::ProjectedCandidate candidate;
