@@ -122,7 +122,7 @@ Node Expressions::simpler(Operation operation, Node a, Node b, Node c) {
             if (is_constant(b, 2.0)) return multiply(a, a);
             if (is_constant(b, 3.0)) return multiply(a, multiply(a, a));
             if (is_constant(b, 0.5)) return make(Operation::square_root, a);
-            if (is_constant(b, -1.0)) return make(Operation::divide, constant(1.0), a);
+            if (is_constant(b, -1.0)) return make(Operation::ratio, constant(1.0), a);
             return -1;
         case Operation::choose:
             if (is_constant(a)) return term(a).value != 0.0 ? b : c;

@@ -15,7 +15,7 @@ enum class Operation {
     subtract,
     multiply,
     divide,
-    ratio,  // a / b, and 0 where b is 0: slopes of roots and lengths at their corner
+    ratio,  // a / b, and 0 where b is 0: directions of no length, slopes of lengths at their corner
     negate,
     power,
     square_root,

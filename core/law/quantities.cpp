@@ -90,7 +90,7 @@ Quantity Quantities::quotient(const Quantity& a, const Quantity& b, std::size_t 
         throw ExpressionError{column, "\"/\" divides a number or a vector by a number"};
     Quantity result{a.shape, {-1, -1, -1}, both_known(a, b, over)};
     for (std::size_t i = 0; i < (a.shape == Shape::vector ? 3u : 1u); ++i)
-        result.nodes[i] = e_.make(Operation::divide, a.nodes[i], b.node());
+        result.nodes[i] = e_.make(Operation::ratio, a.nodes[i], b.node());
     return result;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,7 +44,9 @@ private:
     Quantity dot(const Quantity& a, const Quantity& b);
     Quantity cross(const Quantity& a, const Quantity& b);
     Quantity root(const Quantity& a);
+    Node blended(Node s, int power, const std::array<double, 3>& factors, Node above);
     Quantity smooth_step(const Quantity& a);
+    Quantity positive(const Quantity& a, const Quantity& width, std::size_t column);
 
     Expressions& e_;
 };

@@ -24,6 +24,7 @@ const std::vector<Function>& functions() {
         {"abs", {Shape::number}},
         {"step", {Shape::number}},
         {"smooth_step", {Shape::number}},
+        {"positive", {Shape::number, Shape::number}},
         {"pow", {Shape::number, Shape::number}},
         {"norm", {Shape::vector}},
         {"dot", {Shape::vector, Shape::vector}},
@@ -80,12 +81,26 @@ Quantity Quantities::root(const Quantity& a) {
     return of(e_.make(Operation::square_root, a.node()), a.unit ? std::optional(to_power(*a.unit, 0.5)) : std::nullopt);
 }
 
-/// 3 s^2 - 2 s^3 between 0 and 1.
+/// s^power (first + second s + third s^2) between 0 and 1; 0 below, `above` from 1 on.
+Node Quantities::blended(Node s, int power, const std::array<double, 3>& factors, Node above) {
+    const Node zero = e_.constant(0.0), one = e_.constant(1.0);
+    Node rise = e_.constant(factors[2]);
+    for (const double factor : {factors[1], factors[0]}) rise = e_.add(e_.multiply(rise, s), e_.constant(factor));
+    for (int k = 0; k < power; ++k) rise = e_.multiply(rise, s);
+    const Node up = e_.make(Operation::choose, e_.make(Operation::less, s, one), rise, above);
+    return e_.make(Operation::choose, e_.make(Operation::less, s, zero), zero, up);
+}
+
+/// 10 s^3 - 15 s^4 + 6 s^5 between 0 and 1, twice continuously differentiable.
 Quantity Quantities::smooth_step(const Quantity& a) {
-    const Node zero = e_.constant(0.0), one = e_.constant(1.0), s = a.node();
-    const Node rise = e_.multiply(e_.multiply(s, s), e_.subtract(e_.constant(3.0), e_.multiply(e_.constant(2.0), s)));
-    const Node up = e_.make(Operation::choose, e_.make(Operation::less, s, one), rise, one);
-    return of(e_.make(Operation::choose, e_.make(Operation::less, s, zero), zero, up), Unit{});
+    return of(blended(a.node(), 3, {10.0, -15.0, 6.0}, e_.constant(1.0)), Unit{});
+}
+
+/// The integral of smooth_step() over the width w about 0: three times continuously differentiable.
+Quantity Quantities::positive(const Quantity& a, const Quantity& width, std::size_t column) {
+    const std::optional<Unit> unit = common_unit(a, width, "positive()", column);
+    const Node w = width.node(), share = e_.make(Operation::ratio, a.node(), w);
+    return of(e_.multiply(w, blended(e_.add(share, e_.constant(0.5)), 4, {2.5, -3.0, 1.0}, share)), unit);
 }
 
 Quantity Quantities::extreme(bool largest, const std::vector<Quantity>& arguments, std::size_t column) {
@@ -150,6 +165,7 @@ Quantity Quantities::call(std::string_view name, const std::vector<Quantity>& ar
     if (name == "norm") return root(dot(a, a));
     if (name == "dot") return dot(a, arguments[1]);
     if (name == "cross") return cross(a, arguments[1]);
+    if (name == "positive") return positive(a, arguments[1], column);
     if (name == "pow") return power(a, arguments[1], column);
     if (name == "step")
         return of(e_.make(Operation::choose, e_.make(Operation::less, a.node(), e_.constant(0.0)), e_.constant(0.0),

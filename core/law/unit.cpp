@@ -74,6 +74,8 @@ std::string joined(const std::vector<std::string>& parts, std::size_t from) {
             after_stroke = true;
             continue;
         }
+        // "_1_m2" is 1/m2.
+        after_stroke = after_stroke || (parts[i] == "1" && i == from && i + 1 < parts.size());
         if (!unit_word(parts[i])) return {};
         words += (words.empty() ? "" : after_stroke ? "/" : " ") + parts[i];
     }

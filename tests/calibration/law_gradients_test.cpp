@@ -16,8 +16,9 @@ id = "stream"
 sentence = "a stream presses where the surface faces it, up to a soft level"
 acts_on = "surface"
 conditions = ["share"]
-let = ["below = smooth_step((level_m - x.z) / 0.02[m])", "w_m_s = speed_m_s * along - v", "q = dot(w_m_s, n)"]
-traction_Pa = "if(q < 0, -share * density_kg_m3 * q^2 * area_ratio * below * n, 0) + 2[Pa s2/m2] * norm(v) * below * w_m_s"
+let = ["below = smooth_step((level_m - x.z) / 0.02[m])", "w_m_s = speed_m_s * along - v", "q = dot(w_m_s, n)",
+       "pressure = if(q < 0, share * density_kg_m3 * q^2, 0)"]
+traction_Pa = "(-pressure * area_ratio * n + 2[Pa s2/m2] * norm(v) * w_m_s) * below"
 [[parameter]]
 name = "density_kg_m3"
 range = [0.0, 1e4]

@@ -63,7 +63,9 @@ TEST(Expression, FollowsTheRulesOfArithmetic) {
     EXPECT_DOUBLE_EQ(l.value("if(k < 1 or not k < 2, 1, if(k >= 1 and k <= 2, 2, 3))", some_state), 2.0);
     EXPECT_DOUBLE_EQ(l.value("max(k, 1, 3) - min(k, 1, 3)", some_state), 2.0);
     EXPECT_DOUBLE_EQ(l.value("abs(-k) + step(k) + step(-k)", some_state), 2.7);
-    EXPECT_DOUBLE_EQ(l.value("smooth_step(0.25)"), 3.0 * 0.0625 - 2.0 * 0.015625);
+    EXPECT_DOUBLE_EQ(l.value("smooth_step(0.25)"), 0.103515625);
+    EXPECT_DOUBLE_EQ(l.value("positive(k - 1, 0.5) + positive(-k, 1)", some_state), 0.7);
+    EXPECT_DOUBLE_EQ(l.value("positive(0, 0.4)"), 0.4 * (2.5 / 16.0 - 3.0 / 32.0 + 1.0 / 64.0));
     EXPECT_DOUBLE_EQ(l.value("smooth_step(-1) + 2 * smooth_step(7)"), 2.0);
     EXPECT_DOUBLE_EQ(l.value("cos(pi)"), -1.0);
 }
@@ -112,7 +114,8 @@ INSTANTIATE_TEST_SUITE_P(OfEveryFunction, Derivative,
                                          "sin(k) * cos(k)", "tan(k * 0.3)", "tanh(k)", "atan(k)", "k^k", "2^k",
                                          "norm(x) * v.x", "dot(x, v)^2", "cross(x, v).y^2", "abs(k - 3)^1.5",
                                          "max(k, 1)^2 * min(k, 3)", "if(k > 1, k^2, 5)", "smooth_step(k / 3)",
-                                         "step(k) * k^2", "k^-1.5", "pow(k, 2.5)", "norm(v)^3 / (1[m2] + norm(x)^2)"));
+                                         "positive(k - 1.6, 1) * k", "step(k) * k^2", "k^-1.5", "pow(k, 2.5)",
+                                         "norm(v)^3 / (1[m2] + norm(x)^2)"));
 
 TEST(Expression, HasTheSlopeZeroOfALengthAtItsCorner) {
     Language l;
@@ -129,6 +132,19 @@ TEST(Expression, HasTheSlopeZeroOfALengthAtItsCorner) {
                               {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0})
                          .front(),
                      1.0);
+}
+
+/// A direction of no length is 0, and so is its slope: u / norm(u) at rest.
+TEST(Expression, DividesByZeroWithoutHarm) {
+    Language l;
+    const std::vector<double> at_rest(7, 0.0);
+    const Quantity direction = l.read("max(0, norm(x) - 1[m]) * x / norm(x)");
+    for (const Node node : direction.nodes) {
+        EXPECT_EQ(run_once(Program(l.expressions, {node}), at_rest).front(), 0.0);
+        for (int j = 0; j < 3; ++j)
+            EXPECT_EQ(run_once(Program(l.expressions, {l.expressions.derivative(node, x + j)}), at_rest).front(), 0.0);
+    }
+    EXPECT_EQ(l.value("k^-1", at_rest), 0.0);
 }
 
 TEST(Expression, SharesEqualTerms) {
@@ -201,6 +217,7 @@ TEST(Unit, IsReadFromNamesAsTheCatalogueWritesThem) {
                                                                                       {"time_constant_s", "s"},
                                                                                       {"rate_per_s", "1/s"},
                                                                                       {"rate_1_s", "1/s"},
+                                                                                      {"k_1_m2", "1/m2"},
                                                                                       {"modulus_ratio", ""},
                                                                                       {"exponent", ""},
                                                                                       {"tilt_deg", "deg"},
