@@ -75,10 +75,17 @@ Matrix3d positive_part_of(const Matrix3d& H) {
     return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() * eigen.eigenvectors().transpose();
 }
 
+/// What differs between points.
+struct PointState {
+    Vector3d x = Vector3d::Zero(), v = Vector3d::Zero(), normal = Vector3d::Zero();
+    double area_ratio = 1.0;
+};
+
 /// Registers of a program with the values of one set of points.
 struct Run {
     const law::Program& program;
     law::Program::Registers registers;
+    std::array<PointState, law::lane_count> states{};
 
     void fill(int variable, double value) {
         if (law::Lanes* const lanes = program.input(registers, variable)) lanes->fill(value);
@@ -121,9 +128,10 @@ public:
     }
 
     void add(const Body& body, const ForceState& at, HessianKind kind, InternalEnergy& out) const override {
-        out.energy += potential(at);
+        if (is_integrated()) out.energy -= work_from_rest(at);
         if (kind == HessianKind::none) {
             for_each_site(law_->force, at, [&](const Site& site, std::size_t lane, const Run& run) {
+                out.energy += energy_at(site, lane, run, at);
                 add_at_nodes(site, -site.point->weight * run.vector(0, lane), out.gradient);
             });
             return;
@@ -132,6 +140,7 @@ public:
         MatrixXd sum;
         for_each_site(law_->tangent, at, [&](const Site& site, std::size_t lane, const Run& run) {
             const double weight = site.point->weight;
+            out.energy += energy_at(site, lane, run, at);
             add_at_nodes(site, -weight * run.vector(0, lane), out.gradient);
             Matrix3d H = symmetric(-weight * by_motion(at, lane, run));
             if (kind != HessianKind::exact) H = positive_part_of(H);
@@ -219,7 +228,8 @@ public:
         });
     }
 
-    bool steady(double, double) const override { return !law_->uses_time; }
+    // Only then does a step that gains energy show that it is too long.
+    bool steady(double, double) const override { return law_->keeps_energy && !law_->uses_time; }
 
     const LawPrograms* law() const { return law_.get(); }
     const VectorXd& numbers() const { return numbers_; }
@@ -257,15 +267,11 @@ private:
         return run;
     }
 
-    /// What differs between points.
-    struct PointState {
-        Vector3d x = Vector3d::Zero(), v = Vector3d::Zero(), normal = Vector3d::Zero();
-        double area_ratio = 1.0;
-    };
     PointState state_of(const Site& site, const ForceState& at) const {
         PointState state;
         state.normal = site.point->normal;
-        if (law_->uses_x) state.x = field_at(site, at.x);
+        // A constant force has a way as well.
+        if (law_->uses_x || law_->potential == LawPotential::of_positions) state.x = field_at(site, at.x);
         if (at.v && law_->uses_v) state.v = field_at(site, *at.v);
         if (!law_->uses_n && !law_->uses_area) return state;
         const FaceFrame frame = frame_at(site, at.x);
@@ -289,29 +295,31 @@ private:
         Run run = run_of(program, at);
         for (std::size_t first = 0; first < sites_.size(); first += law::lane_count) {
             const std::size_t count = lanes_from(first);
-            for (std::size_t l = 0; l < count; ++l) set(sites_[first + l], l, state_of(sites_[first + l], at), run);
+            for (std::size_t l = 0; l < count; ++l) {
+                run.states[l] = state_of(sites_[first + l], at);
+                set(sites_[first + l], l, run.states[l], run);
+            }
             program.run(run.registers);
             for (std::size_t l = 0; l < count; ++l) visit(sites_[first + l], l, run);
         }
     }
 
-    double potential(const ForceState& at) const {
-        if (law_->potential == LawPotential::none) return 0.0;
-        if (law_->potential != LawPotential::energy)
-            return law_->potential == LawPotential::of_velocity && !(at.v && at.velocity_factor_1_s > 0.0)
-                       ? 0.0
-                       : -work_from_rest(at);
-        double sum = 0.0;
-        for_each_site(law_->force, at, [&](const Site& site, std::size_t lane, const Run& run) {
-            sum += site.point->weight * run.output(3, lane);
-        });
-        return sum;
+    /// Whether the potential is integrated along the ways of the points.
+    bool is_integrated() const {
+        return law_->degree == 0.0 && law_->potential != LawPotential::none && law_->potential != LawPotential::energy;
+    }
+    /// Potential of a point that its outputs give [J].
+    double energy_at(const Site& site, std::size_t lane, const Run& run, const ForceState& at) const {
+        if (law_->potential == LawPotential::energy) return site.point->weight * run.output(3, lane);
+        if (law_->degree == 0.0) return 0.0;
+        return -site.point->weight * run.vector(0, lane).dot(way_of(site, run.states[lane], at)) / (law_->degree + 1.0);
     }
 
     /// Way of a point since rest, or since it had no velocity.
     Vector3d way_of(const Site& site, const PointState& state, const ForceState& at) const {
-        if (law_->potential == LawPotential::of_velocity) return state.v / at.velocity_factor_1_s;
-        return state.x - site.point->rest_m;
+        if (law_->potential != LawPotential::of_velocity) return state.x - site.point->rest_m;
+        // Without a time step there is no way.
+        return at.v && at.velocity_factor_1_s > 0.0 ? Vector3d(state.v / at.velocity_factor_1_s) : Vector3d::Zero();
     }
     /// State after a share of the way.
     PointState on_way(const Site& site, const PointState& end, double share, const ForceState& at) const {

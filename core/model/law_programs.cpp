@@ -88,6 +88,44 @@ bool is_symmetric(const LawPrograms& programs, const Eigen::VectorXd& numbers) {
     return true;
 }
 
+/// Force at a state whose displacement and velocity are multiplied.
+Eigen::Vector3d scaled_force(const LawPrograms& programs, std::vector<double> state, double factor) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        state[Variable::v + i] *= factor;
+        state[Variable::x + i] = state[Variable::X + i] + factor * (state[Variable::x + i] - state[Variable::X + i]);
+    }
+    const std::vector<double> force = law::run_once(programs.force, state);
+    return {force[0], force[1], force[2]};
+}
+
+/// Power to which the force grows with displacement or velocity wherever it was looked at; 0: there is none.
+double degree_of(const LawPrograms& programs, const Eigen::VectorXd& numbers) {
+    if (programs.potential != LawPotential::of_positions && programs.potential != LawPotential::of_velocity) return 0.0;
+    RandomStream random({2});
+    double degree = 0.0;
+    for (int k = 0; k < law_symmetry_policy.states; ++k) {
+        const std::vector<double> state = drawn_state(programs.law, numbers, random);
+        const Eigen::Vector3d here = scaled_force(programs, state, 1.0), there = scaled_force(programs, state, 2.0);
+        if (k == 0) degree = std::log2(there.norm() / here.norm());
+        const double miss = (there - std::exp2(degree) * here).norm();
+        if (!(degree > 0.0) || !(miss <= law_symmetry_policy.tolerance * there.norm())) return 0.0;
+    }
+    return degree;
+}
+
+/// True of a force with a potential of places, and of one that was against the velocity wherever it was looked at.
+bool keeps_energy(const LawPrograms& programs, const Eigen::VectorXd& numbers) {
+    if (programs.potential == LawPotential::energy || programs.potential == LawPotential::of_positions) return true;
+    if (programs.potential != LawPotential::of_velocity) return false;
+    RandomStream random({3});
+    for (int k = 0; k < law_symmetry_policy.states; ++k) {
+        const std::vector<double> state = drawn_state(programs.law, numbers, random);
+        const Eigen::Map<const Eigen::Vector3d> v(state.data() + Variable::v);
+        if (!(scaled_force(programs, state, 1.0).dot(v) <= 0.0)) return false;
+    }
+    return true;
+}
+
 LawPotential potential_of(const LawPrograms& programs, const Eigen::VectorXd& numbers) {
     if (programs.law.is_energy) return LawPotential::energy;
     if (programs.uses_n || programs.uses_area || !is_symmetric(programs, numbers)) return LawPotential::none;
@@ -134,6 +172,8 @@ std::shared_ptr<const LawPrograms> law_programs(law::Law law, const Eigen::Vecto
     programs->by_number = law::Program(e, by_number);
     programs->law = std::move(law);
     programs->potential = potential_of(*programs, numbers);
+    programs->degree = degree_of(*programs, numbers);
+    programs->keeps_energy = keeps_energy(*programs, numbers);
     return programs;
 }
 

@@ -26,6 +26,10 @@ struct LawPrograms {
     law::Program tangent;    // those, then the derivatives as the blocks below say
     law::Program by_number;  // 3 components per number of the parameters
     LawPotential potential = LawPotential::none;
+    /// Power of the displacement or velocity to which the force grows everywhere, so that its potential is the force
+    /// along the way over this power plus 1; 0: none, and the potential is integrated.
+    double degree = 0.0;
+    bool keeps_energy = false;  // the force never adds to the sum of its potential and other energies
     bool uses_x = false, uses_v = false, uses_n = false, uses_area = false, uses_time = false;
     // Blocks of outputs of `tangent`: row by row, derivative of component i by component j; 0: none.
     std::size_t by_x = 0, by_v = 0, by_n = 0, by_area = 0;

@@ -41,6 +41,14 @@ inline LawCase law_case(const std::string& name) {
         number("k_Pa_per_m", 3e5);
         number("c_J_per_m2", 0.5);
     }
+    if (name == "wind") {
+        acts(Place::surface, 0, "[0, p_Pa, 0.5 * p_Pa]");
+        number("p_Pa", 30.0);
+    }
+    if (name == "stream") {
+        acts(Place::surface, 0, "c_Pa_s_m * (0.3[m/s] * [1, 0, 0] - v)");
+        number("c_Pa_s_m", 20.0);
+    }
     if (name == "damper") {  // places and velocities
         acts(Place::surface, 0, "-k_Pa_per_m * u - c_Pa_s_m * v");
         number("k_Pa_per_m", 3e5);
@@ -51,9 +59,9 @@ inline LawCase law_case(const std::string& name) {
         number("p_Pa", 4e3);
     }
     if (name == "wet_drag") {  // drag below a smooth level
-        acts(Place::surface, 0, "-c_kg_m3 * norm(v) * v * smooth_step((level_m - x.z) / 0.06[m])");
+        acts(Place::surface, 0, "-c_kg_m3 * norm(v) * v * smooth_step((level_m - x.z) / 0.1[m])");
         number("c_kg_m3", 900.0);
-        number("level_m", 0.045);
+        number("level_m", 0.065);
     }
     if (name == "lift") {
         acts(Place::surface, 0, "c_Pa_s_m * cross([0, 0, 1], v) - d_Pa_s_m * dot(n, v) * n");
@@ -99,7 +107,7 @@ inline model::ForceElementPointer law_element(const model::Body& body, const std
     const Eigen::VectorXd numbers = Eigen::Map<const Eigen::VectorXd>(c.numbers.data(),
                                                                       static_cast<Eigen::Index>(c.numbers.size()));
     return model::law_force(programs, std::make_shared<const std::vector<model::LawCarrier>>(std::move(carriers)),
-                            {{0.0, 1.0, -9.81}, 0.0, {}}, numbers, numbers.cwiseAbs());
+                            {{0.0, 1.0, -9.81}, 0.0, {}}, numbers, 0.1 * numbers.cwiseAbs());
 }
 
 }  // namespace myo::test

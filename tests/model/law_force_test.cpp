@@ -49,8 +49,30 @@ TEST(LawForce, SeesWhetherThereIsAPotential) {
     EXPECT_EQ(potential("bed"), LawPotential::of_positions);
     EXPECT_EQ(potential("bed_energy"), LawPotential::energy);
     EXPECT_EQ(potential("damper"), LawPotential::of_both);
+    const auto degree = [](const char* name) { return test::compiled(test::law_case(name))->degree; };
+    EXPECT_NEAR(degree("drag"), 2.0, 1e-12);
+    EXPECT_EQ(degree("bed"), 0.0) << "a sum of two powers";
+    EXPECT_EQ(degree("damper"), 0.0);
     for (const char* name : {"pressure", "wet_drag", "lift", "point", "volume"})
         EXPECT_EQ(potential(name), LawPotential::none) << name;
+}
+
+/// A law that adds energy must not let the solver divide the steps in which it does.
+TEST(LawForce, SaysWhetherItMayGainEnergy) {
+    const Model model = test::hollow_block(fem::ElementKind::hex8);
+    const auto steady = [&](const char* name) { return test::law_element(*model.body, name, 0)->steady(0.0, 1.0); };
+    for (const char* name : {"drag", "bed", "bed_energy", "wind"}) EXPECT_TRUE(steady(name)) << name;
+    for (const char* name : {"stream", "pressure", "lift", "damper", "volume"}) EXPECT_FALSE(steady(name)) << name;
+}
+
+TEST(LawForce, HasAPotentialIfItIsConstant) {
+    const Model model = test::hollow_block(fem::ElementKind::hex8);
+    const Body& body = *model.body;
+    const ForceElementPointer wind = test::law_element(body, "wind", 0);
+    const Matrix3Xd x = body.mesh.nodes + 2e-4 * test::rough_field(body.node_count(), 0.2);
+    const InternalEnergy there = evaluated(*wind, body, {x}, HessianKind::none);
+    EXPECT_NE(there.energy, 0.0);
+    EXPECT_NEAR(there.energy, there.gradient.cwiseProduct(x - body.mesh.nodes).sum(), 1e-12 * std::abs(there.energy));
 }
 
 TEST(LawForce, HasNoNegativeStiffnessWhereNoneIsAllowed) {
