@@ -38,6 +38,8 @@ BenchCase bench_converged();
 BenchCase bench_holds();
 /// Playing live while a hand pulls.
 BenchCase bench_live();
+/// Laws from files beside the elements of the core that they repeat.
+BenchCase bench_laws();
 /// A slender bar against beam theory.
 BenchCase bench_accuracy();
 /// Default meshes against an independent program.
