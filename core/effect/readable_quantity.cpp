@@ -4,6 +4,8 @@
 #include <cctype>
 #include <string_view>
 
+#include "law/unit.hpp"
+
 namespace myo::effect {
 namespace {
 
@@ -50,13 +52,19 @@ std::string effect_name(const std::string& id) {
 }
 
 ReadableQuantity readable_quantity(const std::string& name) {
-    for (const UnitSuffix& known : unit_suffixes)
-        if (name.ends_with(known.suffix)) {
-            const bool is_unit = known.suffix[0] == '_';
-            return {spaced(is_unit ? name.substr(0, name.size() - std::string_view(known.suffix).size()) : name),
-                    known.unit, known.factor};
-        }
-    return {spaced(name), "", 1.0};
+    const std::string words = law::unit_of_name(name);
+    for (const UnitSuffix& known : unit_suffixes) {
+        if (!name.ends_with(known.suffix)) continue;
+        const bool is_unit = known.suffix[0] == '_';
+        // The ending of a longer unit is none: stiffness_N_per_m is not in m.
+        if (is_unit && law::unit_of_name("x" + std::string(known.suffix)) != words) break;
+        return {spaced(is_unit ? name.substr(0, name.size() - std::string_view(known.suffix).size()) : name),
+                known.unit, known.factor};
+    }
+    if (words.empty()) return {spaced(name), "", 1.0};
+    std::size_t from = name.rfind('_');
+    while (law::unit_of_name("x" + name.substr(from)) != words) from = name.rfind('_', from - 1);
+    return {spaced(name.substr(0, from)), words, 1.0};
 }
 
 }  // namespace myo::effect

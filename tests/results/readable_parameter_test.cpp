@@ -31,6 +31,9 @@ TEST(ReadableQuantity, TakesTheUnitFromTheName) {
                               {"delay_s", "delay", "ms", 1e3},
                               {"relative_change", "relative change", "%", 100.0},
                               {"relative_error", "relative error", "%", 100.0},
+                              {"bed_stiffness_N_per_m", "bed stiffness", "N/m", 1.0},
+                              {"wind_speed_m_s", "wind speed", "m/s", 1.0},
+                              {"k_1_m2", "k", "1/m2", 1.0},
                               {"gain", "gain", "", 1.0}}) {
         const ReadableParameter shown = readable_quantity(e.name);
         EXPECT_EQ(shown.name, e.shown);
