@@ -53,8 +53,7 @@ Model model_with(const ForceCase& c) {
     if (element.starts_with("law_"))
         model.force_elements = {test::law_element(body, element.substr(4), tip_cell(body))};
     if (element == "seen_law")
-        model.force_elements = {
-            in_laboratory(test::law_element(body, "lift", tip_cell(body)), test::tumbling_mount())};
+        model.force_elements = {in_laboratory(test::law_element(body, "lift", tip_cell(body)), test::tumbling_mount())};
     if (element == "drag") model.force_elements = {surface_drag(body, free_faces(body), 20.0, 900.0)};
     if (element == "friction") {
         const std::vector<int> nodes = nodes_of_tip(body);
