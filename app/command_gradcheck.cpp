@@ -29,13 +29,20 @@ std::string table_of(const sensitivity::GradientCheck& check) {
     std::snprintf(line, sizeof line, "%-44s %16s %16s %14s", "parameter", "adjoint", "difference", "relative error");
     std::string text = line;
     for (const sensitivity::GradientCheckRow& row : check.rows) {
-        std::snprintf(line, sizeof line, "\n%-44.44s %16.8e %16.8e %14.2e", row.name.c_str(), row.adjoint,
-                      row.difference, row.relative_error);
+        std::snprintf(line, sizeof line, "\n%-44.44s %16.8e %16.8e ", row.name.c_str(), row.adjoint, row.difference);
         text += line;
+        std::snprintf(line, sizeof line, "%14.2e", row.relative_error);
+        text += row.has_influence ? line : "  no influence";
     }
     std::snprintf(line, sizeof line, "\n\nmedian %.2e, worst %.2e, %zu parameters", check.median_error(),
                   check.worst_error(), check.rows.size());
-    return text + line;
+    text += line;
+    std::vector<std::string> without;
+    for (const sensitivity::GradientCheckRow& row : check.rows)
+        if (!row.has_influence) without.push_back(row.name);
+    return without.empty()
+               ? text
+               : text + "\nno influence within these steps, so not compared (see --steps): " + join(without);
 }
 
 report::Json gradcheck_json(const setup::Setup& setup, const calibration::TrialGradientCheck& run,
@@ -45,7 +52,8 @@ report::Json gradcheck_json(const setup::Setup& setup, const calibration::TrialG
         rows.push_back({{"name", row.name},
                         {"adjoint", report::json_number(row.adjoint)},
                         {"difference", report::json_number(row.difference)},
-                        {"relative_error", report::json_number(row.relative_error)}});
+                        {"relative_error", report::json_number(row.relative_error)},
+                        {"has_influence", row.has_influence}});
     return {{"schema", "gradcheck/1"},
             {"trial", setup.trials.front().name},
             {"dofs", setup.body->dofs()},

@@ -73,15 +73,26 @@ private:
             fail(part, index, "the name \"" + name + "\" has a meaning already");
     }
 
+    void need_plain_ending(const std::string& name, Part part, std::size_t index) const {
+        const std::string ending = prefixed_ending(name);
+        if (!ending.empty())
+            fail(part, index,
+                 "the name \"" + name + "\" ends in " + ending +
+                     ", but laws take SI units without prefixes: m, Pa, N, s");
+    }
+
     std::optional<Unit> unit_of(const std::string& words, Part part, std::size_t index) const {
         const std::optional<Unit> unit = unit_from_words(words);
-        if (!unit) fail(part, index, "\"" + words + "\" is not a unit; SI units without prefixes are known");
+        if (!unit)
+            fail(part, index,
+                 "\"" + words + "\" is not a unit; SI units without prefixes are known, and rad for angles");
         return unit;
     }
 
     void add_parameter(std::size_t index) {
         const LawText::Parameter& declared = text_.parameters[index];
         need_new(declared.name, Part::parameter, index);
+        need_plain_ending(declared.name, Part::parameter, index);
         const std::string words = declared.unit.value_or(unit_of_name(declared.name));
         const std::optional<Unit> unit = words == "signal" ? std::nullopt : unit_of(words, Part::parameter, index);
         Law::Parameter parameter{declared.name, declared.shape, next_};
@@ -103,6 +114,7 @@ private:
     void add_state(std::size_t index) {
         const LawText::State& declared = text_.states[index];
         need_new(declared.name, Part::state, index);
+        need_plain_ending(declared.name, Part::state, index);
         const std::string words = declared.unit.value_or(unit_of_name(declared.name));
         const bool is_open = words.empty() || words == "signal";
         law_.states.push_back({declared.name, next_, -1, -1});

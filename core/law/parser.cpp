@@ -170,7 +170,7 @@ private:
         if (!unit)
             throw ExpressionError{column, in_quotes(words) +
                                               " is not a unit; SI units without prefixes are known, such "
-                                              "as N/m or kg/m3"};
+                                              "as N/m or kg/m3, and rad for angles"};
         return quantities_.number(token.value, unit);
     }
 

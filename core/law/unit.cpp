@@ -1,7 +1,9 @@
 #include "law/unit.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -15,11 +17,10 @@ struct NamedUnit {
     std::string_view word;
     Unit unit;
 };
-// Angles are plain numbers.
+// Angles are plain numbers, in rad.
 constexpr NamedUnit named_units[] = {
     {"1", {}},
     {"rad", {}},
-    {"deg", {}},
     {"m", {{1, 0, 0, 0, 0}}},
     {"kg", {{0, 1, 0, 0, 0}}},
     {"s", {{0, 0, 1, 0, 0}}},
@@ -34,12 +35,10 @@ constexpr NamedUnit named_units[] = {
 };
 constexpr std::string_view base_words[] = {"m", "kg", "s", "K", "A"};
 
-/// Endings of names in which the catalogue of effects leaves the stroke of the fraction out.
-constexpr std::pair<std::string_view, std::string_view> catalogue_endings[] = {
-    {"_kg_m3", "kg/m3"}, {"_kg_m2", "kg/m2"}, {"_Pa_s_m", "Pa s/m"}, {"_J_m3", "J/m3"},
-    {"_N_m", "N/m"},     {"_m_s", "m/s"},     {"_m_s2", "m/s2"},     {"_1_m", "1/m"},
-    {"_1_s", "1/s"},     {"_rad_s", "rad/s"}, {"_N_s_m", "N s/m"},   {"_kg_m", "kg/m"},
-};
+/// Units with prefixes, with which names may not end.
+constexpr std::string_view prefixed_units[] = {"nm",   "um", "mm", "cm",  "km",  "mm2", "cm2", "mm3",
+                                               "cm3",  "us", "ms", "hPa", "kPa", "MPa", "GPa", "bar",
+                                               "mbar", "mN", "kN", "mJ",  "kJ",  "kHz"};
 
 /// One unit with its exponent: "m3", "s^2".
 std::optional<Unit> unit_word(std::string_view word) {
@@ -64,6 +63,14 @@ std::vector<std::string> parts_of(const std::string& text, char separator) {
     return parts;
 }
 
+/// Whether the last unit of a name stands below a stroke that is left out, as the catalogue of effects writes: a length
+/// does (N_m, Pa_s_m, kg_m3), and a time where it does not follow a force, a pressure or an energy (m_s, but Pa_s).
+bool divides(const std::vector<std::string>& parts, std::size_t last) {
+    const std::string& before = parts[last - 1];
+    return parts[last].front() == 'm' ||
+           (parts[last].front() == 's' && before != "N" && before != "Pa" && before != "J");
+}
+
 /// Words of a unit from the last parts of a name on, "per" as the stroke; empty if one of them is no unit.
 std::string joined(const std::vector<std::string>& parts, std::size_t from) {
     std::string words;
@@ -74,10 +81,9 @@ std::string joined(const std::vector<std::string>& parts, std::size_t from) {
             after_stroke = true;
             continue;
         }
-        // "_1_m2" is 1/m2.
-        after_stroke = after_stroke || (parts[i] == "1" && i == from && i + 1 < parts.size());
-        if (!unit_word(parts[i])) return {};
-        words += (words.empty() ? "" : after_stroke ? "/" : " ") + parts[i];
+        if (parts[i] != "deg" && !unit_word(parts[i])) return {};
+        const bool stroke = after_stroke || (i > from && i + 1 == parts.size() && divides(parts, i));
+        words += (words.empty() ? "" : stroke ? "/" : " ") + parts[i];
     }
     return words;
 }
@@ -124,8 +130,6 @@ std::optional<Unit> unit_from_words(const std::string& words) {
 }
 
 std::string unit_of_name(const std::string& name) {
-    for (const auto& [ending, words] : catalogue_endings)
-        if (name.size() > ending.size() && std::string_view(name).ends_with(ending)) return std::string(words);
     const std::vector<std::string> parts = parts_of(name, '_');
     std::string best;
     // The first part is never the unit.
@@ -135,6 +139,13 @@ std::string unit_of_name(const std::string& name) {
         best = words;
     }
     return best;
+}
+
+std::string prefixed_ending(const std::string& name) {
+    const std::size_t stroke = name.rfind('_');
+    const std::string last = stroke == std::string::npos ? "" : name.substr(stroke + 1);
+    return std::find(std::begin(prefixed_units), std::end(prefixed_units), last) == std::end(prefixed_units) ? ""
+                                                                                                             : last;
 }
 
 std::string to_string(const Unit& unit) {

@@ -23,6 +23,8 @@ std::optional<Unit> unit_from_words(const std::string& words);
 
 /// Words of the unit that a name ends in: "coefficient_kg_m3" in "kg/m3", "stiffness_N_per_m" in "N/m"; empty: none.
 std::string unit_of_name(const std::string& name);
+/// Unit with a prefix in which a name ends ("mm" of gap_mm); empty: none.
+std::string prefixed_ending(const std::string& name);
 
 /// The unit by base units, for messages: "kg m/s2"; "1" of a plain number.
 std::string to_string(const Unit& unit);

@@ -90,9 +90,8 @@ GradientCheck check_gradient(const model::Model& model, dynamics::SimulationOpti
         }
         // The loss of a run solved to a tolerance is known to that relative accuracy only.
         const double larger = std::max(std::abs(row.adjoint), std::abs(row.difference));
-        const bool without_influence = larger * parameters[p].step <=
-                                       options.solver.tolerance * std::abs(losses[4 * p]);
-        row.relative_error = without_influence ? 0.0 : relative_difference(row.adjoint, row.difference);
+        row.has_influence = larger * parameters[p].step > options.solver.tolerance * std::abs(losses[4 * p]);
+        row.relative_error = row.has_influence ? relative_difference(row.adjoint, row.difference) : 0.0;
         check.rows.push_back(std::move(row));
     }
     return check;

@@ -27,6 +27,7 @@ struct GradientCheckRow {
     std::string name;
     double adjoint = 0.0, difference = 0.0;  // loss per unit of the parameter
     double relative_error = 0.0;             // relative_difference() of both; 0 if both are below the noise of the loss
+    bool has_influence = true;               // false: both are below that noise, and nothing was compared
 };
 
 /// |a - b| / max(|a|, |b|); 0 if both are 0.

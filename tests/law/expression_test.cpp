@@ -202,7 +202,8 @@ TEST(Expression, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(l.error("x.w"), "3: a vector has the components .x, .y and .z, not .w");
     EXPECT_EQ(l.error("k == 2"), "3: numbers that vary are never equal: compare by <, <=, > or >=");
     EXPECT_EQ(l.error("if(k, 1, 2)"), "1: the first argument of if() must be a condition, not a number");
-    EXPECT_EQ(l.error("3[mm]"), "3: \"mm\" is not a unit; SI units without prefixes are known, such as N/m or kg/m3");
+    EXPECT_EQ(l.error("3[mm]"),
+              "3: \"mm\" is not a unit; SI units without prefixes are known, such as N/m or kg/m3, and rad for angles");
     EXPECT_EQ(l.error("[1, 2]"), "1: a vector has three components, not 2");
     EXPECT_NE(l.error("x.x^k").find("cannot be raised to a power that is no written number"), std::string::npos);
     EXPECT_NE(l.error(std::string(5000, '(')).find("nested too deeply"), std::string::npos);
@@ -223,6 +224,11 @@ TEST(Unit, IsReadFromNamesAsTheCatalogueWritesThem) {
                                                                                       {"tilt_deg", "deg"},
                                                                                       {"speed_m_s", "m/s"},
                                                                                       {"viscosity_Pa_s", "Pa s"},
+                                                                                      {"foundation_Pa_m", "Pa/m"},
+                                                                                      {"energy_J_m2", "J/m2"},
+                                                                                      {"leak_kg_s", "kg/s"},
+                                                                                      {"impulse_N_s", "N s"},
+                                                                                      {"damping_N_s_m", "N s/m"},
                                                                                       {"force_N_per_m3", "N/m3"},
                                                                                       {"damping_N_s_per_m", "N s/m"},
                                                                                       {"m", ""}})
@@ -231,6 +237,9 @@ TEST(Unit, IsReadFromNamesAsTheCatalogueWritesThem) {
     EXPECT_EQ(unit_from_words("Pa s/m"), unit_from_words("N s/m3"));
     EXPECT_EQ(unit_from_words("m^2"), unit_from_words("m2"));
     EXPECT_FALSE(unit_from_words("mm"));
+    EXPECT_FALSE(unit_from_words("deg"));  // sines take rad
+    EXPECT_EQ(prefixed_ending("gap_mm"), "mm");
+    EXPECT_EQ(prefixed_ending("gap_m"), "");
     EXPECT_TRUE(unit_from_words("")->is_plain());
 }
 
