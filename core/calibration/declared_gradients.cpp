@@ -135,11 +135,7 @@ DeclaredGradients declared_gradients(const CheckedRun& run, int threads, const P
             result.message = name + ": " + messages[4 * p + k];
             return result;
         }
-        // The loss of a run is known to the tolerance of the solver only.
-        const double larger = std::max(std::abs(row.adjoint), std::abs(row.difference));
-        const bool without_influence = larger * checked.steps[p] <=
-                                       declared_gradients_policy.tolerance * std::abs(losses[4 * p]);
-        row.relative_error = without_influence ? 0.0 : sensitivity::relative_difference(row.adjoint, row.difference);
+        sensitivity::compare(row, checked.steps[p], losses[4 * p], declared_gradients_policy.tolerance);
         result.rows.push_back(std::move(row));
     }
     return result;

@@ -31,8 +31,15 @@ double loss_of_run(const model::Model& model, const dynamics::SimulationOptions&
 }  // namespace
 
 double relative_difference(double a, double b) {
+    if (!std::isfinite(a) || !std::isfinite(b)) return std::numeric_limits<double>::infinity();
     const double size = std::max(std::abs(a), std::abs(b));
     return size > 0.0 ? std::abs(a - b) / size : 0.0;
+}
+
+void compare(GradientCheckRow& row, double step, double loss, double tolerance) {
+    const double larger = std::max(std::abs(row.adjoint), std::abs(row.difference));
+    row.has_influence = !(larger * step <= tolerance * std::abs(loss));  // NaN counts
+    row.relative_error = row.has_influence ? relative_difference(row.adjoint, row.difference) : 0.0;
 }
 
 double GradientCheck::median_error() const {
@@ -88,10 +95,7 @@ GradientCheck check_gradient(const model::Model& model, dynamics::SimulationOpti
             check.message = parameters[p].name + ": " + messages[4 * p + k];
             return check;
         }
-        // The loss of a run solved to a tolerance is known to that relative accuracy only.
-        const double larger = std::max(std::abs(row.adjoint), std::abs(row.difference));
-        row.has_influence = larger * parameters[p].step > options.solver.tolerance * std::abs(losses[4 * p]);
-        row.relative_error = row.has_influence ? relative_difference(row.adjoint, row.difference) : 0.0;
+        compare(row, parameters[p].step, losses[4 * p], options.solver.tolerance);
         check.rows.push_back(std::move(row));
     }
     return check;

@@ -30,8 +30,11 @@ struct GradientCheckRow {
     bool has_influence = true;               // false: both are below that noise, and nothing was compared
 };
 
-/// |a - b| / max(|a|, |b|); 0 if both are 0.
+/// |a - b| / max(|a|, |b|); 0 if both are 0, infinite if one is not finite.
 double relative_difference(double a, double b);
+/// Compares the derivatives of a row: by a step over which differences were taken, and a loss that is known to a
+/// relative tolerance.
+void compare(GradientCheckRow& row, double step, double loss, double tolerance);
 
 /// Result of check_gradient().
 struct GradientCheck {
