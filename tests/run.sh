@@ -9,9 +9,9 @@ sanitize=$root/build-sanitize
 both=$root/build-both
 jobs=2
 
-# The modules that handle raw memory: kernels, matrices, readers of meshes and traces. Without long simulations, what is
-# built on them, and the Monte Carlo tests of statistics; the workbench has tests/random_input.sh.
-sanitized=(base solver toml mesh fem material fibre model measurement report)
+# The modules that handle raw memory: kernels, matrices, readers of meshes, traces and laws. Without long simulations,
+# what is built on them, and the Monte Carlo tests of statistics; the workbench has tests/random_input.sh.
+sanitized=(base solver toml law mesh fem material fibre model measurement report)
 
 export OPENBLAS_NUM_THREADS=1
 # Leaks are errors: of the libraries that the subset links (VTK's readers, CHOLMOD), none leaks; Mesa's are named in
