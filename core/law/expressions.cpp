@@ -106,9 +106,12 @@ Node Expressions::simpler_product(Operation operation, Node a, Node b) {
 Node Expressions::simpler(Operation operation, Node a, Node b, Node c) {
     const int count = operands_of(operation);
     const bool all = is_constant(a) && (count < 2 || is_constant(b)) && (count < 3 || is_constant(c));
-    if (all)
-        return constant(
-            evaluated(operation, term(a).value, count > 1 ? term(b).value : 0.0, count > 2 ? term(c).value : 0.0));
+    if (all) {
+        const double value = evaluated(operation, term(a).value, count > 1 ? term(b).value : 0.0,
+                                       count > 2 ? term(c).value : 0.0);
+        // NaN has no place in the order by which equal terms are found; its operation stays.
+        if (!std::isnan(value)) return constant(value);
+    }
     switch (operation) {
         case Operation::add:
         case Operation::subtract: return simpler_sum(operation, a, b);

@@ -57,6 +57,7 @@ TEST(Expression, FollowsTheRulesOfArithmetic) {
     EXPECT_DOUBLE_EQ(l.value("2^-1 * 2^3^0.5"), 0.5 * std::pow(2.0, std::sqrt(3.0)));
     EXPECT_DOUBLE_EQ(l.value("(1 - 2) - (3 - 5)"), 1.0);
     EXPECT_DOUBLE_EQ(l.value("1.5e-3 * 2E2"), 0.3);
+    EXPECT_TRUE(std::isnan(l.value("0.25 + log(-1)"))) << "no number is not another constant";
     EXPECT_DOUBLE_EQ(l.value("dot(x, cross(x, v))", some_state), 0.0);
     EXPECT_DOUBLE_EQ(l.value("norm([3, 0, 4])"), 5.0);
     EXPECT_DOUBLE_EQ(l.value("[k, 2, 3].x * x.z", some_state), 1.7 * 0.7);
