@@ -65,12 +65,12 @@ TEST(LawsOfOnesOwn, AreRefusedWithLineAndColumn) {
 TEST(LawsOfOnesOwn, AreNamedByADiagnosisOfDataThatHoldThem) {
     const Folder folder("law_diagnosis");
     write_with_law(folder, wind_law, "[[effect]]\nid = \"side_wind\"\npressure_Pa = 100.0\n");
+    // On a finer mesh: diagnose takes off the mesh error of its own runs, which a recording of theirs would not have.
     const ProgramRun made = run_program(
-        call({"simulate", folder.str("exp"), "--out", folder.str("out"), "--dt", "0.0025"}));
+        {"simulate", folder.str("exp"), "--out", folder.str("out"), "--dt", "0.0025", "--resolution", "0.005"});
     ASSERT_EQ(made.status, 0) << made.err;
-    record_simulation(folder, 3e-4);
     write_with_law(folder, wind_law, "");
-    record_simulation(folder, 3e-4);
+    record_simulation(folder, 1e-4);
     std::vector<std::string> others = effect::effect_ids();
     // Gravity that tilts bends the block nearly as the wind does.
     std::erase_if(others, [](const std::string& id) { return id == "linear_drag" || id == "clamp_compliance"; });
