@@ -45,7 +45,7 @@ std::string untested_sentence(const sensitivity::GradientCheck& check) {
                                      [](const sensitivity::GradientCheckRow& row) { return !row.has_influence; });
     return count == 0 ? ""
                       : "\n" + std::to_string(count) +
-                            " without influence within these steps were not compared; more --steps may help";
+                            " parameters without influence within these steps were not compared; more --steps may help";
 }
 
 report::Json gradcheck_json(const setup::Setup& setup, const calibration::TrialGradientCheck& run,

@@ -1,10 +1,10 @@
 #include "sweep/sweep_table.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 
+#include "measurement/text_table.hpp"
 #include "sweep/readable_number.hpp"
 #include "sweep/run_sweep.hpp"
 
@@ -20,11 +20,7 @@ std::string csv_field(const std::string& text) {
 }
 
 /// Shortest text of the same double; empty if it is not finite.
-std::string csv_number(double value) {
-    if (!std::isfinite(value)) return {};
-    char text[40];
-    return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
+std::string csv_number(double value) { return std::isfinite(value) ? measurement::exact_number(value) : ""; }
 
 std::string title_of(const SweepColumn& column) {
     return column.unit.empty() ? column.name : column.name + " [" + column.unit + "]";

@@ -12,7 +12,7 @@ namespace myo::experiment {
 ///
 /// Errors: `written` cannot be read.
 Result<std::string> experiment_text_for(const std::filesystem::path& folder, const std::filesystem::path& written);
-/// The same for a text that need not be the one of the file.
+/// A text of an experiment.toml, which need not be that of a file, as it must read in another folder.
 ///
 /// @param home  folder against which the names in `text` are resolved
 std::string experiment_text_for(const std::filesystem::path& folder, const std::string& text,

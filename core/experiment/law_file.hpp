@@ -13,7 +13,7 @@ namespace myo::experiment {
 /// file, line and column.
 Result<effect::LawPointer> read_law_file(const std::filesystem::path& path);
 
-/// The same for a text.
+/// Reads the text of such a file.
 ///
 /// @param name  stands in locations in place of the path
 Result<effect::LawPointer> read_law_text(const std::string& text, const std::string& name);

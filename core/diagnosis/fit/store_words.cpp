@@ -21,8 +21,7 @@ std::uint64_t setup_fingerprint(const setup::Setup& setup) {
     print.add_all(setup.noise_m);
     // A law may have changed under its id.
     for (const std::filesystem::path& file : setup.experiment.law_files)
-        if (const Result<std::string> text = read_file(file))
-            for (const char c : *text) print.add(static_cast<double>(c));
+        if (const Result<std::string> text = read_file(file)) print.add_text(*text);
     if (setup.experiment.markers.placement_m > 0.0) print.add(setup.experiment.markers.placement_m);
     for (const setup::PreparedTrial& trial : setup.trials) {
         print.add_all(trial.measured.time_s);
