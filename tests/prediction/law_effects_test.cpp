@@ -12,7 +12,6 @@ namespace myo::prediction {
 namespace {
 
 using effect::EffectDeclaration;
-using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
