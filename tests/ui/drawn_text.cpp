@@ -25,22 +25,34 @@ struct Quad {
     ImVec2 uv_lowest, uv_highest;
 };
 
-std::vector<TexturePart> letters_of_fonts() {
-    std::vector<TexturePart> letters;
+/// All letters of the texture, from left to right.
+struct Letters {
+    std::vector<TexturePart> parts;
+    float widest = 0.0f;
+};
+
+Letters letters_of_fonts() {
+    Letters letters;
     for (const ImFont* font : ImGui::GetIO().Fonts->Fonts)
         for (const ImFontGlyph& glyph : font->Glyphs)
-            if (glyph.Visible) letters.push_back({glyph.U0, glyph.V0, glyph.U1, glyph.V1, glyph.Codepoint});
-    std::sort(letters.begin(), letters.end(), [](const auto& a, const auto& b) { return a.u0 < b.u0; });
+            if (glyph.Visible) {
+                letters.parts.push_back({glyph.U0, glyph.V0, glyph.U1, glyph.V1, glyph.Codepoint});
+                letters.widest = std::max(letters.widest, glyph.U1 - glyph.U0);
+            }
+    std::sort(letters.parts.begin(), letters.parts.end(), [](const auto& a, const auto& b) { return a.u0 < b.u0; });
     return letters;
 }
 
 /// The letter of which a quad shows all or a part; null if it is none. Letters do not overlap in the texture.
-const TexturePart* letter_of(const std::vector<TexturePart>& letters, const Quad& quad) {
-    for (const TexturePart& part : letters) {
-        if (part.u0 > quad.uv_lowest.x + same_uv) break;
-        if (part.u1 >= quad.uv_highest.x - same_uv && part.v0 <= quad.uv_lowest.y + same_uv &&
-            part.v1 >= quad.uv_highest.y - same_uv)
-            return &part;
+const TexturePart* letter_of(const Letters& letters, const Quad& quad) {
+    // Those that begin farther to the left do not reach the quad.
+    const float leftmost = quad.uv_lowest.x - letters.widest - same_uv;
+    for (auto part = std::lower_bound(letters.parts.begin(), letters.parts.end(), leftmost,
+                                      [](const TexturePart&a, float u) { return a.u0 < u; });
+         part != letters.parts.end() && part->u0 <= quad.uv_lowest.x + same_uv; ++part) {
+        if (part->u1 >= quad.uv_highest.x - same_uv && part->v0 <= quad.uv_lowest.y + same_uv &&
+            part->v1 >= quad.uv_highest.y - same_uv)
+            return &*part;
     }
     return nullptr;
 }
@@ -64,8 +76,7 @@ bool read_quad(const ImDrawList& list, unsigned vertex_offset, const ImDrawIdx* 
 /// Collects the letters of one window into texts.
 class TextReader {
 public:
-    TextReader(std::string window, const std::vector<TexturePart>& letters)
-        : window_(std::move(window)), letters_(letters) {}
+    TextReader(std::string window, const Letters& letters) : window_(std::move(window)), letters_(letters) {}
 
     void add(const Quad& quad, const ImVec4& clip) {
         const TexturePart* letter = letter_of(letters_, quad);
@@ -105,7 +116,7 @@ private:
     }
 
     std::string window_;
-    const std::vector<TexturePart>& letters_;
+    const Letters& letters_;
     Quad last_{};
     bool paused_ = false;
 };
@@ -119,7 +130,7 @@ bool overlap(const ui::platform::Rectangle& a, const ui::platform::Rectangle& b)
 }  // namespace
 
 std::vector<DrawnText> drawn_text() {
-    const std::vector<TexturePart> letters = letters_of_fonts();
+    const Letters letters = letters_of_fonts();
     const ImDrawData& drawn = *ImGui::GetDrawData();
     std::vector<DrawnText> all;
     for (int l = 0; l < drawn.CmdListsCount; ++l) {
