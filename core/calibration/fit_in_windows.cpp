@@ -7,6 +7,7 @@
 
 #include "prediction/predict_trials.hpp"
 #include "prediction/weighted_residuals.hpp"
+#include "setup/beginning.hpp"
 #include "setup/first_vibration.hpp"
 
 namespace myo::calibration {
@@ -14,13 +15,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-// Truncates a recording to its first samples.
-void keep_samples(measurement::Recording& recording, Index count) {
-    recording.time_s.conservativeResize(count);
-    for (Eigen::Matrix3Xd& track : recording.tracks) track.conservativeResize(Eigen::NoChange, count);
-    for (VectorXd& residual : recording.residual_m) residual.conservativeResize(count);
-}
 
 // At least a few samples, so that a slow camera does not give an empty window.
 Index samples_until(const setup::PreparedTrial& trial, double end_s) {
@@ -37,12 +31,7 @@ setup::Setup beginning(const setup::Setup& setup, const std::vector<double>& ons
     for (std::size_t t = 0; t < setup.trials.size(); ++t) {
         if (setup.trials[t].role != experiment::TrialRole::fit) continue;
         setup::PreparedTrial trial = setup.trials[t];
-        const Index count = samples_until(trial, onset_s[t] + length_s);
-        if (count < trial.measured.sample_count()) {
-            const double interval_s = setup::sampling_interval_s(trial);
-            keep_samples(trial.measured, count);
-            trial.options.end_s = std::min(trial.options.end_s, trial.measured.time_s(count - 1) + interval_s);
-        }
+        setup::keep_beginning(trial, samples_until(trial, onset_s[t] + length_s));
         part.trials.push_back(std::move(trial));
         part.experiment.trials.push_back(setup.experiment.trials[t]);
         if (t < setup.steps.size()) part.steps.push_back(setup.steps[t]);

@@ -7,6 +7,7 @@
 #include "diagnosis/fit/declared_fit.hpp"
 #include "diagnosis/fit/store_words.hpp"
 #include "diagnosis/screening/screen_effects.hpp"
+#include "diagnosis/search/search_beginnings.hpp"
 #include "diagnosis/search/search_decisions.hpp"
 #include "diagnosis/search/search_effects.hpp"
 #include "diagnosis/search/search_sets.hpp"
@@ -152,29 +153,43 @@ private:
     Diagnosis d_;
 };
 
-/// Screening, search of one effect, and search of a set; of a set first, where no single effect comes near. Returns the
-/// shift with which the last fits were made.
+/// Whether a set explains the residual, and no single effect does.
+bool is_explained_by_set(const RankedFits& fits, const Baseline& baseline) {
+    return !explained(fits.candidates, baseline) && is_explained(fits, baseline);
+}
+
+/// Search on beginnings of the recordings, screening and search of one effect, and search of a set; of a set first,
+/// where no single effect comes near. Returns the shift with which the last fits were made.
 PredictionShift search(const DiagnosisContext& context, FitStore& store, PhaseLog& log, Record& record) {
-    const Screening screening = screen_effects(context, store, log);
-    if (log.cancelled()) return context.data.shift;
     SearchObserver show;
     if (record.shows()) show = [&](const RankedFits& fits) { record.enter(fits); };
-    const SingleSearchInput in{context, screening, show};
     const Baseline& baseline = context.baseline();
-    RankedFits fits = search_likely_effects(in, store, log);
+    const bool faint = is_faint(baseline);
+    BeginningSearch beginnings = search_beginnings(context, store, log);
+    RankedFits fits = std::move(beginnings.fits);
     PredictionShift shift = context.data.shift;
     const auto search_larger = [&] {
+        if (log.cancelled() || faint) return;
         SetSearch sets = search_sets(context, std::move(fits), store, log, show);
         fits = std::move(sets.fits);
         shift = std::move(sets.shift);
     };
-    const bool faint = is_faint(baseline), far = is_far_from_explained(fits.candidates, baseline);
-    if (!log.cancelled() && !faint && far) search_larger();
-    if (!log.cancelled() && !(far && is_explained(fits, baseline))) {
-        const double left = min_left(fits.candidates);
-        fits = search_all_effects(in, std::move(fits), store, log);
-        const bool starts_anew = !far || min_left(fits.candidates) < context.policy().sets.new_start * left;
-        if (!log.cancelled() && !faint && starts_anew) search_larger();
+    if (!fits.sets.empty() && !explained(fits.candidates, baseline)) search_larger();
+    if (explained(fits.candidates, baseline, Leniency::strict) || is_explained_by_set(fits, baseline))
+        record.enter_note("effects are scored on the first " + format_number(100.0 * beginnings.share, 2) +
+                          " % of every recording: further on the residual of the declared model is out of phase");
+    else if (!log.cancelled()) {
+        const Screening screening = screen_effects(context, store, log);
+        if (log.cancelled()) return shift;
+        const SingleSearchInput in{context, screening, show};
+        fits = search_likely_effects(in, listed_with(screening.scores, std::move(fits)), store, log);
+        const bool far = is_far_from_explained(fits.candidates, baseline);
+        if (far) search_larger();
+        if (!log.cancelled() && !(far && is_explained(fits, baseline))) {
+            const double left = min_left(fits.candidates);
+            fits = search_all_effects(in, std::move(fits), store, log);
+            if (!far || min_left(fits.candidates) < context.policy().sets.new_start * left) search_larger();
+        }
     }
     record.enter(fits);
     record.enter(find_confusions(fits.candidates, context.declared.fit, context.policy().confusion));

@@ -71,7 +71,7 @@ struct NumericsPolicy {
     double min_matched_error = 1.0;
     double matched_error = 0.2;
     int max_matching_steps = 6;
-    double min_matching_gain = 0.9;  // an iteration that leaves a larger share of the error is the last
+    double min_matching_gain = 0.6;  // an iteration that leaves a larger share of the error is the last
     /// Matching does not change directions of parameters whose singular value is below this share of the largest.
     double min_singular_value = 1e-2;
 };
@@ -188,9 +188,28 @@ struct SetPolicy {
     std::size_t max_effects = 4;      // of a set; its numbers are then as many as a few trials determine
     int max_rounds = 6;               // larger sets and exchanges together
     double min_evidence_ratio = 4.0;  // of a set over the one before it: weights of 0.8 and 0.2
+    Effort drop{4, 1e-3};             // of a set without one of its effects
     /// The search is repeated from a single effect that is found later if it leaves at most this share of the squares
     /// of the one before.
     double new_start = 0.9;
+};
+
+/// Search on the beginnings of the recordings, before that on the whole of them. A wrong frequency shifts the phase the
+/// more the longer a trial lasts; after half a period the residual no longer follows the derivatives at the declared
+/// fit, by which effects are chosen.
+struct BeginningPolicy {
+    /// Only for systematic residuals of the declared fit above this [noise levels]: smaller ones follow the
+    /// derivatives.
+    double min_residual = 10.0;
+    /// The first beginning, a share of every recording; doubled while the declared fit leaves less than min_residual
+    /// in it, and after each search.
+    double first_share = 0.25;
+    double growth = 2.0;
+    int min_samples = 8;       // of a trial
+    int first_fits = 4;        // single effects that are fitted there before sets
+    std::size_t kept = 3;      // best fits of a beginning, from which the longer one is fitted
+    double kept_factor = 4.0;  // of their squared residual over the smallest
+    Effort refit{15, 1e-3};    // on the longer one
 };
 
 /// Effects that the experiment cannot separate.
@@ -342,6 +361,7 @@ struct DiagnosisPolicy {
     CandidateFitPolicy fits;
     SearchPolicy search;
     SetPolicy sets;
+    BeginningPolicy beginnings;
     ConfusionPolicy confusion;
     JudgementPolicy judgement;
     VerdictPolicy verdict;

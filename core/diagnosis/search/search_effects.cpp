@@ -209,10 +209,8 @@ bool fit_unlikely(Search& search, const DiagnosisContext& context, const Screeni
 
 }  // namespace
 
-RankedFits search_likely_effects(const SingleSearchInput& in, FitStore& store, PhaseLog& log) {
-    RankedFits listed;
-    listed.candidates = listed_candidates(in.screening.scores);
-    Search search(in, std::move(listed), store, log);
+RankedFits search_likely_effects(const SingleSearchInput& in, RankedFits found, FitStore& store, PhaseLog& log) {
+    Search search(in, std::move(found), store, log);
     static_cast<void>(fit_likely(search, in.context, in.screening));
     return search.fits();
 }

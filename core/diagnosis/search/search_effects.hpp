@@ -20,8 +20,9 @@ struct SingleSearchInput {
 
 /// Fits the scored effects from their best probes, in the order of their predicted reductions, as long as one may still
 /// become the best. Fits that nearly explain the residual are corrected by the numerical error of their own motion.
-/// @return  every scored effect, ranked; without sets. Incomplete if cancelled
-RankedFits search_likely_effects(const SingleSearchInput& in, FitStore& store, PhaseLog& log);
+/// @param found  every scored effect, with the fits so far
+/// @return       these, ranked. Incomplete if cancelled
+RankedFits search_likely_effects(const SingleSearchInput& in, RankedFits found, FitStore& store, PhaseLog& log);
 
 /// Continues the search until one effect explains the residual: from starts beyond the linear range, from other places
 /// and axes, and from large probes. The best fits and their rivals are corrected by the numerical error of their own

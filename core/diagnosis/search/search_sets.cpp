@@ -23,12 +23,16 @@ public:
     SearchOfSets(const DiagnosisContext& context, RankedFits singles, FitStore& store, PhaseLog& log,
                  const SearchObserver& show)
         : context_(context), data_(context.data), fits_(std::move(singles)), store_(store), log_(log), show_(show) {
-        current_ = *fits_.candidates.front().judged;
+        const JudgedFit* const single = best_fit(fits_.candidates);
+        const bool has_set = !fits_.sets.empty() && fits_.sets.front().usable() &&
+                             !(single && single->fit.squares() <= fits_.sets.front().fit.squares());
+        current_ = has_set ? fits_.sets.front() : *single;
         follow_current();
     }
 
     SetSearch run() {
         const SetPolicy& policy = context_.policy().sets;
+        if (effects().size() > 1 && (!drop_idle() || !correct())) return {std::move(fits_), data_.shift};
         for (int round = 0; round < policy.max_rounds && is_open(); ++round) {
             const std::vector<effect::EffectDeclaration> before = effects();
             const bool grows = before.size() < policy.max_effects && !explains(current_, context_.baseline());
@@ -73,30 +77,14 @@ private:
         if (current_.numerics) data_.shift = current_.numerics->shift;
     }
 
-    /// Enters a fit among those of its effects, where it replaces a worse one.
-    void keep(const JudgedFit& fit) {
-        if (fit.fit.effects.size() == 1) {
-            const std::string id = fit.fit.effects.front().id;
-            for (Candidate& candidate : fits_.candidates)
-                if (candidate.score.id == id && fit.fit.squares() < left_by(fits_.candidates, id))
-                    candidate.judged = fit;
-            return;
-        }
-        const auto same = std::find_if(fits_.sets.begin(), fits_.sets.end(), [&](const JudgedFit& other) {
-            return have_same_ids(other.fit.effects, fit.fit.effects);
-        });
-        if (same == fits_.sets.end())
-            fits_.sets.push_back(fit);
-        else if (fit.fit.squares() < same->fit.squares())
-            *same = fit;
-    }
-
     bool was_extended(const JudgedFit& fit) const {
         return std::any_of(extended_.begin(), extended_.end(), [&](const std::vector<effect::EffectDeclaration>& set) {
             return have_same_ids(set, fit.fit.effects);
         });
     }
 
+    /// The fit that was kept of the effects of these values; null: none was.
+    const JudgedFit* known(const prediction::ParameterValues& values) const;
     std::optional<JudgedFit> best_extension(const JudgedFit& of, const std::string& without = {});
     std::optional<JudgedFit> reduced(const JudgedFit& from, std::size_t dropped);
     bool drop_idle();
@@ -135,23 +123,34 @@ std::optional<JudgedFit> SearchOfSets::best_extension(const JudgedFit& of, const
     const JudgedFit* best = nullptr;
     for (const JudgedFit& fit : fits) {
         if (!fit.usable()) continue;
-        keep(fit);
+        enter_fit(fits_, fit);
         if (!best || fit.fit.squares() < best->fit.squares()) best = &fit;
     }
     rank();
     return best ? std::optional(*best) : std::nullopt;
 }
 
-/// The fit without one of its effects, refitted from its values. Empty if that fails.
+const JudgedFit* SearchOfSets::known(const prediction::ParameterValues& values) const {
+    const std::vector<effect::EffectDeclaration> tried(
+        values.effects.begin() + static_cast<std::ptrdiff_t>(declared_effects()), values.effects.end());
+    for (const Candidate& candidate : fits_.candidates)
+        if (candidate.judged && have_same_ids(candidate.judged->fit.effects, tried)) return &*candidate.judged;
+    for (const JudgedFit& set : fits_.sets)
+        if (have_same_ids(set.fit.effects, tried)) return &set;
+    return nullptr;
+}
+
+/// The fit without one of its effects: that of an earlier search, or refitted from its values. Empty if that fails.
 std::optional<JudgedFit> SearchOfSets::reduced(const JudgedFit& from, std::size_t dropped) {
     const prediction::ParameterValues start = without_effect(from.fit.values, declared_effects() + dropped);
+    if (const JudgedFit* const fit = known(start)) return *fit;
     JointFit fit = logged_fit(
         "refit of sets",
-        {context_.setup, data_, start, context_.policy(), EffectFreedom::all, context_.policy().search.polish}, store_,
+        {context_.setup, data_, start, context_.policy(), EffectFreedom::all, context_.policy().sets.drop}, store_,
         log_);
     if (log_.cancelled() || !fit.usable()) return {};
     JudgedFit result = judged(data_, std::move(fit), context_.settings);
-    keep(result);
+    enter_fit(fits_, result);
     rank();
     return result;
 }
@@ -205,11 +204,12 @@ bool SearchOfSets::correct() {
 
 }  // namespace
 
-SetSearch search_sets(const DiagnosisContext& context, RankedFits singles, FitStore& store, PhaseLog& log,
+SetSearch search_sets(const DiagnosisContext& context, RankedFits found, FitStore& store, PhaseLog& log,
                       const SearchObserver& show) {
-    const JudgedFit* const best = best_fit(singles.candidates);
-    if (!best || !is_worth_a_set(*best, context.baseline())) return {std::move(singles), context.data.shift};
-    return SearchOfSets(context, std::move(singles), store, log, show).run();
+    const JudgedFit* const best = best_fit(found.candidates);
+    if (found.sets.empty() && !(best && is_worth_a_set(*best, context.baseline())))
+        return {std::move(found), context.data.shift};
+    return SearchOfSets(context, std::move(found), store, log, show).run();
 }
 
 }  // namespace myo::diagnosis

@@ -117,6 +117,23 @@ RankedFits with_ranked_sets(RankedFits fits, const Baseline& baseline) {
     return fits;
 }
 
+void enter_fit(RankedFits& fits, JudgedFit fit) {
+    if (fit.fit.effects.size() == 1) {
+        const std::string id = fit.fit.effects.front().id;
+        for (Candidate& candidate : fits.candidates)
+            if (candidate.score.id == id && fit.fit.squares() < left_by(fits.candidates, id))
+                candidate.judged = std::move(fit);
+        return;
+    }
+    const auto same = std::find_if(fits.sets.begin(), fits.sets.end(), [&](const JudgedFit& other) {
+        return have_same_ids(other.fit.effects, fit.fit.effects);
+    });
+    if (same == fits.sets.end())
+        fits.sets.push_back(std::move(fit));
+    else if (fit.fit.squares() < same->fit.squares())
+        *same = std::move(fit);
+}
+
 double left_by(const std::vector<Candidate>& candidates, const std::string& effect) {
     for (const Candidate& candidate : candidates)
         if (candidate.score.id == effect && candidate.judged) return candidate.judged->fit.squares();

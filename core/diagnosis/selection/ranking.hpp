@@ -47,6 +47,9 @@ RankedFits with_ranked_candidates(RankedFits fits, const Baseline& baseline);
 /// the residual, each group by criterion.
 RankedFits with_ranked_sets(RankedFits fits, const Baseline& baseline);
 
+/// Enters a fit among those of its effects, where it replaces a worse one.
+void enter_fit(RankedFits& fits, JudgedFit fit);
+
 /// Squared residual of an effect's fit; infinite if it was not fitted.
 double left_by(const std::vector<Candidate>& candidates, const std::string& effect);
 /// Smallest squared residual of all candidates' fits; infinite if none was fitted.
