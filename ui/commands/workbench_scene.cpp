@@ -146,6 +146,17 @@ void Workbench::show_project(const std::filesystem::path& file, Project project,
         // Without a declared counterpart the muscle is kept as one created in the workbench.
         muscle.declared.clear();
     }
+    // The scene is shown as the project declares it at once: edits of trials and markers are refused while a request
+    // runs, and opening is one.
+    if (const Declaration& kept = project.settings.declaration; kept.text && scene.is_experiment) {
+        if (Result<Scene> declared = backend_->redeclared(scene, kept, nullptr)) {
+            scene = std::move(*declared);
+        } else {
+            log(LogLevel::warning,
+                "The project's edits of the experiment no longer apply: " + declared.error().text() + ".");
+            project.settings.declaration = {};
+        }
+    }
     show_scene(std::move(scene), project.metres_per_unit);
     state_.project = file;
     if (!file.empty() && !claim(file))
