@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "commands/curve_text.hpp"
+#include "commands/place_text.hpp"
 #include "panels/curve_rows.hpp"
 #include "toml/toml_text.hpp"
 
@@ -43,7 +44,7 @@ void remove_commands(const commands::Scene& scene, const DeclaredActuator& actua
 std::string path_text(const Eigen::Matrix3Xd& path_m) {
     std::vector<Eigen::Vector3d> guides;
     for (const auto& guide : path_m.colwise()) guides.emplace_back(guide);
-    return toml::toml_list(guides, toml::toml_vector);
+    return toml::toml_list(guides, commands::place_text);
 }
 
 std::string item_of(const DeclaredActuator& actuator, const char* edit) {
@@ -74,7 +75,7 @@ void add_chamber(PanelContext& context, const commands::SceneCavity& cavity) {
     context.emit(commands::EditDeclaration{
         {commands::AppendDeclared{{"chamber"},
                                   "name = " + toml::toml_text(free_actuator_name(context.state, "chamber")) +
-                                      "\ninside_m = " + toml::toml_vector(cavity.inside_m) + "\n"}},
+                                      "\ninside_m = " + commands::place_text(cavity.inside_m) + "\n"}},
         "chamber/add"});
 }
 

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "commands/place_text.hpp"
 #include "mesh/surface_mesh.hpp"
 #include "toml/toml_text.hpp"
 
@@ -77,7 +78,7 @@ void pick_box_button(PanelContext& context, const DeclaredPlace& place, const st
 }
 
 std::string box_text(const Box& box) {
-    return "[" + toml::toml_vector(box.lowest) + ", " + toml::toml_vector(box.highest) + "]";
+    return "[" + commands::place_text(box.lowest) + ", " + commands::place_text(box.highest) + "]";
 }
 
 Box end_box(const Box& body, int axis, bool upper) {

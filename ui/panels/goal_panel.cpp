@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "commands/place_text.hpp"
 #include "commands/scene_at_time.hpp"
 #include "panels/axis_ticks.hpp"
 #include "panels/declared_rows.hpp"
@@ -48,7 +49,7 @@ std::string new_goal(const commands::WorkbenchState& state) {
         [](double x) { return rounded(x, new_goal_policy.steps_per_m); });
     std::string text = "marker = " +
                        toml::toml_text(state.scene->markers[static_cast<std::size_t>(state.marker)].name) +
-                       "\nplace_m = " + toml::toml_vector(place) + "\n";
+                       "\nplace_m = " + commands::place_text(place) + "\n";
     // A hold is one pose without times. At the start nothing has moved yet, so the end is meant.
     const double end_s = trial.time_s.size() > 0 ? trial.time_s(trial.time_s.size() - 1) : 0.0;
     if (!(end_s > 0.0)) return text;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "commands/place_text.hpp"
 #include "commands/scene_at_time.hpp"
 #include "panels/escape.hpp"
 #include "panels/view_points.hpp"
@@ -92,8 +93,8 @@ void GoalTool::release(PanelContext& context) {
         const Eigen::Matrix3Xd moved = places(goal, handle.goal);
         toml::TomlPath path{"trial", static_cast<std::size_t>(context.state.trial), "goal", handle.goal};
         path.emplace_back(goal.is_path ? "places_m" : "place_m");
-        const std::string text = goal.is_path ? toml::toml_list(moved.colwise(), toml::toml_vector)
-                                              : toml::toml_vector(drag_->place_m);
+        const std::string text = goal.is_path ? toml::toml_list(moved.colwise(), commands::place_text)
+                                              : commands::place_text(drag_->place_m);
         context.emit(commands::EditDeclaration{{commands::SetDeclared{std::move(path), text}}, "goal/drag"});
     }
     drag_.reset();

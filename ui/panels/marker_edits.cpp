@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "toml/toml_text.hpp"
+#include "commands/place_text.hpp"
 
 namespace myo::ui::panels {
 
@@ -25,8 +25,8 @@ std::string free_marker_name(const commands::Scene& scene, const std::string& wa
 void add_marker(PanelContext& context, const std::string& name, const Eigen::Vector3d& rest_m) {
     const commands::Scene& scene = *context.state.scene;
     const commands::SceneMarker added{name, rest_m, name, has_recordings(scene)};
-    context.emit(
-        commands::EditDeclaration{{commands::SetDeclared{marker_path(added), toml::toml_vector(rest_m)}}, "probe/add"});
+    context.emit(commands::EditDeclaration{{commands::SetDeclared{marker_path(added), commands::place_text(rest_m)}},
+                                           "probe/add"});
     // Probes stand behind the markers that recordings hold.
     const auto before = std::count_if(scene.markers.begin(), scene.markers.end(),
                                       [&](const commands::SceneMarker& m) { return added.probe || !m.probe; });
@@ -34,7 +34,7 @@ void add_marker(PanelContext& context, const std::string& name, const Eigen::Vec
 }
 
 void move_marker(PanelContext& context, const commands::SceneMarker& marker, const Eigen::Vector3d& rest_m) {
-    context.emit(commands::EditDeclaration{{commands::SetDeclared{marker_path(marker), toml::toml_vector(rest_m)}},
+    context.emit(commands::EditDeclaration{{commands::SetDeclared{marker_path(marker), commands::place_text(rest_m)}},
                                            "probe/drag/" + marker.name});
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "commands/place_text.hpp"
 #include "mesh/surface_mesh.hpp"
 #include "panels/declared_list.hpp"
 #include "panels/declared_rows.hpp"
@@ -46,11 +47,11 @@ std::string new_obstacle(const commands::Scene& scene, Shape shape) {
     point(down.axis) = (down.sign < 0.0 ? body.lowest : body.highest)(down.axis);
     point += new_obstacle_policy.gap * diagonal * along;
     if (shape == Shape::plane)
-        return "kind = \"plane\"\npoint_m = " + toml::toml_vector(point) +
+        return "kind = \"plane\"\npoint_m = " + commands::place_text(point) +
                "\nnormal = " + toml::toml_vector(-along + Eigen::Vector3d::Zero()) + "\n";
     const Eigen::Vector3d centre = point + half * along;
     if (shape == Shape::sphere)
-        return "kind = \"sphere\"\ncentre_m = " + toml::toml_vector(centre) +
+        return "kind = \"sphere\"\ncentre_m = " + commands::place_text(centre) +
                "\nradius_m = " + toml::toml_number(half) + "\n";
     return "kind = \"box\"\nbox_m = " + box_text({centre.array() - half, centre.array() + half}) + "\n";
 }

@@ -113,8 +113,8 @@ void SupportPanel::draw_gravity(PanelContext& context) {
         Eigen::Vector3d value = Eigen::Vector3d::Zero();
         for (const AxisDirection& d : directions)
             if (chosen == d.id) value = (d.upper ? 1.0 : -1.0) * standard_gravity_m_s2 * Eigen::Vector3d::Unit(d.axis);
-        context.emit(
-            commands::EditDeclaration{{commands::SetDeclared{path, toml::toml_vector(value)}}, "support/gravity"});
+        context.emit(commands::EditDeclaration{
+            {commands::SetDeclared{path, toml::toml_vector(value + Eigen::Vector3d::Zero())}}, "support/gravity"});
     }
     const NumberField field{"",
                             "",
