@@ -1,15 +1,14 @@
 #include "backend/recording_import.hpp"
 
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <limits>
-#include <set>
 
 #include "backend/core_scene.hpp"
-#include "backend/examples.hpp"
+#include "backend/declaration.hpp"
+#include "backend/import_problem.hpp"
+#include "commands/place_text.hpp"
 #include "experiment/new_trial.hpp"
 #include "measurement/gaps.hpp"
 #include "measurement/marker_labels.hpp"
@@ -44,86 +43,10 @@ std::string plain(const std::string& name) {
     return result;
 }
 
-/// Signed permutation matrix: axes[i] is the recorded axis (1 ... 3, negative: reversed) that becomes axis i.
-Eigen::Matrix3d rotation_of(const std::array<int, 3>& axes) {
-    Eigen::Matrix3d rotation = Eigen::Matrix3d::Zero();
-    for (int i = 0; i < 3; ++i)
-        rotation(i, std::abs(axes[static_cast<std::size_t>(i)]) - 1) = axes[static_cast<std::size_t>(i)] > 0 ? 1.0
-                                                                                                             : -1.0;
-    return rotation;
-}
-
 /// Mean positions before the start, camera frame [m]; NaN if not visible.
 Matrix3Xd places_before(const ui::commands::RecordingFile& file, double start_s) {
     const Result<measurement::RestPose> pose = measurement::rest_pose_before(*file.recording, start_s);
     return pose ? pose->positions_m : Matrix3Xd::Constant(3, static_cast<Index>(file.recording->labels.size()), unseen);
-}
-
-/// The declared marker with this name, or null.
-const ui::commands::SceneMarker* declared(const std::vector<ui::commands::SceneMarker>& markers,
-                                          const std::string& name) {
-    const auto found = std::find_if(markers.begin(), markers.end(),
-                                    [&](const ui::commands::SceneMarker& m) { return m.name == name; });
-    return found != markers.end() ? &*found : nullptr;
-}
-
-/// Whether the scene is a bundled example, which must not be modified.
-bool is_bundled(const ui::commands::Scene& scene) {
-    // Constant while the program runs.
-    static const std::vector<ui::commands::Example> examples = bundled_examples();
-    std::error_code ignored;
-    return std::any_of(examples.begin(), examples.end(), [&](const ui::commands::Example& example) {
-        return fs::equivalent(example.path, scene.path, ignored);
-    });
-}
-
-/// Whether the scene is an experiment with trials; only then are its markers fixed.
-bool has_trials(const ui::commands::Scene& scene) { return !source_of(scene).experiment.trials.empty(); }
-
-/// Why the marker cannot have its label; empty: it can.
-std::string problem_of_marker(const ui::commands::Scene& scene, const ui::commands::ImportedMarker& marker,
-                              const ui::commands::ImportView& view, Index label) {
-    if (has_trials(scene) && !declared(declared_scene_markers(scene), marker.name))
-        return "The experiment has no marker " + marker.name + ".";
-    if (!view.target_m.col(label).allFinite()) return "The marker " + marker.name + " has no place on the body yet.";
-    if (!has_trials(scene) && !view.before_m.col(label).allFinite())
-        return "The marker " + marker.name + " is not seen before the start; leave it out.";
-    return "";
-}
-
-/// First reason why the choices cannot become a trial; empty if they can.
-std::string problem_of(const ui::commands::Scene& scene, const ui::commands::ImportChoices& choices,
-                       const ui::commands::ImportView& view) {
-    // A signed permutation has determinant 1 or -1; -1 is a reflection, 0 a repeated axis.
-    if (rotation_of(choices.axes).determinant() < 0.5) return "The axes mirror the body: reverse one of them.";
-    std::set<std::string> names;
-    for (std::size_t i = 0; i < choices.markers.size(); ++i) {
-        const ui::commands::ImportedMarker& marker = choices.markers[i];
-        if (marker.name.empty()) continue;
-        if (!names.insert(marker.name).second) return "Two labels are assigned to the marker " + marker.name + ".";
-        if (const std::string problem = problem_of_marker(scene, marker, view, static_cast<Index>(i)); !problem.empty())
-            return problem;
-    }
-    if (names.empty()) return "No label is assigned to a marker yet.";
-    const experiment::Experiment& experiment = source_of(scene).experiment;
-    // Displacements are relative to the rest pose, so every marker of the body must be visible before the start.
-    if (has_trials(scene) && experiment.markers.compare == experiment::Comparison::displacement)
-        for (const experiment::MarkerDeclaration& own : experiment.markers.on_body) {
-            if (own.probe) continue;
-            const auto found = std::find_if(choices.markers.begin(), choices.markers.end(),
-                                            [&](const ui::commands::ImportedMarker& m) { return m.name == own.name; });
-            if (found == choices.markers.end() || !view.before_m.col(found - choices.markers.begin()).allFinite())
-                return "This experiment compares displacements, so " + own.name + " must be seen before the start.";
-        }
-    if (choices.trial.empty()) return "The trial has no name.";
-    const auto& trials = experiment.trials;
-    if (std::any_of(trials.begin(), trials.end(),
-                    [&](const experiment::TrialDeclaration& trial) { return trial.name == choices.trial; }))
-        return "The experiment has a trial " + choices.trial + " already: choose another name.";
-    if (!has_trials(scene) && choices.folder.empty()) return "Choose a new folder for the experiment.";
-    if (is_bundled(scene) && choices.folder.empty())
-        return "Bundled examples are not changed: choose a folder for a copy of this one.";
-    return "";
 }
 
 /// Registration by all pairs of recorded and known positions; three non-collinear ones also determine the rotation.
@@ -132,7 +55,7 @@ void place_by_pairs(ui::commands::ImportView& view, const ui::commands::Scene& s
                     const std::vector<Index>& pairs) {
     const Index count = seen.cols();
     const Matrix3Xd from = seen(Eigen::all, pairs), to = view.target_m(Eigen::all, pairs);
-    view.rotation = rotation_of(choices.axes);
+    view.rotation = axes_rotation(choices.axes);
     const std::string number = std::to_string(pairs.size()) + (pairs.size() == 1 ? " marker" : " markers");
     const Result<measurement::Registration> fit = choices.turns ? measurement::rigid_registration(from, to)
                                                                 : Result<measurement::Registration>(Error{"", ""});
@@ -168,7 +91,7 @@ Result<std::vector<ui::commands::ImportedMarker>> matched_markers(const ui::comm
     const Matrix3Xd seen = places_before(file, choices.start_s);
     // Markers may deviate from their rest positions by 3 % of the body's diagonal.
     const Result<measurement::MarkerMatch> match = measurement::match_markers(rest, seen, 0.03 * size,
-                                                                              rotation_of(choices.axes));
+                                                                              axes_rotation(choices.axes));
     if (!match) return match.error();
     for (std::size_t m = 0; m < markers.size(); ++m)
         if (const int label = match->seen[static_cast<Index>(m)]; label >= 0)
@@ -206,6 +129,19 @@ experiment::NewTrial new_trial(const ui::commands::RecordingFile& file, const ui
     trial.recording.time_s = placed.time_s;
     trial.recording.rate_Hz = placed.rate_Hz;
     return trial;
+}
+
+/// The declaration with the markers that the user placed during the import.
+Result<ui::commands::Declaration> declare_placed(const ui::commands::Scene& scene,
+                                                 const ui::commands::Declaration& declaration,
+                                                 const ui::commands::ImportChoices& choices,
+                                                 const ui::commands::ImportView& view) {
+    std::vector<ui::commands::DeclarationEdit> edits;
+    for (std::size_t i = 0; i < choices.markers.size(); ++i)
+        if (const std::string& name = choices.markers[i].name; !name.empty())
+            edits.push_back(ui::commands::SetDeclared{
+                {"markers", "rest_m", name}, ui::commands::place_text(view.target_m.col(static_cast<Index>(i)))});
+    return edited_declaration(scene, declaration, edits);
 }
 
 /// Adds the trial to the experiment in `from`, or to a copy of it in `to`, with the edits of the window.
@@ -282,7 +218,7 @@ ui::commands::ImportView view_recording(const ui::commands::Scene& scene, const 
         if (marker.name.empty()) continue;
         if (marker.rest_m)
             view.target_m.col(i) = *marker.rest_m;
-        else if (const ui::commands::SceneMarker* own = declared(markers, marker.name))
+        else if (const ui::commands::SceneMarker* own = marker_named(markers, marker.name))
             view.target_m.col(i) = own->rest_m;
         if (view.target_m.col(i).allFinite() && seen.col(i).allFinite()) pairs.push_back(i);
     }
@@ -293,7 +229,7 @@ ui::commands::ImportView view_recording(const ui::commands::Scene& scene, const 
     for (const Index i : pairs) squares += view.residual_m[i] * view.residual_m[i];
     view.rms_m = pairs.empty() ? unseen : std::sqrt(squares / static_cast<double>(pairs.size()));
     const bool unit_is_open = file.asks_unit && !file.reading.metres_per_unit;
-    view.problem = unit_is_open ? "Choose the unit of the file's lengths." : problem_of(scene, choices, view);
+    view.problem = unit_is_open ? "Choose the unit of the file's lengths." : import_problem(scene, choices, view);
     return view;
 }
 
@@ -375,6 +311,13 @@ Result<fs::path> add_recording_trial(const ui::commands::Scene& scene, const ui:
                                                                   trial);
         if (!written) return written.error();
         return choices.folder;
+    }
+    if (!has_markers(scene)) {
+        Result<ui::commands::Declaration> named = declare_placed(scene, settings.declaration, choices, view);
+        if (!named) return named.error();
+        for (std::size_t i = 0; i < choices.markers.size(); ++i)
+            if (!choices.markers[i].name.empty()) add(choices.markers[i].name, placed.tracks[i]);
+        return add_to_folder(declared.folder, choices.folder, trial, *named);
     }
     for (const ui::commands::SceneMarker& own : declared_scene_markers(scene)) {
         const auto found = std::find_if(choices.markers.begin(), choices.markers.end(),

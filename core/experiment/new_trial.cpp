@@ -18,6 +18,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* declaration_file = "experiment.toml";
+/// Reflecting spheres of motion capture stand on posts, 6 to 15 mm off the body.
+const std::string standoff_text = "max_standoff_m = 0.02\n";
 
 // A control character in the origin would end the TOML comment early.
 std::string one_line(std::string text) {
@@ -128,7 +130,8 @@ Result<void> write_experiment(const fs::path& folder, const Experiment& declared
     if (!is_file_name(trial.name))
         return Error{"names the trial's file, so it must be a file's name without a slash", "\"" + trial.name + "\""};
     // Mocap frames rarely coincide with the mesh frame, so displacements are compared instead of positions.
-    std::string text = body_text(declared) + "\n[markers]\ncompare = \"displacement\"\n[markers.rest_m]\n";
+    std::string text = body_text(declared) + "\n[markers]\ncompare = \"displacement\"\n" + standoff_text +
+                       "[markers.rest_m]\n";
     for (const MarkerDeclaration& marker : declared.markers.on_body)
         text += toml::toml_text(marker.name) + " = " + toml::toml_vector(marker.rest_m) + "\n";
     return write_folder(folder, surface, [&] { return put(folder, text + trial_text(trial), trial); });
@@ -138,8 +141,8 @@ Result<void> write_planned_experiment(const fs::path& folder, const Experiment& 
                                       const mesh::SurfaceMesh& surface) {
     return write_folder(folder, surface, [&] {
         return write_file(folder / declaration_file,
-                          body_text(declared) +
-                              "\n[markers]\ncompare = \"displacement\"\n[markers.rest_m]\n"
+                          body_text(declared) + "\n[markers]\ncompare = \"displacement\"\n" + standoff_text +
+                              "[markers.rest_m]\n"
                               "\n[[trial]]\nname = \"release\"\nrole = \"simulate\"\nduration_s = 1.0\n"
                               "start = \"straight\"\n");
     });

@@ -90,6 +90,9 @@ void FileBrowser::open(FileDialog dialog) {
     if (!fs::is_directory(folder, ignored)) folder = folder.parent_path();
     if (dialog_->start.empty() || !fs::is_directory(folder, ignored)) folder = fs::current_path(ignored);
     go_to(folder);
+    // A new experiment's folder holds no recordings: the files are where the last ones were.
+    const bool empty = std::all_of(entries_.begin(), entries_.end(), [](const FolderEntry& e) { return e.folder; });
+    if (!writes() && empty && fs::is_directory(last_, ignored)) go_to(last_);
     just_opened_ = true;
     typing_name_ = writes();
     replaced_.clear();
@@ -102,6 +105,7 @@ fs::path FileBrowser::target() const {
 void FileBrowser::choose(PanelContext& context, const fs::path& path) {
     // A copy, as the callback may open another dialog.
     const FileDialog dialog = *dialog_;
+    if (!writes()) last_ = path.parent_path();
     dialog_.reset();
     ImGui::CloseCurrentPopup();
     dialog.chosen(context, path);

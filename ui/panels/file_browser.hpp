@@ -79,6 +79,7 @@ private:
     std::optional<FileDialog> dialog_;           // empty: closed
     bool just_opened_ = false;                   // the popup has to be opened in the next draw()
     std::filesystem::path folder_;               // shown folder
+    std::filesystem::path last_;                 // folder of the file that was chosen last; empty: none yet
     std::string typed_;                          // text in the path field
     std::string missing_;                        // typed path that does not exist; empty: none
     std::string name_;                           // of the file to be written; the extension may be missing

@@ -310,7 +310,7 @@ void ImportPanel::draw_start(PanelContext& context, commands::ImportChoices& cho
 
 /// A plain mesh has no experiment that the trial could be added to, so a folder for a new one has to be chosen.
 void ImportPanel::draw_trial(PanelContext& context, commands::ImportChoices& choices) {
-    const bool new_one = context.state.import->declared.empty();
+    const bool new_one = !context.state.scene->is_experiment;
     row_label(context.theme, "Name");
     ImGui::InputText("##trial", &choices.trial);
     context.items.mark("import/name");

@@ -2,6 +2,10 @@
 
 #include <imgui.h>
 
+#include <cmath>
+#include <numbers>
+#include <optional>
+
 #include "commands/picked_place.hpp"
 #include "panels/escape.hpp"
 #include "panels/view_points.hpp"
@@ -34,13 +38,28 @@ bool assign_clicked(const PanelContext& context, const viewport::DrawnScene& sce
     return picked.has_value();
 }
 
+/// The body under the mouse, or next to it: markers sit on edges, and a click there often lies a pixel beside the body.
+std::optional<commands::PickedPlace> place_near(const PanelContext& context, const viewport::DrawnScene& scene,
+                                                const viewport::ViewportState& view) {
+    constexpr int directions = 8;
+    const double widest = static_cast<double>(marker_reach * context.theme.scale);
+    for (const double reach : {0.0, 0.5 * widest, widest})
+        for (int k = 0; k < (reach > 0.0 ? directions : 1); ++k) {
+            const double angle = 2.0 * std::numbers::pi * k / directions;
+            const Eigen::Vector2d at = view.mouse + reach * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+            // reach 0: only the body
+            const auto place = commands::pick_place(context.state, scene, view.camera, view.size(), at, 0.0);
+            if (place && place->marker < 0) return place;
+        }
+    return std::nullopt;
+}
+
 /// Places the selected label on the body under the mouse. Returns false if the mouse is not over it.
 bool place_clicked(const PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view,
                    commands::ImportChoices& choices) {
     const commands::RecordingImport& import = *context.state.import;
-    // reach 0: only the body
-    const auto place = commands::pick_place(context.state, scene, view.camera, view.size(), view.mouse, 0.0);
-    if (!place || place->marker >= 0) return false;
+    const auto place = place_near(context, scene, view);
+    if (!place) return false;
     const auto label = static_cast<std::size_t>(import.label);
     choices.markers[label].rest_m = commands::place_at_rest(*place, context.state);
     if (choices.markers[label].name.empty())
@@ -60,11 +79,15 @@ bool update_placing(PanelContext& context, const viewport::DrawnScene& scene, co
     const bool plain = import.declared.empty();
     if (escape_closes()) context.emit(commands::ChooseLabel{import.label, false});
     if (view.clicked) {
-        // A click that hits nothing leaves everything as it is. A hit continues with the next label.
+        // A click that hits nothing changes nothing, and says so. A hit continues with the next label.
         commands::ImportChoices choices = import.choices;
         if (plain ? place_clicked(context, scene, view, choices) : assign_clicked(context, scene, view, choices)) {
             context.emit(commands::ChangeImport{choices});
             context.emit(commands::ChooseLabel{next_open(choices, import.label, plain), true});
+        } else {
+            context.emit(commands::LogMessage{commands::LogLevel::warning,
+                                              plain ? "The click was beside the body: " + label + " is not placed."
+                                                    : "The click was on no ring: " + label + " is not assigned."});
         }
     }
     const std::string where = plain ? "Click where " + label + " sits on the body."
