@@ -13,6 +13,7 @@
 
 #include "backend/user_files.hpp"
 #include "commands/window_title.hpp"
+#include "interrupt.hpp"
 #include "panels/workbench_window.hpp"
 #include "platform/gl.hpp"
 
@@ -195,14 +196,14 @@ private:
     ImGuiMouseCursor shown_ = ImGuiMouseCursor_Arrow;
 };
 
-/// Saves unsaved work for recovery once a minute, and changed preferences.
+/// Saves unsaved work for recovery every ten seconds, and changed preferences.
 class Keeper {
 public:
     explicit Keeper(ui::commands::Workbench& workbench)
         : workbench_(workbench), preferences_(workbench.state().preferences) {}
 
     void tick(Clock::time_point now) {
-        if (now - last_ < std::chrono::seconds(60)) return;
+        if (now - last_ < std::chrono::seconds(10)) return;
         last_ = now;
         if (const auto file = backend::recovery_file(); !file.empty()) workbench_.autosave(file);
         keep_preferences();
@@ -282,7 +283,7 @@ Result<void> draw_frames(GLFWwindow* window, ui::commands::Workbench& workbench,
     Pointers pointers;
     std::string title;
     auto last = Clock::now();
-    while (!workbench.state().quit) {
+    while (!workbench.state().quit && !interrupt_flag()) {
         keeper.tick(Clock::now());
         if (glfwWindowShouldClose(window) == GLFW_TRUE) {
             ask_to_close(window, workbench, view);
@@ -315,9 +316,11 @@ Result<void> draw_frames(GLFWwindow* window, ui::commands::Workbench& workbench,
 
 Result<void> run_frames(GLFWwindow* window, ui::commands::Workbench& workbench, ui::panels::WorkbenchWindow& view) {
     Keeper keeper(workbench);
+    catch_interrupts();
     try {
         const Result<void> drawn = draw_frames(window, workbench, view, keeper);
-        if (drawn)
+        // The end of a session of the desktop asks nothing; unsaved work is offered at the next start.
+        if (drawn && !interrupt_flag())
             keeper.end();
         else
             keeper.rescue();
