@@ -307,6 +307,9 @@ TEST(Picture, PlotsAreSavedAsTheyAreSeen) {
     Driver driver;
     driver.draw_pixels();
     ASSERT_NO_FATAL_FAILURE(run_a_beam(driver));
+    // Away from what has a tooltip.
+    driver.window->input().push(ui::platform::MouseMoved{0.6f * static_cast<float>(driver.width), 5.0f});
+    driver.settle();
     const platform::Image window = driver.picture();
     const platform::Rectangle first = driver.item("markers/plots");
     const fs::path before = fs::current_path();

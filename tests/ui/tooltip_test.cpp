@@ -51,6 +51,19 @@ TEST(Tooltips, EveryParameterHasOneThatFitsLargeLetters) {
         expect_explained(driver, name);
 }
 
+/// A person who types into a field looks at the next one already.
+TEST(Tooltips, LeaveTheOtherFieldsFree) {
+    Driver driver(1400, 900);
+    driver.open_beam();
+    driver.window->show_task(commands::Task::material);
+    driver.settle();
+    expect_explained(driver, "model/youngs_modulus");
+    const auto tip = tooltip_shown();
+    ASSERT_TRUE(tip);
+    for (const char* name : {"model/youngs_modulus", "model/poissons_ratio", "model/density", "model/damping"})
+        EXPECT_GE(tip->lowest.x, driver.item(name).highest.x) << name;
+}
+
 TEST(Tooltips, BrushAndSignalsAreExplained) {
     Driver driver(1400, 900);
     driver.open_beam();

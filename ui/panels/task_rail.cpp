@@ -72,7 +72,8 @@ void draw_task_rail(PanelContext& context, commands::Task chosen, bool narrow) {
         const ImVec2 sign = narrow ? ImVec2(end.x - 8.0f * s, at.y + 9.0f * s)
                                    : ImVec2(end.x - 15.0f * s, at.y + 0.5f * height);
         draw_state(list, sign, theme, status);
-        tooltip(theme, std::string(commands::task_title(task)) + "\n" + status.next);
+        // The chosen task says it at the top of its panel, which the tooltip would cover.
+        if (task != chosen) tooltip(theme, std::string(commands::task_title(task)) + "\n" + status.next);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "panels/widgets.hpp"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +19,15 @@ namespace {
 /// Width of the left column of the side panel [pixels].
 float label_width() { return std::floor(0.47f * ImGui::GetWindowContentRegionMax().x); }
 
+/// Right edge of the panel at the left of the window that the item belongs to, if a tooltip of this width [pixels] has
+/// room beside it; else 0.
+float side_of_panel(float width) {
+    const float display = ImGui::GetIO().DisplaySize.x, margin = 48.0f;
+    const ImGuiWindow* const panel = ImGui::GetCurrentWindow()->RootWindow;
+    const float right = panel->Pos.x + panel->Size.x;
+    return right < 0.5f * display && right + width + margin < display ? right : 0.0f;
+}
+
 }  // namespace
 
 void tooltip(const platform::Theme& theme, const std::string& text, float width) {
@@ -28,7 +38,13 @@ void tooltip(const platform::Theme& theme, const std::string& text, float width)
     const ImVec2 lowest = ImGui::GetItemRectMin(), highest = ImGui::GetItemRectMax(),
                  display = ImGui::GetIO().DisplaySize;
     const float gap = 4.0f * theme.scale;
-    if (highest.y - lowest.y < 3.0f * ImGui::GetFrameHeight()) {
+    // What is beside a list of fields would be read next: in the side panel the tooltip stands over the view.
+    const float beside = side_of_panel(width * theme.scale);
+    if (highest.y - lowest.y < 3.0f * ImGui::GetFrameHeight() && beside > 0.0f) {
+        const bool above = highest.y > 0.6f * display.y;
+        ImGui::SetNextWindowPos({beside + gap, above ? highest.y : lowest.y}, ImGuiCond_Always,
+                                {0.0f, above ? 1.0f : 0.0f});
+    } else if (highest.y - lowest.y < 3.0f * ImGui::GetFrameHeight()) {
         const bool above = highest.y > 0.6f * display.y, left = lowest.x > 0.6f * display.x;
         ImGui::SetNextWindowPos({left ? std::min(highest.x, display.x) : std::max(lowest.x, 0.0f),
                                  above ? lowest.y - gap : highest.y + gap},
