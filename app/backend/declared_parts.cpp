@@ -60,6 +60,12 @@ ui::commands::DeclaredParts declared_parts(const setup::Setup& setup) {
     const experiment::Experiment& experiment = setup.experiment;
     ui::commands::DeclaredParts parts;
     parts.max_standoff_m = experiment.markers.max_standoff_m;
+    const auto limit = [&](const char* key, const std::optional<double>& value) {
+        if (value) parts.limits[key] = *value;
+    };
+    limit("pressure_Pa", experiment.limits.pressure_Pa);
+    limit("tension_N", experiment.limits.tension_N);
+    limit("shortening_m", experiment.limits.shortening_m);
     for (const experiment::ChamberDeclaration& chamber : experiment.chambers) parts.chambers.push_back(chamber.name);
     for (const experiment::TendonDeclaration& tendon : experiment.tendons)
         parts.tendons.push_back({tendon.name, tendon.path_m, tendon.drive == experiment::TendonDrive::shortening,

@@ -88,6 +88,11 @@ TEST_F(ChamberedRobot, GoesFromItsSurfaceToAPressureThatReachesAGoal) {
     edit([&] { driver.click("goal/add"); });
     edit_place("goal/0/place", bent, 0.5 * (rest + bent));
     driver.click("task/fit");
+    driver.settle();
+    EXPECT_FALSE(driver.has("fit/lowest")) << "there is no muscle to bound";
+    edit([&] { driver.click("fit/limit/pressure_Pa/set"); });
+    edit_number("fit/limit/pressure_Pa", "60 kPa");
+    EXPECT_EQ(state().scene->declared.limits.at("pressure_Pa"), 60e3) << state().refused;
     edit([&] {
         driver.click("fit/optimize");
         ASSERT_NO_FATAL_FAILURE(wait(300));

@@ -44,6 +44,7 @@ struct DeclaredParts {
     std::vector<std::string> chambers;  // names in the order of declaration
     std::vector<DeclaredTendon> tendons;
     std::vector<SceneCavity> cavities;
+    std::map<std::string, double> limits;  // of sought signals, by key: "pressure_Pa", "tension_N", "shortening_m"
     std::vector<std::map<std::string, DeclaredCommand>> commands;  // per trial, by the name of chamber or tendon
 };
 

@@ -7,6 +7,7 @@
 
 #include "commands/search_target.hpp"
 #include "panels/check_marks.hpp"
+#include "panels/limit_rows.hpp"
 #include "platform/fonts.hpp"
 #include "plot/number_text.hpp"
 
@@ -100,6 +101,8 @@ void draw_optimize_rows(PanelContext& context, NumberEdits& edit, commands::Opti
          0.1,
          "density of knots"},
         edit, request.frequency_Hz);
+    draw_limit_rows(context, edit);
+    if (context.state.settings.muscles.empty()) return;
     request_row(context, bound_field("Minimum a", "fit/lowest", "Lower", "Below 1 they pull.", {0.1, 1.0}), edit,
                 request.lowest);
     request_row(context, bound_field("Maximum a", "fit/highest", "Upper", "Above 1 they push.", {1.0, 4.0}), edit,
