@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/text.hpp"
 #include "prediction/predict_trials.hpp"
 #include "prediction/weighted_residuals.hpp"
 #include "setup/beginning.hpp"
@@ -104,7 +105,10 @@ public:
         settings.evaluated = {};
         settings.from = best_of_scan(length_s, settings.from);
         // Each window starts from the fit of the shorter one, whose phase error is small at the new end.
-        for (; length_s < longest_s && !progress_.cancelled(); length_s *= window_policy.growth) {
+        const double windows = std::ceil(std::log(longest_s / length_s) / std::log(window_policy.growth));
+        for (int w = 0; length_s < longest_s && !progress_.cancelled(); ++w, length_s *= window_policy.growth) {
+            progress_.report({"longer parts", std::min(static_cast<double>(w), windows), windows, "parts",
+                              "the trials' first " + format_number(length_s, 2) + " s"});
             const Calibration fit = calibrate(beginning(setup_, onset_s_, length_s), settings, progress_.with_sink({}));
             if (!fit.usable()) return {};
             for (std::size_t i = 0; i < fit.parameters.size(); ++i)

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "backend/workbench_backend.hpp"
+#include "commands/workflow.hpp"
 #include "mesh/surface_mesh.hpp"
 #include "mesh/vtk_writer.hpp"
 #include "support/folder.hpp"
@@ -48,6 +49,7 @@ TEST(DeclarationInWindow, HeldAtTheOtherEndTheBodyIsMeshedAgain) {
     beam.driver.click("support/end/x_high");
     EXPECT_GT(beam.driver.state().scene->clamp_m->lowest.x(), 0.05);
     EXPECT_FALSE(beam.driver.state().mesh_is_current());
+    EXPECT_THAT(ui::commands::task_status(beam.driver.state(), ui::commands::Task::mesh).next, HasSubstr("held part"));
     beam.driver.workbench->execute(Undo{});
     EXPECT_TRUE(beam.driver.state().mesh_is_current());
 }
@@ -60,6 +62,11 @@ TEST(DeclarationInWindow, AnEditThatIsNoExperimentIsRefusedWithASentence) {
     EXPECT_EQ(beam.driver.state().settings, before);
     EXPECT_THAT(beam.driver.state().refused, HasSubstr("clamp.box_m"));
     EXPECT_FALSE(beam.driver.state().can_undo && beam.driver.state().settings.declaration.text);
+    // What is settled is no longer said in the bar.
+    beam.driver.workbench->execute(ui::commands::EditDeclaration{
+        {ui::commands::SetDeclared{{"environment", "gravity_m_s2"}, "[0.0, 0.0, 0.0]"}}, "gravity"});
+    EXPECT_EQ(beam.driver.state().refused, "");
+    EXPECT_NE(beam.driver.state().log.back().level, ui::commands::LogLevel::failure);
 }
 
 TEST(DeclarationInWindow, ATrialIsAddedLoadedRunAndRemoved) {

@@ -75,6 +75,8 @@ bool Workbench::redeclare(const Declaration& declaration) {
         state_.diagnosis.reset();
         state_.history.clear();
     }
+    // The bar shows the newest message; that of the refusal would stand there although it is over.
+    if (!state_.refused.empty()) log(LogLevel::information, "Changed; what was refused before is settled.");
     state_.refused.clear();
     // An edit of the trial that is shown leaves the time where it is.
     const std::string shown = state_.scene_trial() ? state_.scene_trial()->name : "";

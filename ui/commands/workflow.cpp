@@ -25,7 +25,11 @@ TaskStatus body_status(const WorkbenchState& state) {
 
 TaskStatus mesh_status(const WorkbenchState& state) {
     if (!state.body) return {TaskState::ready, "Choose elements and an edge length, then build the mesh."};
-    if (!state.mesh_is_current()) return {TaskState::stale, "Element or edge length changed: build the mesh again."};
+    if (!state.mesh_is_current()) {
+        const bool declared = state.settings.declaration.mesh_words != state.body_settings.declaration.mesh_words;
+        return {TaskState::stale, declared ? "The held part, the parts or the body changed: build the mesh again."
+                                           : "Element or edge length changed: build the mesh again."};
+    }
     return {TaskState::done, plot::plain_label(static_cast<double>(state.body->mesh.cell_count()), 7) +
                                  " elements of " + to_string(state.body->mesh.type) + "."};
 }

@@ -38,8 +38,7 @@ std::string stage_text(const commands::JobView& job) {
     // The parts of a diagnosis have lower-case names.
     words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
     if (const std::string counted = counted_text(job); !counted.empty()) words += ", " + counted;
-    if (!job.progress.message.empty()) words += " \xc2\xb7 " + job.progress.message;
-    std::replace(words.begin(), words.end(), '_', ' ');  // ids of effects contain underscores
+    if (!job.progress.message.empty()) words += " \xc2\xb7 " + readable_detail(job);
     if (job.remaining_s) words += " \xc2\xb7 " + time_text(job);
     return words + " \xc2\xb7 " + duration_label(job.elapsed_s) + " so far";
 }

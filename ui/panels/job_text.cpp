@@ -47,6 +47,12 @@ std::string counted_text(const commands::JobView& job) {
     return count_label(progress.done) + " of " + count_label(progress.total) + " " + progress.unit;
 }
 
+std::string readable_detail(const commands::JobView& job) {
+    std::string text = job.progress.message;
+    std::replace(text.begin(), text.end(), '_', ' ');
+    return text;
+}
+
 std::string time_left_range(double seconds) {
     const double longest_s = time_left_policy.most * seconds;
     const TimeStep step = step_for(longest_s);

@@ -11,6 +11,9 @@ namespace myo::ui::panels {
 /// Progress as a count: "12 of 40 evaluations". Empty if nothing is counted.
 std::string counted_text(const commands::JobView& job);
 
+/// Detail of the progress, such as the effect that is tried, without the underscores of ids.
+std::string readable_detail(const commands::JobView& job);
+
 /// Remaining time: "30 to 60 s left"; for a job in several parts only that of the present part, "at most 40 s left of
 /// this phase" for evaluations, whose number is limited only; the time so far if no estimate exists; "paused" or
 /// "stopping".
