@@ -1,7 +1,9 @@
 #include "setup/setup.hpp"
 
 #include <algorithm>
+#include <memory>
 
+#include "base/abandonable.hpp"
 #include "base/text.hpp"
 #include "effect/catalogue.hpp"
 #include "effect/changed_body.hpp"
@@ -237,8 +239,15 @@ Result<void> add_body(Setup& setup, const BodyMesh* meshed, const Progress& prog
     setup.part_shares = std::move(*shares);
     const bool fine = setup.settings.fine_element || effect::any_varies_within_cells(experiment.effects);
     setup.tendons = find_tendons(experiment, setup.surface, setup.mesh);
-    setup.body = model::make_body(setup.mesh.mesh, fine ? fem::fine_element(setup.mesh.element) : setup.mesh.element,
-                                  held->clamped, couplings(setup.tendons), held->guided);
+    // The tables of a large body take seconds each: a cancelled caller leaves them to end by themselves.
+    const auto made = std::make_shared<model::BodyPointer>();
+    const bool whole = run_abandonable([made, mesh = setup.mesh.mesh, held = *held,
+                                        kind = fine ? fem::fine_element(setup.mesh.element) : setup.mesh.element,
+                                        coupled = couplings(setup.tendons)] {
+        *made = model::make_body(mesh, kind, held.clamped, coupled, held.guided);
+    });
+    if (!whole) return Error{"stopped before the body was made", ""};
+    setup.body = *made;
     Result<std::vector<Chamber>> chambers = find_chambers(experiment, setup.surface, setup.mesh, *setup.body);
     if (!chambers) return chambers.error();
     setup.chambers = std::move(*chambers);
