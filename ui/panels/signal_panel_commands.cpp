@@ -10,6 +10,11 @@
 namespace myo::ui::panels {
 namespace {
 
+struct HeldPlotPolicy {
+    double around_s = 0.5;  // time that is drawn before and behind a held pose
+};
+constexpr HeldPlotPolicy held_plot_policy;
+
 /// Plots of the commands of a trial by their unit: pressures, tensions, shortenings.
 std::map<std::string, plot::Plot> plots_of(const PanelContext& context, const commands::SceneTrial& trial) {
     const std::array<double, 2> shown = commands::time_span(context.state);
@@ -25,8 +30,11 @@ std::map<std::string, plot::Plot> plots_of(const PanelContext& context, const co
         plot.panel.y = {.label = what, .unit = command.unit};
         plot.panel.y.include = {0.0};
         plot.cursor = context.state.time_s;
-        const chart::Range span{std::min(shown[0], command.signal.times_s.front()),
-                                std::max(shown[1], command.signal.times_s.back())};
+        chart::Range span{std::min(shown[0], command.signal.times_s.front()),
+                          std::max(shown[1], command.signal.times_s.back())};
+        // A pose that is held has no duration; its commands are drawn as the lines that they are.
+        if (!(span.highest > span.lowest))
+            span = {span.lowest - held_plot_policy.around_s, span.highest + held_plot_policy.around_s};
         plot.panel.series.push_back(
             signal_series(name, command.signal, span, ImVec4(color.x(), color.y(), color.z(), 1.0f), command.per_unit));
         plot.legend = plot.panel.series.size() > 1;
