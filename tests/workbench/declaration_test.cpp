@@ -95,6 +95,18 @@ TEST(DeclarationInWindow, ATrialIsAddedLoadedRunAndRemoved) {
     EXPECT_EQ(beam.driver.state().scene->trials.size(), count);
 }
 
+TEST(DeclarationInWindow, ARecordingIsKeptForValidation) {
+    OpenedBeam beam("declared_role");
+    ASSERT_EQ(beam.driver.state().scene_trial()->role, "fit");
+    beam.driver.window->show_panel("trial");
+    beam.driver.settle();
+    beam.driver.click("trial/role");
+    beam.driver.click("trial/role/validate");
+    EXPECT_EQ(beam.driver.state().scene_trial()->role, "validate") << beam.driver.state().refused;
+    beam.driver.workbench->execute(Undo{});
+    EXPECT_EQ(beam.driver.state().scene_trial()->role, "fit");
+}
+
 TEST(DeclarationInWindow, UnknownValuesAreTicked) {
     OpenedBeam beam("declared_unknown");
     const std::vector<std::string> before = beam.driver.state().scene->unknowns;

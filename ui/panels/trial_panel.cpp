@@ -59,7 +59,7 @@ void TrialPanel::draw_list(PanelContext& context) {
     const commands::Scene& scene = *context.state.scene;
     std::vector<commands::Choice> choices;
     for (const commands::SceneTrial& trial : scene.trials)
-        choices.push_back({trial.name, trial.name + " (" + trial.role + ")", ""});
+        choices.push_back({trial.name, trial.name, "Role: " + trial.role + "."});
     std::string chosen = scene.trials[index_of(context.state)].name;
     if (choice_row(context, "Trial", "trial/shown", "The trial that is shown, and edited below.", choices, chosen))
         for (std::size_t t = 0; t < scene.trials.size(); ++t)
@@ -104,6 +104,7 @@ void TrialPanel::draw_trial(PanelContext& context) {
         context.emit(commands::EditDeclaration{{commands::SetDeclared{inside(path, "name"), toml::toml_text(name)}},
                                                "trial/name"});
     if (!ImGui::IsItemActive()) named_trial_ = -1;
+    if (trial.role != "simulate") draw_role(context);
     if (trial.repairs.possible) draw_recording_end(context);
     if (!(trial.duration_s > 0.0)) return;
     double duration_s = trial.duration_s;
@@ -118,6 +119,20 @@ void TrialPanel::draw_trial(PanelContext& context) {
     if (number_row(context, field, edits_, duration_s, goes_on))
         context.emit(commands::EditDeclaration{
             {commands::SetDeclared{inside(path, "duration_s"), toml::toml_number(duration_s)}}, field.name, goes_on});
+}
+
+/// What a recording is for.
+void TrialPanel::draw_role(PanelContext& context) {
+    const commands::SceneTrial& trial = context.state.scene->trials[index_of(context.state)];
+    std::string chosen = trial.role;
+    const std::vector<commands::Choice> roles{
+        {"fit", "Fit", "Its recording is fitted by Calibrate and Diagnose."},
+        {"validate", "Validate", "Its recording is predicted only: it tests what was fitted to the others."}};
+    if (choice_row(context, "Role", "trial/role", "What the recording is used for.", roles, chosen) &&
+        chosen != trial.role)
+        context.emit(commands::EditDeclaration{
+            {commands::SetDeclared{{"trial", index_of(context.state), "role"}, toml::toml_text(chosen)}},
+            "trial/role"});
 }
 
 /// The declared end is a time of the recording, the shown one is of the trial.

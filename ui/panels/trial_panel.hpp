@@ -23,6 +23,7 @@ private:
     void draw_list(PanelContext& context);
     /// Name and duration of the shown trial.
     void draw_trial(PanelContext& context);
+    void draw_role(PanelContext& context);
     void draw_recording_end(PanelContext& context);
     void draw_loads(PanelContext& context);
 
