@@ -35,7 +35,9 @@ void add_messages(SurfaceReport& report, int pinched, int turned) {
                            count_text(report.self_intersections, "pair", "pairs").append(" of triangles, first ") +
                            std::to_string(a).append(" and ").append(std::to_string(b)));
     }
-    if (report.components > 1) messages.push_back("the surface has " + count_text(report.components, "part", "parts"));
+    if (report.components > 1)
+        messages.push_back("the surface has " + count_text(report.components, "part", "parts") +
+                           ", as that of a body with a cavity");
     if (const auto size = check_plausible_size(report.size); !size) messages.push_back(size.error().what);
 }
 

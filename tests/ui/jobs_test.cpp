@@ -260,6 +260,14 @@ TEST(Jobs, TellWhatTheyCountAndTheTimeLeft) {
     job.remaining_s = 70.0;
     job.remaining_of = commands::TimeLeft::at_most;
     EXPECT_EQ(panels::counted_text(job), "12 of 40 evaluations");
+    // A part of an evaluation is no evaluation, and the parts of a job are named.
+    commands::JobView part = job;
+    part.name = "Calibrate";
+    part.progress = {"other moduli", 5.4, 6.0, "runs", {}};
+    EXPECT_EQ(panels::counted_text(part), "5 of 6 runs");
+    EXPECT_EQ(panels::stage_words(part), "Other moduli");
+    part.progress.task = "fit";
+    EXPECT_EQ(panels::stage_words(part), "");
     EXPECT_EQ(panels::time_text(job), "at most 70 s left of this phase");
     EXPECT_EQ(panels::bar_text(job), "30 %");
     job.remaining_of = commands::TimeLeft::of_phase;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/letter_case.hpp"
 #include "panels/widgets.hpp"
 #include "plot/number_text.hpp"
 
@@ -44,7 +45,17 @@ std::string count_label(double count) { return count < 1000.0 ? plot::plain_labe
 std::string counted_text(const commands::JobView& job) {
     const ProgressEvent& progress = job.progress;
     if (!job.counts() || progress.unit.empty()) return "";
-    return count_label(progress.done) + " of " + count_label(progress.total) + " " + progress.unit;
+    // Only times are counted in fractions; a part of an evaluation is no evaluation.
+    const double done = progress.unit == "s" ? progress.done : std::floor(progress.done);
+    return count_label(done) + " of " + count_label(progress.total) + " " + progress.unit;
+}
+
+std::string stage_words(const commands::JobView& job) {
+    const std::string& task = job.progress.task;
+    // The work that the job is named after needs no other name.
+    for (const char* own : {"", "simulate", "fit", "optimize"})
+        if (task == own) return "";
+    return task == lower_case(job.name) ? "" : upper_first(task);
 }
 
 std::string readable_detail(const commands::JobView& job) {

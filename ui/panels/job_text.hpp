@@ -11,6 +11,9 @@ namespace myo::ui::panels {
 /// Progress as a count: "12 of 40 evaluations". Empty if nothing is counted.
 std::string counted_text(const commands::JobView& job);
 
+/// Name of the present part of a job, "Other moduli"; empty while it does what the job is named after.
+std::string stage_words(const commands::JobView& job);
+
 /// Detail of the progress, such as the effect that is tried, without the underscores of ids.
 std::string readable_detail(const commands::JobView& job);
 

@@ -64,7 +64,9 @@ void draw_progress(PanelContext& context) {
     // Count and message of the job in one line, separated by a dot if both exist.
     const std::string counted = counted_text(job);
     const std::string between = counted.empty() || job.progress.message.empty() ? "" : " \xc2\xb7 ";
-    const std::string text = counted + between + readable_detail(job);
+    const std::string stage = stage_words(job);
+    const std::string text = stage + (stage.empty() || counted.empty() ? "" : ", ") + counted + between +
+                             readable_detail(job);
     muted_text(theme, text.empty() ? " "
                                    : elided_lines(text, ImGui::GetContentRegionAvail().x,
                                                   1));  // the buttons below must not move
