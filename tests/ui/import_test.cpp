@@ -15,6 +15,12 @@ void read(Driver& driver, const std::string& file) {
     driver.settle();
 }
 
+TEST(MarkerName, IsAKeyThatReadsAsTheLabel) {
+    EXPECT_EQ(commands::marker_name("Tip - 1"), "Tip-1");
+    EXPECT_EQ(commands::marker_name("upper tip:3"), "upper_tip_3");
+    EXPECT_EQ(commands::marker_name("low_tip"), "low_tip");
+}
+
 TEST(Import, ReadsProposesAndAddsATrialThatIsThenShown) {
     Driver driver;
     driver.open_beam();

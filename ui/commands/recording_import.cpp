@@ -11,6 +11,9 @@ std::string marker_name(const std::string& label) {
     std::replace_if(
         name.begin(), name.end(),
         [](char c) { return !std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_'; }, '_');
+    // "Tip - 1" reads as Tip-1.
+    for (const char* gap : {"_-", "-_"})
+        for (std::size_t at = name.find(gap); at != std::string::npos; at = name.find(gap)) name.replace(at, 2, "-");
     return name;
 }
 

@@ -73,7 +73,7 @@ struct ImportView {
     std::string problem;         // why the trial cannot be added yet; empty: it can
 };
 
-/// Converts a label to a marker name: letters, digits, - and _ only; other characters become _.
+/// Converts a label to a marker name: letters, digits, - and _ only; other characters become _, except beside a -.
 std::string marker_name(const std::string& label);
 
 /// Assigns the declared marker of this name to a label, and removes it from any other label.
