@@ -182,7 +182,13 @@ PredictionShift search(const DiagnosisContext& context, FitStore& store, PhaseLo
         const Screening screening = screen_effects(context, store, log);
         if (log.cancelled()) return shift;
         const SingleSearchInput in{context, screening, show};
-        fits = search_likely_effects(in, listed_with(screening.scores, std::move(fits)), store, log);
+        // A fit from the beginnings may be that of a mimic: it must not prune the others.
+        const std::vector<Candidate> from_beginnings = std::move(fits.candidates);
+        fits = {{}, listed_candidates(screening.scores), std::move(fits.sets)};
+        fits = search_likely_effects(in, std::move(fits), store, log);
+        for (const Candidate& candidate : from_beginnings)
+            if (candidate.judged) enter_fit(fits, *candidate.judged);
+        fits = with_ranked_candidates(std::move(fits), baseline);
         const bool far = is_far_from_explained(fits.candidates, baseline);
         if (far) search_larger();
         if (!log.cancelled() && !(far && is_explained(fits, baseline))) {

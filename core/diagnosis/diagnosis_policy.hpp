@@ -90,7 +90,7 @@ struct DeclaredFitPolicy {
     Effort effort{30};
     ErrorCorrection correction{{12}, 1.0};
     /// A run with this many times the iterations of the declared fit is stopped: its parameters are implausible.
-    int max_iteration_ratio = 4;
+    int max_iteration_ratio = 8;
     /// A fitted damping this many times the expected one compensates for something else.
     double max_damping_ratio = 3.0;
     /// Width of the prior of an effect's vectors, in units of their scales: the data determine a place on a surface in
@@ -206,7 +206,6 @@ struct BeginningPolicy {
     double first_share = 0.25;
     double growth = 2.0;
     int min_samples = 8;       // of a trial
-    int first_fits = 4;        // single effects that are fitted there before sets
     std::size_t kept = 3;      // best fits of a beginning, from which the longer one is fitted
     double kept_factor = 4.0;  // of their squared residual over the smallest
     Effort refit{15, 1e-3};    // on the longer one

@@ -66,11 +66,4 @@ std::vector<Candidate> listed_candidates(const std::vector<EffectScore>& scores)
     return candidates;
 }
 
-RankedFits listed_with(const std::vector<EffectScore>& scores, RankedFits fits) {
-    RankedFits listed{fits.declared, listed_candidates(scores), std::move(fits.sets)};
-    for (Candidate& candidate : fits.candidates)
-        if (candidate.judged) enter_fit(listed, std::move(*candidate.judged));
-    return listed;
-}
-
 }  // namespace myo::diagnosis

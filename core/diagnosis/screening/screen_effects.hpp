@@ -6,7 +6,6 @@
 #include "diagnosis/diagnosis_context.hpp"
 #include "diagnosis/fit/fit_store.hpp"
 #include "diagnosis/phase_log.hpp"
-#include "diagnosis/selection/ranking.hpp"
 
 namespace myo::diagnosis {
 
@@ -31,8 +30,5 @@ std::vector<EffectScore> scores_from(const DiagnosisContext& context, const FitD
 
 /// Each effect once, with its best probe. P-values are adjusted over all probes by Holm's rule.
 std::vector<Candidate> listed_candidates(const std::vector<EffectScore>& scores);
-
-/// The fits with their candidates listed anew by these scores.
-RankedFits listed_with(const std::vector<EffectScore>& scores, RankedFits fits);
 
 }  // namespace myo::diagnosis

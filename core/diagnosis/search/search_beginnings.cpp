@@ -24,17 +24,16 @@ RankedFits ranked(RankedFits fits, const Baseline& baseline) {
 
 /// Fits of the most likely single effects.
 RankedFits fit_singles(const DiagnosisContext& context, FitStore& store, PhaseLog& log) {
-    const BeginningPolicy& policy = context.policy().beginnings;
     const Screening screening = screen_effects(context, store, log);
     RankedFits fits;
     if (log.cancelled()) return fits;
     fits.candidates = listed_candidates(screening.scores);
     std::vector<CandidateStart> starts;
-    for (const std::size_t i : best_probes(screening.scores, policy.first_fits, context.policy().screening))
+    for (const std::size_t i : best_probes(screening.scores, context.settings.refits, context.policy().screening))
         starts.push_back(start_of(screening.scores[i]));
     const JointFit& base = screening.base(context);
     for (JudgedFit& fit : fit_candidates({context.setup, context.data, context.settings, base, starts, base.squares(),
-                                          context.policy().search.far_pruning_factor, phase},
+                                          context.policy().search.pruning_factor, phase},
                                          store, log))
         if (fit.usable()) enter_fit(fits, std::move(fit));
     return ranked(std::move(fits), context.baseline());
@@ -83,9 +82,10 @@ JudgedFit* best_of(RankedFits& fits) {
 }
 
 /// The fits, the best of them without the numerical error of its own motion, if that may be what it leaves.
-RankedFits corrected(const DiagnosisContext& context, RankedFits fits, FitStore& store, PhaseLog& log) {
+RankedFits corrected(const DiagnosisContext& context, RankedFits fits, Leniency leniency, FitStore& store,
+                     PhaseLog& log) {
     JudgedFit* const best = best_of(fits);
-    if (log.cancelled() || !best || explains(*best, context.baseline(), Leniency::strict) ||
+    if (log.cancelled() || !best || explains(*best, context.baseline(), leniency) ||
         !is_worth_correcting(*best, context.declared, context.policy().search))
         return fits;
     std::optional<JudgedFit> own = correct_discretisation(
@@ -98,7 +98,7 @@ RankedFits corrected(const DiagnosisContext& context, RankedFits fits, FitStore&
 
 /// The fits with those of sets, if nothing explains the residual.
 RankedFits with_sets(const DiagnosisContext& context, RankedFits fits, FitStore& store, PhaseLog& log) {
-    fits = corrected(context, std::move(fits), store, log);
+    fits = corrected(context, std::move(fits), Leniency::tolerant, store, log);
     if (log.cancelled() || is_explained(fits, context.baseline())) return fits;
     return search_sets(context, std::move(fits), store, log).fits;
 }
@@ -123,7 +123,8 @@ BeginningSearch search_beginnings(const DiagnosisContext& context, FitStore& sto
         for (Candidate& candidate : search.fits.candidates) candidate.judged.reset();
     }
     if (starts.empty()) return {};
-    search.fits = corrected(context, refitted(context, starts, std::move(search.fits), store, log), store, log);
+    search.fits = refitted(context, starts, std::move(search.fits), store, log);
+    search.fits = corrected(context, std::move(search.fits), Leniency::strict, store, log);
     return search;
 }
 

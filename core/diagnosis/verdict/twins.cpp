@@ -58,6 +58,8 @@ std::vector<std::string> twins_of(const Diagnosis& d, const std::string& effect)
         if (std::any_of(named.begin(), named.end(), [&](const auto& member) { return member.id == id; })) continue;
         const JudgedFit* const other = fit_of(d, exchanged(named, effect, id));
         if (!other || !other->usable() || other->fit.residual.size() != own.size()) continue;
+        // Far from the declared model all that come near do nearly the same: what they leave tells them apart.
+        if (other->fit.squares() > d.settings.policy.search.rival_factor * with->fit.squares()) continue;
         const double cosine = std::abs(own.dot(contribution(*other)));
         if (cosine >= d.settings.policy.confusion.twin_cosine) twins.push_back(id);
     }
