@@ -28,13 +28,17 @@ TEST(ParallelTasks, RunEachIndexOnceOnAnyNumberOfThreads) {
 TEST(ParallelTasks, UseThreadsOfTheirOwn) {
     std::set<std::thread::id> seen;
     std::mutex mutex;
-    parallel_tasks(8, 4, [&](int) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));  // long enough for every helper to get a task
-        const std::lock_guard lock(mutex);
-        seen.insert(std::this_thread::get_id());
-    });
+    // On a busy machine a helper may come too late for all tasks of a call.
+    for (int attempt = 0; attempt < 50 && seen.size() < 2; ++attempt) {
+        seen.clear();
+        parallel_tasks(8, 4, [&](int) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));  // long enough for every helper to get a task
+            const std::lock_guard lock(mutex);
+            seen.insert(std::this_thread::get_id());
+        });
+        EXPECT_LE(seen.size(), 4u);
+    }
     EXPECT_GT(seen.size(), 1u);
-    EXPECT_LE(seen.size(), 4u);
     seen.clear();
     parallel_tasks(8, 1, [&](int) { seen.insert(std::this_thread::get_id()); });
     EXPECT_EQ(seen, std::set{std::this_thread::get_id()});
