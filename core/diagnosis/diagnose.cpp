@@ -177,7 +177,7 @@ PredictionShift search(const DiagnosisContext& context, FitStore& store, PhaseLo
     if (!fits.sets.empty() && !explained(fits.candidates, baseline)) search_larger();
     if (explained(fits.candidates, baseline, Leniency::strict) || is_explained_by_set(fits, baseline))
         record.enter_note("effects are scored on the first " + format_number(100.0 * beginnings.share, 2) +
-                          " % of every recording: further on the residual of the declared model is out of phase");
+                          " % of every recording, where so large a residual still follows their derivatives");
     else if (!log.cancelled()) {
         const Screening screening = screen_effects(context, store, log);
         if (log.cancelled()) return shift;

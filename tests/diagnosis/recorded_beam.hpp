@@ -17,7 +17,7 @@
 namespace myo::test {
 
 /// The beam whose traces hold a motion with the effects, and noise.
-/// @param share_of_noise  of the declared noise: that of the traces, which is declared then
+/// @param share_of_noise  factor on the noise of the swung beam, of the traces and as declared
 inline setup::Setup recorded_with(const Folder& folder, const std::vector<effect::EffectDeclaration>& effects,
                                   double share_of_noise = 1.0) {
     setup::Setup setup = swung_beam(folder);

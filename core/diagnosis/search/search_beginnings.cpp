@@ -71,20 +71,10 @@ RankedFits refitted(const DiagnosisContext& context, const std::vector<predictio
     return ranked(std::move(fits), context.baseline());
 }
 
-/// The best of all fits; null if none is usable.
-JudgedFit* best_of(RankedFits& fits) {
-    JudgedFit* const single = !fits.candidates.empty() && fits.candidates.front().judged
-                                  ? &*fits.candidates.front().judged
-                                  : nullptr;
-    if (fits.sets.empty()) return single;
-    JudgedFit& set = fits.sets.front();
-    return single && single->fit.squares() <= set.fit.squares() ? single : &set;
-}
-
 /// The fits, the best of them without the numerical error of its own motion, if that may be what it leaves.
 RankedFits corrected(const DiagnosisContext& context, RankedFits fits, Leniency leniency, FitStore& store,
                      PhaseLog& log) {
-    JudgedFit* const best = best_of(fits);
+    JudgedFit* const best = best_of_all(fits);
     if (log.cancelled() || !best || explains(*best, context.baseline(), leniency) ||
         !is_worth_correcting(*best, context.declared, context.policy().search))
         return fits;

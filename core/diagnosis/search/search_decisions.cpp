@@ -37,6 +37,14 @@ const JudgedFit* best_fit(const std::vector<Candidate>& ranked) {
     return !ranked.empty() && ranked.front().judged ? &*ranked.front().judged : nullptr;
 }
 
+JudgedFit* best_of_all(RankedFits& ranked) {
+    std::vector<Candidate>& candidates = ranked.candidates;
+    JudgedFit* const single = !candidates.empty() && candidates.front().judged ? &*candidates.front().judged : nullptr;
+    if (ranked.sets.empty()) return single;
+    JudgedFit& set = ranked.sets.front();
+    return single && single->fit.squares() <= set.fit.squares() ? single : &set;
+}
+
 bool is_far_from_explained(const std::vector<Candidate>& ranked, const Baseline& baseline) {
     const JudgedFit* const best = best_fit(ranked);
     return best && !explains(*best, baseline) &&

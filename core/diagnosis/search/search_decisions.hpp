@@ -34,6 +34,10 @@ bool is_worth_a_set(const JudgedFit& best, const Baseline& baseline);
 /// Fit of the most credible candidate; null if none was fitted.
 const JudgedFit* best_fit(const std::vector<Candidate>& ranked);
 
+/// The better one of the most credible candidate and the most credible set, by what they leave; null if none was
+/// fitted.
+JudgedFit* best_of_all(RankedFits& ranked);
+
 /// Whether even the best single effect leaves so much that another start of one effect hardly explains the residual:
 /// sets of effects are tried before the other starts.
 bool is_far_from_explained(const std::vector<Candidate>& ranked, const Baseline& baseline);

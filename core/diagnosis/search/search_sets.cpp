@@ -23,10 +23,7 @@ public:
     SearchOfSets(const DiagnosisContext& context, RankedFits singles, FitStore& store, PhaseLog& log,
                  const SearchObserver& show)
         : context_(context), data_(context.data), fits_(std::move(singles)), store_(store), log_(log), show_(show) {
-        const JudgedFit* const single = best_fit(fits_.candidates);
-        const bool has_set = !fits_.sets.empty() && fits_.sets.front().usable() &&
-                             !(single && single->fit.squares() <= fits_.sets.front().fit.squares());
-        current_ = has_set ? fits_.sets.front() : *single;
+        current_ = *best_of_all(fits_);
         follow_current();
     }
 
@@ -83,8 +80,6 @@ private:
         });
     }
 
-    /// The fit that was kept of the effects of these values; null: none was.
-    const JudgedFit* known(const prediction::ParameterValues& values) const;
     std::optional<JudgedFit> best_extension(const JudgedFit& of, const std::string& without = {});
     std::optional<JudgedFit> reduced(const JudgedFit& from, std::size_t dropped);
     bool drop_idle();
@@ -130,25 +125,21 @@ std::optional<JudgedFit> SearchOfSets::best_extension(const JudgedFit& of, const
     return best ? std::optional(*best) : std::nullopt;
 }
 
-const JudgedFit* SearchOfSets::known(const prediction::ParameterValues& values) const {
-    const std::vector<effect::EffectDeclaration> tried(
-        values.effects.begin() + static_cast<std::ptrdiff_t>(declared_effects()), values.effects.end());
-    for (const Candidate& candidate : fits_.candidates)
-        if (candidate.judged && have_same_ids(candidate.judged->fit.effects, tried)) return &*candidate.judged;
-    for (const JudgedFit& set : fits_.sets)
-        if (have_same_ids(set.fit.effects, tried)) return &set;
-    return nullptr;
-}
-
-/// The fit without one of its effects: that of an earlier search, or refitted from its values. Empty if that fails.
+/// The fit without one of its effects, refitted from its values; to the end only if it may rival the set. Empty if that
+/// fails.
 std::optional<JudgedFit> SearchOfSets::reduced(const JudgedFit& from, std::size_t dropped) {
-    const prediction::ParameterValues start = without_effect(from.fit.values, declared_effects() + dropped);
-    if (const JudgedFit* const fit = known(start)) return *fit;
-    JointFit fit = logged_fit(
-        "refit of sets",
-        {context_.setup, data_, start, context_.policy(), EffectFreedom::all, context_.policy().sets.drop}, store_,
-        log_);
+    const DiagnosisPolicy& policy = context_.policy();
+    const auto fitted = [&](const prediction::ParameterValues& start, const Effort& effort) {
+        return logged_fit("refit of sets", {context_.setup, data_, start, policy, EffectFreedom::all, effort}, store_,
+                          log_);
+    };
+    JointFit fit = fitted(without_effect(from.fit.values, declared_effects() + dropped), policy.sets.drop);
     if (log_.cancelled() || !fit.usable()) return {};
+    if (!fit.report.converged() && fit.squares() <= policy.search.pruning_factor * from.fit.squares()) {
+        JointFit ended = fitted(fit.values, policy.search.polish);
+        if (log_.cancelled()) return {};
+        if (ended.usable() && ended.squares() < fit.squares()) fit = std::move(ended);
+    }
     JudgedFit result = judged(data_, std::move(fit), context_.settings);
     enter_fit(fits_, result);
     rank();

@@ -120,9 +120,10 @@ RankedFits with_ranked_sets(RankedFits fits, const Baseline& baseline) {
 void enter_fit(RankedFits& fits, JudgedFit fit) {
     if (fit.fit.effects.size() == 1) {
         const std::string id = fit.fit.effects.front().id;
-        for (Candidate& candidate : fits.candidates)
-            if (candidate.score.id == id && fit.fit.squares() < left_by(fits.candidates, id))
-                candidate.judged = std::move(fit);
+        const auto own = std::find_if(fits.candidates.begin(), fits.candidates.end(),
+                                      [&](const Candidate& candidate) { return candidate.score.id == id; });
+        if (own != fits.candidates.end() && fit.fit.squares() < left_by(fits.candidates, id))
+            own->judged = std::move(fit);
         return;
     }
     const auto same = std::find_if(fits.sets.begin(), fits.sets.end(), [&](const JudgedFit& other) {

@@ -24,11 +24,11 @@ MatrixXd estimator(const JointFit& fit, const NumericsPolicy& policy) {
     size = (size.array() > 0.0).select(size, 1.0);
     // By the small triangular factor: the pseudoinverse of the whole matrix takes a square one of all residuals.
     const Eigen::HouseholderQR<MatrixXd> qr(J * size.cwiseInverse().asDiagonal());
-    const Index rank = std::min(J.rows(), J.cols());
-    const MatrixXd Q = qr.householderQ() * MatrixXd::Identity(J.rows(), rank);
+    const Index small = std::min(J.rows(), J.cols());
+    const MatrixXd Q = qr.householderQ() * MatrixXd::Identity(J.rows(), small);
     Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
     solver.setThreshold(policy.tangent_tolerance);
-    solver.compute(MatrixXd(qr.matrixQR().topRows(rank).triangularView<Eigen::Upper>()));
+    solver.compute(MatrixXd(qr.matrixQR().topRows(small).triangularView<Eigen::Upper>()));
     return size.cwiseInverse().asDiagonal() * solver.pseudoInverse() * Q.transpose();
 }
 
