@@ -54,6 +54,20 @@ TEST(Twins, MoveAlikeUpToWhatDeclaredParametersCompensate) {
     EXPECT_THAT(twins_of(made.d, "late"), IsEmpty()) << "nothing compensates the constant";
 }
 
+/// Far from the declared model all that come near move nearly alike.
+TEST(Twins, LeaveAboutAsMuch) {
+    Made made;
+    const Eigen::VectorXd far = 100.0 * made.ramp, left = made.wave;
+    const auto clock_leaves = [&](double factor) {
+        made.d.declared.fit.residual = far;
+        made.d.candidates[0].judged->fit.residual = left;
+        made.d.candidates[2].judged->fit.residual = factor * left;
+        return twins_of(made.d, "late");
+    };
+    EXPECT_THAT(clock_leaves(1.1), ElementsAre("clock"));
+    EXPECT_THAT(clock_leaves(1.5), IsEmpty());
+}
+
 /// Whatever the fits say, each has half.
 TEST(Twins, ShareTheirProbability) {
     const Made made;
