@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "backend/body_actuators.hpp"
 #include "backend/check_rows.hpp"
 #include "backend/core_scene.hpp"
 #include "backend/core_search.hpp"
@@ -56,14 +57,12 @@ std::vector<ui::commands::ParameterRow> signal_rows(const setup::Setup& setup, c
         const experiment::Actuator actuator = experiment::actuators(
             setup.experiment)[*experiment::find_actuator(setup.experiment, name)];
         const bool muscle = actuator.kind == experiment::ActuatorKind::muscle;
-        // Pressures and shortenings are told as they are drawn, in kPa and mm.
-        const bool pressure = actuator.unit == "Pa", length = actuator.unit == "m";
-        const double factor = pressure ? 1e-3 : length ? 1e3 : 1.0;
-        const std::string unit = pressure ? "kPa" : length ? "mm" : actuator.unit;
+        const ui::commands::ShownCommand shown = shown_unit(actuator);  // as the signals are drawn
+        const double factor = 1.0 / shown.per_unit;
         const std::string word = muscle ? "a" : experiment::quantity_word(actuator.kind);
-        rows.push_back({name + ", minimum " + word, unit, factor * start.row(row).minCoeff(),
+        rows.push_back({name + ", minimum " + word, shown.unit, factor * start.row(row).minCoeff(),
                         factor * values.row(row).minCoeff(), std::numeric_limits<double>::quiet_NaN()});
-        rows.push_back({name + ", maximum " + word, unit, factor * start.row(row).maxCoeff(),
+        rows.push_back({name + ", maximum " + word, shown.unit, factor * start.row(row).maxCoeff(),
                         factor * values.row(row).maxCoeff(), std::numeric_limits<double>::quiet_NaN()});
     }
     return rows;

@@ -45,7 +45,7 @@ Letters letters_of_fonts() {
 
 /// The letter of which a quad shows all or a part; null if it is none. Letters do not overlap in the texture.
 const TexturePart* letter_of(const Letters& letters, const Quad& quad) {
-    // Those that begin farther to the left do not reach the quad.
+    // A letter that begins farther to the left does not reach the quad.
     const float leftmost = quad.uv_lowest.x - letters.widest - same_uv;
     for (auto part = std::lower_bound(letters.parts.begin(), letters.parts.end(), leftmost,
                                       [](const TexturePart&a, float u) { return a.u0 < u; });

@@ -21,8 +21,8 @@ float label_width() { return std::floor(0.47f * ImGui::GetWindowContentRegionMax
 
 /// Right edge of the panel at the left of the window that the item belongs to, if a tooltip of this width [pixels] has
 /// room beside it; else 0.
-float side_of_panel(float width) {
-    const float display = ImGui::GetIO().DisplaySize.x, margin = 48.0f;
+float side_of_panel(float width, float scale) {
+    const float display = ImGui::GetIO().DisplaySize.x, margin = 48.0f * scale;
     const ImGuiWindow* const panel = ImGui::GetCurrentWindow()->RootWindow;
     const float right = panel->Pos.x + panel->Size.x;
     return right < 0.5f * display && right + width + margin < display ? right : 0.0f;
@@ -39,7 +39,7 @@ void tooltip(const platform::Theme& theme, const std::string& text, float width)
                  display = ImGui::GetIO().DisplaySize;
     const float gap = 4.0f * theme.scale;
     // What is beside a list of fields would be read next: in the side panel the tooltip stands over the view.
-    const float beside = side_of_panel(width * theme.scale);
+    const float beside = side_of_panel(width * theme.scale, theme.scale);
     if (highest.y - lowest.y < 3.0f * ImGui::GetFrameHeight() && beside > 0.0f) {
         const bool above = highest.y > 0.6f * display.y;
         ImGui::SetNextWindowPos({beside + gap, above ? highest.y : lowest.y}, ImGuiCond_Always,
