@@ -15,6 +15,8 @@ Node Expressions::power_rule(const Term& term, Node da, Node db) {
     const Node a = term.a, b = term.b;
     const Node of_base = multiply(multiply(b, make(Operation::power, a, subtract(b, constant(1.0)))), da);
     if (is_constant(db, 0.0)) return of_base;
+    // The inner choice gives log an argument of 1 where a <= 0: both branches of a choice are evaluated, and a NaN in
+    // the one not taken would survive in later products.
     const Node positive = make(Operation::less, constant(0.0), a);
     const Node log = make(Operation::choose, positive,
                           make(Operation::logarithm, make(Operation::choose, positive, a, constant(1.0))),
@@ -28,10 +30,12 @@ Node Expressions::chain(Node of, int variable) {
     if (t.operation == Operation::constant) return constant(0.0);
     if (t.operation == Operation::variable) return constant(t.variable == variable ? 1.0 : 0.0);
     const int count = operands_of(t.operation);
+    // The first operand of a choice is a condition: its slope is 0 and would never be used.
     const bool is_choice = t.operation == Operation::choose;
     const Node da = is_choice ? -1 : derivative(t.a, variable), db = count > 1 ? derivative(t.b, variable) : -1,
                dc = count > 2 ? derivative(t.c, variable) : -1;
     const auto one = [&] { return constant(1.0); };
+    // d(a / b) = (da - (a / b) db) / b; the value a / b is the term itself.
     const auto quotient = [&](Operation operation) { return make(operation, subtract(da, multiply(of, db)), t.b); };
     switch (t.operation) {
         case Operation::add: return add(da, db);
@@ -41,6 +45,7 @@ Node Expressions::chain(Node of, int variable) {
         case Operation::ratio: return quotient(Operation::ratio);
         case Operation::negate: return make(Operation::negate, da);
         case Operation::power: return power_rule(t, da, db);
+        // The quotient that is 0 at 0 keeps the slope of norm(u) finite at u = 0.
         case Operation::square_root: return multiply(make(Operation::ratio, constant(0.5), of), da);
         case Operation::exponential: return multiply(of, da);
         case Operation::logarithm: return make(Operation::divide, da, t.a);

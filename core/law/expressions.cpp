@@ -54,6 +54,7 @@ double evaluated(Operation operation, double a, double b, double c) {
 }
 
 Node Expressions::stored(const Term& term) {
+    // Terms are equal if all of their members are: the operands are indices of terms that are stored once.
     const auto key = std::tuple{static_cast<int>(term.operation), term.a, term.b, term.c, term.value, term.variable};
     const auto [place, is_new] = known_.try_emplace(key, static_cast<Node>(terms_.size()));
     if (is_new) terms_.push_back(term);
@@ -76,6 +77,7 @@ Node Expressions::variable(int number) {
 bool Expressions::is_constant(Node node, double value) const { return is_constant(node) && term(node).value == value; }
 
 Node Expressions::simpler_sum(Operation operation, Node a, Node b) {
+    // Signs are moved outwards, so that a - (-b) and a + b become one term.
     if (is_constant(b, 0.0)) return a;
     if (operation == Operation::subtract) {
         if (a == b) return constant(0.0);
@@ -90,6 +92,7 @@ Node Expressions::simpler_sum(Operation operation, Node a, Node b) {
 }
 
 Node Expressions::simpler_product(Operation operation, Node a, Node b) {
+    // The 0 wins over a factor or divisor that might be infinite or 0: a term vanishes with its factor.
     if (is_constant(a, 0.0)) return a;
     if (is_constant(b, 1.0)) return a;
     if (is_constant(b, -1.0)) return make(Operation::negate, a);
@@ -104,6 +107,7 @@ Node Expressions::simpler_product(Operation operation, Node a, Node b) {
 }
 
 Node Expressions::simpler(Operation operation, Node a, Node b, Node c) {
+    // Rules for all operations: an operation on constants is its value.
     const int count = operands_of(operation);
     const bool all = is_constant(a) && (count < 2 || is_constant(b)) && (count < 3 || is_constant(c));
     if (all) {
@@ -120,6 +124,7 @@ Node Expressions::simpler(Operation operation, Node a, Node b, Node c) {
         case Operation::ratio: return simpler_product(operation, a, b);
         case Operation::negate: return term(a).operation == Operation::negate ? term(a).a : -1;
         case Operation::power:
+            // Small exponents become products, which the program computes eight at a time without calling pow().
             if (is_constant(b, 0.0)) return constant(1.0);
             if (is_constant(b, 1.0)) return a;
             if (is_constant(b, 2.0)) return multiply(a, a);

@@ -15,6 +15,8 @@ class Maker {
 public:
     explicit Maker(const LawText& text) : text_(text) { law_.place = text.place; }
 
+    /// Throws LawError. The order matters: definitions may use parameters, conditions and states; the texts of states
+    /// and the result may use definitions.
     Law made() {
         add_places();
         next_ = Variable::first_free;
@@ -33,6 +35,7 @@ private:
         throw LawError{part, index, {column, sentence}};
     }
 
+    /// Vector of three consecutive variables.
     Quantity vector_of(int first, const char* unit) {
         Quantity quantity{Shape::vector, {}, unit_from_words(unit)};
         for (int i = 0; i < 3; ++i) quantity.nodes[static_cast<std::size_t>(i)] = law_.expressions.variable(first + i);
@@ -43,6 +46,8 @@ private:
     }
 
     /// The names that every law of this place has.
+    /// Section 2 of assets/manual/laws.md lists them. A name that has no meaning at a place is left out, so that its
+    /// use is an error of the expression.
     void add_places() {
         names_["t"] = number_of(Variable::t, unit_from_words("s"));
         names_["session_time"] = number_of(Variable::session_time, unit_from_words("s"));
@@ -64,6 +69,7 @@ private:
         if (text_.place != Place::point) names_["area_ratio"] = number_of(Variable::area_ratio, Unit{});
     }
 
+    /// Throws unless the name is a word that has no meaning yet.
     void need_new(const std::string& name, Part part, std::size_t index) const {
         bool is_word = !name.empty() && std::isdigit(static_cast<unsigned char>(name.front())) == 0;
         for (const char c : name) is_word = is_word && (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_');
@@ -73,6 +79,7 @@ private:
             fail(part, index, "the name \"" + name + "\" has a meaning already");
     }
 
+    /// Throws if the name ends in a unit with a prefix, as gap_mm: its value would be read in SI units.
     void need_plain_ending(const std::string& name, Part part, std::size_t index) const {
         const std::string ending = prefixed_ending(name);
         if (!ending.empty())
@@ -81,6 +88,7 @@ private:
                      ", but laws take SI units without prefixes: m, Pa, N, s");
     }
 
+    /// Unit from words; throws where unit_from_words() has no result.
     std::optional<Unit> unit_of(const std::string& words, Part part, std::size_t index) const {
         const std::optional<Unit> unit = unit_from_words(words);
         if (!unit)
@@ -93,6 +101,7 @@ private:
         const LawText::Parameter& declared = text_.parameters[index];
         need_new(declared.name, Part::parameter, index);
         need_plain_ending(declared.name, Part::parameter, index);
+        // The declared unit goes before that of the name. The unit of a signal is not known here and fits everywhere.
         const std::string words = declared.unit.value_or(unit_of_name(declared.name));
         const std::optional<Unit> unit = words == "signal" ? std::nullopt : unit_of(words, Part::parameter, index);
         Law::Parameter parameter{declared.name, declared.shape, next_};
@@ -107,6 +116,7 @@ private:
         const std::string& name = text_.conditions[index];
         need_new(name, Part::condition, index);
         law_.conditions.push_back({name, next_});
+        // A condition whose name ends in no unit fits everywhere.
         const std::string words = unit_of_name(name);
         names_[name] = number_of(next_++, words.empty() ? std::nullopt : unit_from_words(words));
     }
@@ -116,6 +126,7 @@ private:
         need_new(declared.name, Part::state, index);
         need_plain_ending(declared.name, Part::state, index);
         const std::string words = declared.unit.value_or(unit_of_name(declared.name));
+        // A state without a unit in its name may have that of the signal: any unit fits.
         const bool is_open = words.empty() || words == "signal";
         law_.states.push_back({declared.name, next_, -1, -1});
         names_[declared.name] = number_of(next_++, is_open ? std::nullopt : unit_of(words, Part::state, index));
@@ -126,6 +137,7 @@ private:
         const std::size_t sign = text.find('=');
         if (sign == std::string::npos || sign == 0)
             fail(Part::definition, index, "a definition is written \"name = expression\"");
+        // The name is what stands before the first "=", without white space around it.
         const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t", sign - 1);
         const std::string name = first < sign && last != std::string::npos ? text.substr(first, last + 1 - first) : "";
         need_new(name, Part::definition, index);
@@ -146,6 +158,7 @@ private:
         names_[name] = quantity;
     }
 
+    /// Node of an expression that must be a number; its error becomes one of the law's part.
     Node read(const std::string& text, const std::optional<Unit>& unit, Part part, std::size_t index,
               const Names& names) {
         const auto result = parsed_as(text, names, Shape::number, unit, law_.expressions);
@@ -162,11 +175,13 @@ private:
         Names at_start = names_;
         for (const LawText::State& other : text_.states) at_start.erase(other.name);
         state.initial = read(declared.initial, unit, Part::state_initial, index, at_start);
+        // A rate has the unit of its state per second; without one it fits everywhere.
         state.rate = read(declared.rate, unit ? std::optional(*unit / *unit_from_words("s")) : std::nullopt,
                           Part::state_rate, index, names_);
     }
 
     void read_result() {
+        // The unit follows from the key, such as Pa from traction_Pa; a law of a signal has that of the signal.
         const std::optional<Unit> unit = text_.key.unit.empty() ? std::nullopt : unit_from_words(text_.key.unit);
         const auto result = parsed_as(text_.result, names_, text_.key.shape, unit, law_.expressions);
         if (const auto* const error = std::get_if<ExpressionError>(&result))
@@ -174,6 +189,8 @@ private:
         law_.result = std::get<Quantity>(result).nodes;
         law_.is_energy = text_.key.is_energy;
         if (!law_.is_energy) return;
+        // The force is -dE/dx at fixed velocity and normal: an energy of v, n or the area would give a wrong one. The
+        // normal at a point is that at rest, and so a constant.
         const Program program(law_.expressions, {law_.result[0]});
         for (int i = 0; i < 3; ++i)
             if (program.uses(Variable::v + i) || (text_.place != Place::point && program.uses(Variable::n + i)) ||

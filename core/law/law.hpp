@@ -11,9 +11,12 @@
 namespace myo::law {
 
 /// Where a law acts.
+/// Forces act on the free surface, a point of it, the volume, or the clamped faces; `signal` replaces the actuation,
+/// `camera` the seen positions. Section 2 of assets/manual/laws.md states the names and keys of each.
 enum class Place { surface, point, volume, clamp, signal, camera };
 
 /// Numbers of the variables of a law; those of parameters, states and conditions follow.
+/// A vector takes three consecutive numbers. All vectors are in the mesh frame.
 struct Variable {
     static constexpr int x = 0;              // place now [m], 3
     static constexpr int v = 3;              // velocity [m/s], 3
@@ -36,9 +39,10 @@ struct ResultKey {
     bool is_energy = false;
 };
 /// Keys of a place; a law has one of them.
+/// The file of a law states one of them, such as traction_Pa of a surface.
 const std::vector<ResultKey>& result_keys(Place place);
 
-/// A law as it is written.
+/// A law as it is written in its file, before any expression is read.
 struct LawText {
     struct Parameter {
         std::string name;
@@ -50,6 +54,7 @@ struct LawText {
         std::optional<std::string> unit;
     };
     Place place = Place::surface;
+    // Names must be new within the law, across parameters, conditions, states and definitions.
     std::vector<Parameter> parameters;
     std::vector<std::string> conditions;   // names of test conditions of the trials
     std::vector<std::string> definitions;  // "name = expression", each may use those before it
@@ -59,6 +64,7 @@ struct LawText {
 };
 
 /// A law that can be evaluated. Its terms are complete but for derivatives, which are added when programs are made.
+/// Variables are numbered by Variable; those of parameters, conditions and states follow from first_free on.
 struct Law {
     struct Parameter {
         std::string name;
@@ -83,13 +89,15 @@ struct Law {
     std::vector<Condition> conditions;
     bool is_energy = false;
     std::array<Node, 3> result{-1, -1, -1};  // force, traction, place; the first alone of an energy or a signal
+    // Length of the vector of variable values that programs of this law take.
     int variable_count = 0;
 
-    /// Sum of the components of all parameters.
+    /// Sum of the components of all parameters: length of the vector of their values.
     int number_count() const;
 };
 
 /// What is wrong with a law: in which text, and where in it.
+/// ExpressionError::column counts in that text; for a definition it counts from the beginning of "name = ...".
 struct LawError {
     enum class Part { parameter, condition, definition, state, state_initial, state_rate, result };
     Part part = Part::result;
@@ -97,10 +105,13 @@ struct LawError {
     ExpressionError error;
 };
 
-/// Reads all expressions of a law.
+/// Reads all expressions of a law and checks names, shapes and units.
+/// @param text  `key` is one of result_keys() of its place
+/// @return      the law, or the first error; nothing is thrown
 std::variant<Law, LawError> make_law(const LawText& text);
 
 /// Whether the program of a law chooses between values anywhere, so that its slopes may jump.
+/// Solvers then expect corners. Also true if the choice is in a term that the result does not use.
 bool has_choices(const Law& law);
 
 }  // namespace myo::law

@@ -13,6 +13,17 @@ std::string in_quotes(std::string_view text) { return "\"" + std::string(text) +
 
 /// Recursive descent. From the weakest to the strongest: or, and, not, comparison, sum, product, sign, power,
 /// component.
+///
+///   alternative     = conjunction { "or" conjunction }
+///   conjunction     = negation { "and" negation }
+///   negation        = "not" negation | comparison
+///   comparison      = sum [ ("<" | "<=" | ">" | ">=") sum ]
+///   sum             = product { ("+" | "-") product }
+///   product         = signed_factor { ("*" | "/") signed_factor }
+///   signed_factor   = ("+" | "-") signed_factor | power
+///   power           = with_components [ "^" signed_factor ]
+///   with_components = primary { "." ("x" | "y" | "z") }
+///   primary         = number [ "[" unit "]" ] | name | function "(" list ")" | "(" alternative ")" | "[" list "]"
 class Parser {
 public:
     Parser(std::string_view text, const Names& names, Expressions& expressions)
@@ -26,6 +37,7 @@ public:
     }
 
 private:
+    /// Counts the nested calls of rules that recurse; ends the reading beyond most_nested.
     struct Depth {
         explicit Depth(Parser& parser) : parser_(parser) {
             // Text from a file must not exhaust the stack.
@@ -36,6 +48,7 @@ private:
         Depth& operator=(const Depth&) = delete;
         Parser& parser_;
     };
+    // About nine calls per level of parentheses; far above what a person writes.
     static constexpr int most_nested = 200;
 
     const Token& now() const { return scanner_.now(); }
@@ -78,6 +91,7 @@ private:
         return quantities_.logical(Operation::opposite, negation(), {}, column);
     }
 
+    /// At most one comparison: a < b < c is an error.
     Quantity comparison() {
         const Quantity left = sum();
         for (const std::string_view sign : {"<=", ">=", "<", ">"}) {
@@ -124,6 +138,7 @@ private:
     }
 
     /// Binds to the right, and more strongly than the sign: -2^2 is -4, 2^-1 is 0.5.
+    /// The exponent is a signed factor and thus takes in a further power: 2^3^2 is 2^9.
     Quantity power() {
         const Quantity base = with_components();
         if (!is_sign("^")) return base;
@@ -164,8 +179,10 @@ private:
     Quantity number(const Token& token) {
         scanner_.advance();
         if (!is_sign("[")) return quantities_.number(token.value, Unit{});
+        // A bracket directly behind a number is its unit; anywhere else it begins a vector. Its words are no tokens.
         const std::size_t column = now().column + 1;
         const std::string words(scanner_.up_to(']'));
+        // An unknown unit is an error at the column of its words, not of the number.
         const std::optional<Unit> unit = unit_from_words(words);
         if (!unit)
             throw ExpressionError{column, in_quotes(words) +
@@ -176,6 +193,7 @@ private:
 
     Quantity named(const Token& token) {
         scanner_.advance();
+        // A word with a parenthesis is a function, also where a name of a quantity is equal to it.
         if (is_sign("(")) {
             scanner_.advance();
             return quantities_.call(token.text, list(")"), token.column);
@@ -184,6 +202,7 @@ private:
         if (const auto found = names_.find(token.text); found != names_.end()) return found->second;
         std::vector<std::string> known;
         for (const auto& [name, quantity] : names_) known.push_back(name);
+        // An unknown name gets the closest known one in its message, or the list if none is close.
         const std::string near = closest_word(token.text, known);
         throw ExpressionError{token.column,
                               in_quotes(token.text) + " is not known here" +
@@ -225,7 +244,9 @@ std::variant<Quantity, ExpressionError> parsed_as(std::string_view text, const N
     std::variant<Quantity, ExpressionError> result = parsed(text, names, expressions);
     auto* const quantity = std::get_if<Quantity>(&result);
     if (!quantity) return result;
+    // The number 0 has every unit, and stands for the zero vector.
     const auto is_zero = [&] {
+        // A constant by simplification counts too, such as 0 * x.
         const Term& term = expressions.term(quantity->node());
         return quantity->shape == Shape::number && term.operation == Operation::constant && term.value == 0.0;
     };

@@ -17,15 +17,18 @@ using Names = std::map<std::string, Quantity, std::less<>>;
 /// + - * / ^, comparisons, and, or, not, and the functions of function_names(). Units are checked in sums, comparisons
 /// and functions where they are known; the number 0 has every unit.
 ///
-/// @param expressions  gets the terms
+/// @param names        quantities of nodes of `expressions`
+/// @param expressions  gets the terms; keeps those read before an error
+/// @return             the quantity, or what is wrong and in which column of the text (from 0)
 std::variant<Quantity, ExpressionError> parsed(std::string_view text, const Names& names, Expressions& expressions);
 
-/// Error of an expression that must have a shape and, where known, a unit.
-/// @param what  the key, for the sentence
+/// Reads as parsed() an expression that must have a shape and, where both are known, a unit. The number 0 also stands
+/// for the zero vector.
+/// @return  the quantity, or the error; a wrong shape or unit of the whole has column 0
 std::variant<Quantity, ExpressionError> parsed_as(std::string_view text, const Names& names, Shape shape,
                                                   const std::optional<Unit>& unit, Expressions& expressions);
 
-/// Whether a word has a meaning of its own, so that nothing can be named so.
+/// Whether a word has a meaning of its own (pi, and, or, not, names of functions), so that nothing can be named so.
 bool is_reserved(const std::string& word);
 
 }  // namespace myo::law

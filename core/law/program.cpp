@@ -19,6 +19,7 @@ std::vector<bool> needed_terms(const Expressions& expressions, const std::vector
     return needed;
 }
 
+/// Loop of constant length over the lanes, which compilers unroll into vector instructions.
 template <class Function>
 void each_lane(Lanes& to, const Function& function) {
     for (std::size_t l = 0; l < to.size(); ++l) to[l] = function(l);
@@ -29,10 +30,12 @@ void each_lane(Lanes& to, const Function& function) {
 Program::Program(const Expressions& expressions, const std::vector<Node>& outputs) {
     const std::vector<bool> needed = needed_terms(expressions, outputs);
     std::vector<int> register_of(expressions.size(), -1);
+    // A missing operand reads register 0, which exists whenever there is an instruction; its value is not used.
     const auto at = [&](Node node) { return node < 0 ? 0 : register_of[static_cast<std::size_t>(node)]; };
     for (std::size_t i = 0; i < needed.size(); ++i) {
         if (!needed[i]) continue;
         const Term& term = expressions.term(static_cast<Node>(i));
+        // Terms are stored after their operands: their order is an order of evaluation.
         const int to = register_of[i] = count_++;
         if (term.operation == Operation::constant) {
             constants_.push_back({to, term.value});

@@ -15,6 +15,7 @@ const char* to_string(Shape shape) {
 
 namespace {
 
+/// Unit of a product or quotient; unknown if one of its units is.
 std::optional<Unit> both_known(const Quantity& a, const Quantity& b, Unit (*combined)(const Unit&, const Unit&)) {
     if (!a.unit || !b.unit) return std::nullopt;
     return combined(*a.unit, *b.unit);
@@ -46,6 +47,7 @@ bool Quantities::is_zero(const Quantity& a) const {
 
 std::optional<Unit> Quantities::common_unit(const Quantity& a, const Quantity& b, const std::string& what,
                                             std::size_t column) const {
+    // The order matters: a 0 takes the unit of the other side, and only then an unknown unit takes the known one.
     if (is_zero(a)) return b.unit;
     if (is_zero(b) || !b.unit) return a.unit;
     if (!a.unit) return b.unit;
@@ -78,6 +80,7 @@ Quantity Quantities::product(const Quantity& a, const Quantity& b, std::size_t c
         throw ExpressionError{column, "a condition cannot be multiplied; write if(condition, value, 0)"};
     if (a.shape == Shape::vector && b.shape == Shape::vector)
         throw ExpressionError{column, "the product of two vectors is written dot(a, b) or cross(a, b)"};
+    // Scaling is commutative: the vector, if there is one, is `other`.
     const Quantity &scale = a.shape == Shape::vector ? b : a, &other = a.shape == Shape::vector ? a : b;
     Quantity result{other.shape, {-1, -1, -1}, both_known(a, b, times)};
     for (std::size_t i = 0; i < (other.shape == Shape::vector ? 3u : 1u); ++i)
@@ -99,6 +102,7 @@ Quantity Quantities::power(const Quantity& a, const Quantity& b, std::size_t col
     need(b, Shape::number, "the exponent", column);
     need_plain(b, "the exponent", column);
     std::optional<Unit> unit = a.unit;
+    // The unit of x^n depends on the value of n, so that n must be a constant.
     if (unit && !unit->is_plain()) {
         const Term& exponent = e_.term(b.node());
         if (exponent.operation != Operation::constant)
@@ -114,6 +118,7 @@ Quantity Quantities::comparison(std::string_view sign, const Quantity& a, const 
     need(a, Shape::number, "what is compared", column);
     need(b, Shape::number, "what is compared", column);
     common_unit(a, b, "\"" + std::string(sign) + "\"", column);
+    // a > b is b < a: two operations serve the four signs.
     const Operation operation = sign.size() == 1 ? Operation::less : Operation::at_most;
     const bool exchanged = sign.front() == '>';
     const Node node = exchanged ? e_.make(operation, b.node(), a.node()) : e_.make(operation, a.node(), b.node());
@@ -136,6 +141,7 @@ Quantity Quantities::vector(const std::vector<Quantity>& parts, std::size_t colu
         result.nodes[i] = parts[i].node();
         if (i == 0) continue;
         Quantity before = result;
+        // Components that are all 0 have no unit of their own: the next one decides.
         if (is_zero(parts[0]) && (i == 1 || is_zero(parts[1]))) {
             result.unit = parts[i].unit;
             continue;

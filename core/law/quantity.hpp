@@ -13,12 +13,13 @@ enum class Shape { number, vector, condition };
 /// "a number", "a vector", "a condition".
 const char* to_string(Shape shape);
 
-/// Part of an expression with its unit.
+/// Part of an expression with its unit: one node of Expressions for a number or a condition, three for a vector.
 struct Quantity {
     Shape shape = Shape::number;
     std::array<Node, 3> nodes{-1, -1, -1};  // a number or condition has one
     std::optional<Unit> unit = Unit{};      // nullopt: not known, so that it fits everywhere
 
+    /// The node of a number or a condition.
     Node node() const { return nodes[0]; }
 };
 

@@ -6,6 +6,7 @@
 namespace myo::law {
 namespace {
 
+/// A function with a fixed number of arguments and their shapes; if(), min() and max() are read separately.
 struct Function {
     std::string name;
     std::vector<Shape> arguments;
@@ -33,7 +34,7 @@ const std::vector<Function>& functions() {
     return all;
 }
 
-/// Functions of a plain number.
+/// Operation of a function that takes a plain number and gives one; nullopt for all others.
 std::optional<Operation> plain_operation(std::string_view name) {
     if (name == "exp") return Operation::exponential;
     if (name == "log") return Operation::logarithm;
@@ -82,6 +83,7 @@ Quantity Quantities::root(const Quantity& a) {
 }
 
 /// s^power (first + second s + third s^2) between 0 and 1; 0 below, `above` from 1 on.
+/// Used for steps without a jump, whose derivatives solvers and fits need.
 Node Quantities::blended(Node s, int power, const std::array<double, 3>& factors, Node above) {
     const Node zero = e_.constant(0.0), one = e_.constant(1.0);
     Node rise = e_.constant(factors[2]);
@@ -91,12 +93,14 @@ Node Quantities::blended(Node s, int power, const std::array<double, 3>& factors
     return e_.make(Operation::choose, e_.make(Operation::less, s, zero), zero, up);
 }
 
-/// 10 s^3 - 15 s^4 + 6 s^5 between 0 and 1, twice continuously differentiable.
+/// 10 s^3 - 15 s^4 + 6 s^5 between 0 and 1, twice continuously differentiable: the polynomial of least degree whose
+/// first and second derivatives are 0 at both ends.
 Quantity Quantities::smooth_step(const Quantity& a) {
     return of(blended(a.node(), 3, {10.0, -15.0, 6.0}, e_.constant(1.0)), Unit{});
 }
 
-/// The integral of smooth_step() over the width w about 0: three times continuously differentiable.
+/// Smooth max(0, a): the integral of smooth_step() over the width w about 0, three times continuously differentiable.
+/// With s = a / w + 1/2: w (2.5 s^4 - 3 s^5 + s^6) between s = 0 and 1, and a above.
 Quantity Quantities::positive(const Quantity& a, const Quantity& width, std::size_t column) {
     const std::optional<Unit> unit = common_unit(a, width, "positive()", column);
     const Node w = width.node(), share = e_.make(Operation::ratio, a.node(), w);
@@ -112,6 +116,7 @@ Quantity Quantities::extreme(bool largest, const std::vector<Quantity>& argument
         const Quantity& next = arguments[i];
         need(next, Shape::number, "what " + name + "() is given", column);
         const std::optional<Unit> unit = common_unit(result, next, name + "()", column);
+        // Among equal arguments max() keeps the earlier one and min() the later one, and with it its slope.
         const Node less = e_.make(Operation::less, result.node(), next.node());
         result = of(largest ? e_.make(Operation::choose, less, next.node(), result.node())
                             : e_.make(Operation::choose, less, result.node(), next.node()),
@@ -138,6 +143,7 @@ Quantity Quantities::choice(const std::vector<Quantity>& arguments, std::size_t 
 }
 
 Quantity Quantities::call(std::string_view name, const std::vector<Quantity>& arguments, std::size_t column) {
+    // Functions whose arguments have no fixed number or shapes come first, then the checks that all others share.
     if (name == "if") return choice(arguments, column);
     if (name == "max" || name == "min") return extreme(name == "max", arguments, column);
     const auto found = std::find_if(functions().begin(), functions().end(),
@@ -171,6 +177,7 @@ Quantity Quantities::call(std::string_view name, const std::vector<Quantity>& ar
         return of(e_.make(Operation::choose, e_.make(Operation::less, a.node(), e_.constant(0.0)), e_.constant(0.0),
                           e_.constant(1.0)),
                   Unit{});
+    // Only smooth_step() is left.
     need_plain(a, "what " + words + " is given", column);
     return smooth_step(a);
 }

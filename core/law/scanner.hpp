@@ -15,6 +15,7 @@ struct ExpressionError {
 enum class TokenKind { number, word, sign, end };
 
 /// Number, word, or sign of an expression.
+/// Views into the text given to the scanner, which must outlive the token.
 struct Token {
     TokenKind kind = TokenKind::end;
     std::string_view text;
@@ -23,14 +24,17 @@ struct Token {
 };
 
 /// Splits an expression into tokens.
+/// Errors: the constructor, too, throws ExpressionError if the first character belongs to no token.
 class Scanner {
 public:
     explicit Scanner(std::string_view text) : text_(text) { advance(); }
 
+    /// Current token; TokenKind::end behind the last one.
     const Token& now() const { return now_; }
     /// Goes on to the next token. Throws ExpressionError if a character belongs to none.
     void advance();
     /// Text up to a closing bracket, which is passed, for units.
+    /// Called with the opening bracket as current token. Throws ExpressionError if the closing one is missing.
     std::string_view up_to(char closing);
 
 private:

@@ -13,6 +13,7 @@
 namespace myo::law {
 namespace {
 
+/// A word of the SI with its exponents of m, kg, s, K and A.
 struct NamedUnit {
     std::string_view word;
     Unit unit;
@@ -35,13 +36,14 @@ constexpr NamedUnit named_units[] = {
 };
 constexpr std::string_view base_words[] = {"m", "kg", "s", "K", "A"};
 
-/// Units with prefixes, with which names may not end.
+/// Units with prefixes, with which names may not end: a value in them would be taken for one in the SI unit.
 constexpr std::string_view prefixed_units[] = {"nm",   "um", "mm", "cm",  "km",  "mm2", "cm2", "mm3",
                                                "cm3",  "us", "ms", "hPa", "kPa", "MPa", "GPa", "bar",
                                                "mbar", "mN", "kN", "mJ",  "kJ",  "kHz"};
 
 /// One unit with its exponent: "m3", "s^2".
 std::optional<Unit> unit_word(std::string_view word) {
+    // The exponent is the digits and signs at the end. The unit "1" is all digits, which end == 0 finds.
     std::size_t end = word.size();
     while (end > 0 && (std::isdigit(static_cast<unsigned char>(word[end - 1])) || word[end - 1] == '-')) --end;
     double exponent = 1.0;
@@ -53,6 +55,7 @@ std::optional<Unit> unit_word(std::string_view word) {
     return std::nullopt;
 }
 
+/// Parts of a text between separators; an empty text has one empty part.
 std::vector<std::string> parts_of(const std::string& text, char separator) {
     std::vector<std::string> parts{""};
     for (const char c : text)
@@ -76,12 +79,15 @@ std::string joined(const std::vector<std::string>& parts, std::size_t from) {
     std::string words;
     bool after_stroke = false;
     for (std::size_t i = from; i < parts.size(); ++i) {
+        // A name that begins its unit with "per" is a reciprocal: rate_per_s is 1/s.
         if (parts[i] == "per") {
             if (words.empty()) words = "1";
             after_stroke = true;
             continue;
         }
+        // The unit "deg" is let through so that a message can name it: laws reject it, angles are in rad.
         if (parts[i] != "deg" && !unit_word(parts[i])) return {};
+        // Only the last unit may stand below a stroke that the name leaves out: in Pa_s_m the second of two.
         const bool stroke = after_stroke || (i > from && i + 1 == parts.size() && divides(parts, i));
         words += (words.empty() ? "" : stroke ? "/" : " ") + parts[i];
     }
@@ -109,6 +115,7 @@ std::optional<Unit> unit_from_words(const std::string& words) {
     Unit unit;
     bool below = false;
     std::string word;
+    // Multiplies the finished word into the unit. @return  false if the word is no unit
     const auto end_word = [&] {
         if (word.empty()) return true;
         const std::optional<Unit> one = unit_word(word);
@@ -133,6 +140,7 @@ std::string unit_of_name(const std::string& name) {
     const std::vector<std::string> parts = parts_of(name, '_');
     std::string best;
     // The first part is never the unit.
+    // The longest ending of which every part is a unit wins: kg_m3, not m3.
     for (std::size_t from = parts.size(); from-- > 1;) {
         const std::string words = joined(parts, from);
         if (words.empty()) break;
@@ -149,6 +157,7 @@ std::string prefixed_ending(const std::string& name) {
 }
 
 std::string to_string(const Unit& unit) {
+    // Positive exponents stand above the stroke, negative ones below it with their sign left out.
     std::string above, below;
     for (std::size_t i = 0; i < unit.powers.size(); ++i) {
         const double power = unit.powers[i];
