@@ -34,7 +34,7 @@ std::vector<std::string> spot_notes(const setup::Setup& setup, const FitData& da
             ": look there for a fault of the recording, or for what acted once"};
 }
 
-/// What remains beside what repeated trials leave; where none was repeated, that one should be.
+/// Note that compares the residual with that between repeated trials, or advises to repeat one if none was.
 std::string remainder_note(const setup::Setup& setup, const Diagnosis& d) {
     const Repeatability& floor = d.repeatability;
     const auto mm = [](double length_m) { return format_number(1e3 * length_m, 3) + " mm"; };
@@ -48,6 +48,7 @@ std::string remainder_note(const setup::Setup& setup, const Diagnosis& d) {
            " lie between repeated trials (" + join(pairs) + ")";
 }
 
+/// Context of the later phases. From here on the shift and the modulus factor of the corrected declared fit apply.
 DiagnosisContext context_of(DeclaredFit declared, CorrectedDeclaredFit corrected, const DiagnoseSettings& settings) {
     NumericalError numerics = *corrected.fit.numerics;
     declared.data.shift = numerics.shift;
@@ -58,6 +59,7 @@ DiagnosisContext context_of(DeclaredFit declared, CorrectedDeclaredFit corrected
 }
 
 /// The fit without its predictions, which need the memory of many runs.
+/// The predictions are moved out for the copy and back: copying them first would need their memory once more.
 JudgedFit without_predictions(JudgedFit& fit) {
     std::vector<prediction::TrialPrediction> predictions;
     predictions.swap(fit.fit.predictions);
@@ -74,6 +76,7 @@ public:
         d_.settings = settings;
     }
 
+    /// The overloads enter the value of one phase each, in the order of diagnose(); most of them show the result.
     void enter(DeclaredFit& declared) {
         d_.data = declared.data;
         d_.noise_m = mean_noise_m(declared.data);
@@ -104,6 +107,7 @@ public:
         d_.confusions = std::move(confusions);
         show();
     }
+    /// The error of the declared fit with that of the trials that were not fitted.
     void enter_declared_error(const NumericalError& error) { d_.declared.numerics = d_.numerics = error; }
     void enter(const Decision& decision, const std::vector<std::string>& notes) {
         d_.verdict = decision.verdict;
@@ -128,10 +132,13 @@ public:
         d_.cost = log_.costs();
         if (live_) live_(d_);
     }
+    /// The result with times, deviations, and, unless it was stopped, tested confidence and twins. The last call: the
+    /// record is moved from.
     Diagnosis finished() {
         d_.stopped = log_.cancelled();
         d_.seconds = watch_.seconds();
         d_.cost = log_.costs();
+        // Paths serve to start further runs only, and need as much memory as the runs.
         forget_paths(d_.augmented.fit.predictions);
         if (!d_.stopped && d_.declared.usable()) enter_deviations();
         return d_.stopped ? std::move(d_) : with_twins(with_tested_confidence(with_final_fit(std::move(d_))));
@@ -139,6 +146,7 @@ public:
 
 private:
     /// Deviations for the errors that are left, of what is reported.
+    /// Entered at the end, as the numerical error of the verdict's own fit is known only there.
     void enter_deviations() {
         const NumericsPolicy& policy = d_.settings.policy.numerics;
         d_.declared = with_deviations(std::move(d_.declared), d_.data, d_.numerics, policy);
@@ -161,9 +169,11 @@ bool is_explained_by_set(const RankedFits& fits, const Baseline& baseline) {
 /// Search on beginnings of the recordings, screening and search of one effect, and search of a set; of a set first,
 /// where no single effect comes near. Returns the shift with which the last fits were made.
 PredictionShift search(const DiagnosisContext& context, FitStore& store, PhaseLog& log, Record& record) {
+    // Without someone to show it to, the result is not copied at every step of the search.
     SearchObserver show;
     if (record.shows()) show = [&](const RankedFits& fits) { record.enter(fits); };
     const Baseline& baseline = context.baseline();
+    // A faint residual is not worth sets: two effects explain almost any small residual.
     const bool faint = is_faint(baseline);
     BeginningSearch beginnings = search_beginnings(context, store, log);
     RankedFits fits = std::move(beginnings.fits);
@@ -174,8 +184,10 @@ PredictionShift search(const DiagnosisContext& context, FitStore& store, PhaseLo
         fits = std::move(sets.fits);
         shift = std::move(sets.shift);
     };
+    // A set found on the beginnings is continued on the whole recordings before single effects are scored.
     if (!fits.sets.empty() && !explained(fits.candidates, baseline)) search_larger();
     if (explained(fits.candidates, baseline, Leniency::strict) || is_explained_by_set(fits, baseline))
+        // Screening would take scores at the declared fit, whose residual is too large for its derivatives.
         record.enter_note("effects are scored on the first " + format_number(100.0 * beginnings.share, 2) +
                           " % of every recording, where so large a residual still follows their derivatives");
     else if (!log.cancelled()) {
@@ -189,6 +201,8 @@ PredictionShift search(const DiagnosisContext& context, FitStore& store, PhaseLo
         for (const Candidate& candidate : from_beginnings)
             if (candidate.judged) enter_fit(fits, *candidate.judged);
         fits = with_ranked_candidates(std::move(fits), baseline);
+        // If every single effect leaves much, more of them are not fitted before sets were tried; and a set is searched
+        // again if one of the later single effects leaves clearly less than those from which it was searched before.
         const bool far = is_far_from_explained(fits.candidates, baseline);
         if (far) search_larger();
         if (!log.cancelled() && !(far && is_explained(fits, baseline))) {
@@ -217,12 +231,14 @@ Diagnosis diagnose(const setup::Setup& setup, const DiagnoseSettings& settings, 
     PhaseLog log(progress);
     Record record(settings, log, live);
     const setup::Setup prepared = prepared_setup(setup, settings);
+    // The store belongs to the prepared setup, with its element: fits with another element are not read.
     FitStore store = settings.fits ? FitStore(*settings.fits, store_words(prepared)) : FitStore();
 
     DeclaredFit declared = fit_declared(prepared, settings, store, log);
     if (std::string note = store.unused_note(); !note.empty()) declared.notes.push_back(std::move(note));
     record.enter(declared);
     if (!declared.usable() || log.cancelled()) return record.finished();
+    // All comparisons refer to the corrected fit: mesh and step errors would otherwise be explained by effects.
     std::optional<CorrectedDeclaredFit> corrected = correct_declared_fit(
         {declared.setup, declared.data, settings, {}, "declared fit", settings.policy.declared.correction},
         std::move(declared.fit), store, log);
@@ -232,9 +248,12 @@ Diagnosis diagnose(const setup::Setup& setup, const DiagnoseSettings& settings, 
 
     const DiagnosisContext& context = made;
     PredictionShift shift = context.data.shift;
+    // A residual within noise and numerical error needs no search, and the verdict will be `none`.
     if (needs_explanation(context.baseline())) shift = search(context, store, log, record);
     if (log.cancelled()) return record.finished();
 
+    // Only now: trials with role `validate` take part in no decision, and their refined runs are needed for the last
+    // prediction alone.
     const NumericalError declared_error = with_error_of_other_trials(context, context.declared, log);
     record.enter_declared_error(declared_error);
     const Decision decision = decide(record.so_far());

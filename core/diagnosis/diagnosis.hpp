@@ -14,6 +14,8 @@
 
 namespace myo::diagnosis {
 
+/// `none`: the declared model explains the recordings. `effects`: with these it does. `unknown`: something is missing
+/// that no admitted effect explains.
 enum class VerdictKind { none, effects, unknown };
 
 /// Answer of a diagnosis, with confidence and reason.
@@ -31,6 +33,7 @@ struct Verdict {
 };
 
 /// Result of a diagnosis: what the declared model lacks, and the evidence.
+/// A part is complete from the phase on that computes it, and has its default until then, or if a stop prevents it.
 struct Diagnosis {
     DiagnoseSettings settings;
     FitData data;          // of the fit trials
@@ -59,7 +62,9 @@ struct Diagnosis {
     Baseline baseline() const { return {declared, data, numerics, settings}; }
 };
 
-/// Setup with the element, steps and effective modulus that a diagnosis used.
+/// Setup with the element, steps and effective modulus that a diagnosis used: runs of it compare with its fits.
+///
+/// @param setup  the setup that was given to diagnose(), unchanged
 setup::Setup as_diagnosed(const Diagnosis& diagnosis, setup::Setup setup);
 
 /// Declared fit, numerical error, significance, scores, candidate fits, sets, verdict, prediction of all trials.
@@ -67,7 +72,10 @@ setup::Setup as_diagnosed(const Diagnosis& diagnosis, setup::Setup setup);
 /// Trials with role `validate` are only predicted at the end: a verdict with which their prediction is worse keeps half
 /// its confidence. The result does not depend on the number of threads. Progress is reported by phase, each in its own
 /// unit.
+/// @param setup     without a compared sample in a fit trial the result has a `failure`
+/// @param settings  the file of fits is read and written if one is given
 /// @param live  called with the intermediate result after every phase, from the calling thread; may be null
+/// @return  nothing is thrown: `failure` has the reason if the declared model cannot be run, `stopped` a cancellation
 /// Source: Rao 1948 (score test); Hastie et al. 2009, ch. 7 (selection by held-out data).
 Diagnosis diagnose(const setup::Setup& setup, const DiagnoseSettings& settings, const Progress& progress = {},
                    const std::function<void(const Diagnosis&)>& live = {});

@@ -11,7 +11,7 @@ struct DiagnosisContext {
     setup::Setup setup;         // with element, tolerances, steps, iteration limits and modulus factor of all fits
     DiagnoseSettings settings;  // policy, excluded effects, numbers of fits
     FitData data;               // of the fit trials, with the shift of the declared fit
-    JudgedFit declared;         // reference of all comparisons
+    JudgedFit declared;         // reference of all comparisons, its numerical error removed
     NumericalError numerics;    // of the declared fit
     Refinement refinement;      // from which the numerical error of other fits is computed
 
@@ -24,6 +24,7 @@ struct DiagnosisContext {
 
 /// Setup for a diagnosis: with an element that resolves every effect that may be named, the solver tolerances of the
 /// policy, and stored paths, from which similar runs start.
+/// Tolerances looser than those of the policy are kept.
 setup::Setup prepared_setup(const setup::Setup& as_declared, const DiagnoseSettings& settings);
 
 /// Setup with an element that resolves every effect that may be named. All fits of a diagnosis use it: two elements

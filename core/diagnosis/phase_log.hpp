@@ -11,6 +11,7 @@ namespace myo::diagnosis {
 /// Cost of one phase of a diagnosis.
 struct PhaseCost {
     std::string phase;
+    // Wall-clock time, summed over all times that the phase ran.
     double seconds = 0.0;
     int runs = 0;  // trial runs, tangents included
 };
@@ -27,6 +28,8 @@ public:
     const std::vector<PhaseCost>& costs() const { return costs_; }
 
     /// Reports the phase, runs the task, and adds its time and trial runs. Returns the value of the task.
+    ///
+    /// @param runs  trial runs of the task, as far as they are known before it; see add() for the others
     template <class Task>
     auto timed(const std::string& phase, int runs, const Task& task) {
         progress_.report({phase, 0.0, 1.0, "phase", {}});
@@ -36,6 +39,7 @@ public:
         return value;
     }
     /// Adds to the cost of a phase; its entry is made if there is none.
+    /// Not thread-safe: called from the thread of the diagnosis, between tasks.
     void add(const std::string& phase, double seconds, int runs);
 
 private:

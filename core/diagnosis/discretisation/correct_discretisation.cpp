@@ -22,13 +22,16 @@ struct Refit {
     bool matched = false;  // parameters were matched between the coarse and the refined runs
 };
 
+/// Number of trials whose error is computed.
 int fit_count(const CorrectionInput& in) { return static_cast<int>(in.data.trials.size()); }
 
+/// The data with another correction of the predictions.
 FitData with_shift(FitData data, const PredictionShift& shift) {
     data.shift = shift;
     return data;
 }
 
+/// Fit of all parameters from `start`, logged under the phase of the input.
 JointFit refit(const CorrectionInput& in, const FitData& data, const prediction::ParameterValues& start,
                const Effort& effort, const WarmStart& warm, FitStore& store, PhaseLog& log) {
     return logged_fit(in.phase, {in.setup, data, start, in.settings.policy, EffectFreedom::all, effort, warm}, store,
@@ -36,6 +39,7 @@ JointFit refit(const CorrectionInput& in, const FitData& data, const prediction:
 }
 
 /// Scales the fitted moduli such that the motion stays the same with another modulus factor of the cells.
+/// Cells of factor times the modulus move with E / factor as they did with E.
 void scale_modulus(JointFit& fit, double factor) {
     for (const prediction::ModelParameter& p : fit.parameters)
         if (p.kind == prediction::ModelParameter::Kind::youngs_modulus ||
@@ -50,6 +54,7 @@ void scale_modulus(JointFit& fit, double factor) {
 std::optional<NumericalError> matched_error(const CorrectionInput& in, const JointFit& fit, const FitData& data,
                                             const NumericalError& plain, FitStore& store, PhaseLog& log) {
     const NumericsPolicy& policy = in.settings.policy.numerics;
+    // Errors count in noise levels, but not below what the fit leaves anyway.
     const double unit_m = std::max(mean_noise_m(data), flat_rms_m(data, fit.residual));
     if (!(shift_rms_m(plain.shift) > policy.min_matched_error * unit_m)) return {};
     // New derivatives: those of a search are secant approximations.
@@ -63,6 +68,7 @@ std::optional<NumericalError> matched_error(const CorrectionInput& in, const Joi
             return error_at({in.setup, in.refinement, fit.values, data.trials, nullptr, &matched}, policy,
                             log.progress());
         });
+        // Newton's iteration converges fast or not at all: the best error so far is kept.
         const double was = shift_rms_m(before.shift), is = shift_rms_m(numerics.shift);
         if (log.cancelled() || !(is < was)) break;
         best = std::move(numerics);
@@ -81,6 +87,7 @@ std::optional<Refit> matched_refit(const CorrectionInput& in, const JointFit& fi
     if (!found) return {};
     NumericalError& numerics = *found;
     const MatchedValues matched = *numerics.matched;
+    // First refit: with the error that remains after matching, at the matched values.
     data.shift = numerics.shift;
     const JointFit there = refit(in, data, fit.values, in.correction.effort, warm_start_of(fit), store, log);
     if (!there.usable()) return {};
@@ -94,6 +101,7 @@ std::optional<Refit> matched_refit(const CorrectionInput& in, const JointFit& fi
     if (!prediction::all_ok(at_limit)) return {};
     for (std::size_t i = 0; i < data.trials.size(); ++i)
         add_scaled(difference(there.predictions[i], at_limit[i]), 1.0, numerics.shift[data.trials[i]]);
+    // Second refit: from the extrapolated values, with new derivatives.
     JointFit ended = refit(in, with_shift(std::move(data), numerics.shift), limit, in.correction.effort, {}, store,
                            log);
     if (!ended.usable()) return {};
@@ -109,6 +117,7 @@ Refit plain_refit(const CorrectionInput& in, const JointFit& fit, NumericalError
     return {std::move(again), std::move(numerics), false};
 }
 
+/// Error at the values of a fit, with equal values in all runs; its step part is reused if negligible.
 NumericalError plain_error(const CorrectionInput& in, const JudgedFit& fit, PhaseLog& log) {
     return log.timed(error_phase, 3 * fit_count(in), [&] {
         return error_at(
@@ -141,6 +150,7 @@ std::optional<JudgedFit> corrected_in_rounds(const CorrectionInput& in, JudgedFi
         NumericalError plain = plain_error(in, fit, log);
         if (log.cancelled()) return {};
         const FitData data = fit.numerics ? with_shift(in.data, fit.numerics->shift) : in.data;
+        // Matching applies to fits with effects and large errors only; all others are refitted with the plain error.
         std::optional<Refit> again = matched_refit(in, fit.fit, data, plain, store, log);
         if (log.cancelled()) return {};
         if (!again) again = plain_refit(in, fit.fit, std::move(plain), store, log);
@@ -165,6 +175,7 @@ std::optional<CorrectedDeclaredFit> correct_declared_fit(const CorrectionInput& 
     const NumericsPolicy& policy = in.settings.policy.numerics;
     CorrectedDeclaredFit result;
     setup::Setup setup = in.setup;
+    // Refers to `setup` and `result.refinement`, which get their values below.
     const CorrectionInput with{setup, in.data, in.settings, result.refinement, in.phase, in.correction};
     NumericalError error = log.timed(error_phase, 3 * fit_count(in), [&] {
         result.refinement = refined(setup, in.settings.refine_mesh, policy, log.progress());
@@ -175,6 +186,7 @@ std::optional<CorrectedDeclaredFit> correct_declared_fit(const CorrectionInput& 
         return match_modulus(setup, prediction::with_predicted_levels(setup, fit.fit.values), in.data, error, policy,
                              log.progress());
     });
+    // From here on the cells have the effective modulus, and the fitted moduli are converted, so that the motion stays.
     if (by_modulus) {
         result.refinement.unmatched = error = *by_modulus;
         result.modulus_factor = setup.modulus_factor = error.effective_modulus.factor();
@@ -186,12 +198,14 @@ std::optional<CorrectedDeclaredFit> correct_declared_fit(const CorrectionInput& 
     if (again.fit.usable()) {
         const bool converged = is_converged(with, fit.fit, again);
         fit = replaced(with, fit, std::move(again));
+        // One round was made above, hence from 1 on.
         std::optional<JudgedFit> corrected = converged ? std::move(fit)
                                                        : corrected_in_rounds(with, std::move(fit), 1, store, log);
         if (!corrected) return {};
         fit = std::move(*corrected);
     }
     result.fit = std::move(fit);
+    // A zero error: later phases expect one.
     if (!result.fit.numerics) result.fit.numerics.emplace();
     return result;
 }

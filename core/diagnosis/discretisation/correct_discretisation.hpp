@@ -46,6 +46,7 @@ std::optional<CorrectedDeclaredFit> correct_declared_fit(const CorrectionInput& 
                                                          PhaseLog& log);
 
 /// Numerical error of a fit, completed by that of the trials that were not used in the fit.
+/// @param fit  with an error of its own (numerics)
 NumericalError with_error_of_other_trials(const DiagnosisContext& context, const JudgedFit& fit, PhaseLog& log);
 
 }  // namespace myo::diagnosis

@@ -27,6 +27,7 @@ prediction::ParameterValues moved(const std::vector<prediction::ModelParameter>&
 /// bounds.
 prediction::ParameterValues undoing(const JointFit& fit, prediction::ParameterValues values, const VectorXd& change,
                                     const NumericsPolicy& policy) {
+    // Columns are scaled to unit length, so that the threshold on singular values does not depend on units.
     VectorXd size = fit.jacobian.colwise().norm();
     size = (size.array() > 0.0).select(size, 1.0);
     Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver;
@@ -48,6 +49,7 @@ prediction::ParameterValues undoing(const JointFit& fit, prediction::ParameterVa
 MatchedValues match_discretisation(const FitData& data, const JointFit& fit, const NumericalError& error,
                                    const NumericsPolicy& policy) {
     const MatchedValues with = error.matched ? *error.matched : MatchedValues{fit.values, fit.values, fit.values};
+    // step_shift is extrapolated to zero step; dividing by the Richardson factor gives the change by half the step.
     return {fit.values,
             undoing(fit, with.finer_step, flat_shift(data, error.step_shift) / step_extrapolation(policy), policy),
             undoing(fit, with.finer_mesh, flat_shift(data, error.mesh_change), policy)};

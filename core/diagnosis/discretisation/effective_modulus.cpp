@@ -8,6 +8,7 @@
 namespace myo::diagnosis {
 namespace {
 
+/// Predictions with a modulus factor of the cells.
 std::vector<prediction::TrialPrediction> with_factor(setup::Setup setup, const prediction::ParameterValues& values,
                                                      const FitData& data, double factor, const Progress& progress) {
     setup.modulus_factor = factor;
@@ -40,13 +41,16 @@ std::optional<NumericalError> match_modulus(const setup::Setup& setup, const pre
     const Eigen::VectorXd flat = flat_shift(data, column);
     const double squares = flat.squaredNorm();
     if (!(squares > 0.0)) return {};
+    // Least squares with one column: the relative change of the modulus that is nearest to a shift.
     const auto share = [&](const Eigen::VectorXd& shift) {
         return std::clamp(flat.dot(shift) / squares, -policy.max_modulus_change, policy.max_modulus_change);
     };
     EffectiveModulus found;
     found.mesh = share(all - of_step);
+    // What the refinement changes, the finer cells do not need.
     found.finer_mesh = found.mesh - share(finer_mesh);
     found.step = share(of_step);
+    // The step error is of second order, so that a step of ratio r has r^2 of it.
     found.finer_step = error.step_ratio * error.step_ratio * found.step;
     const std::vector<prediction::TrialPrediction> matched = with_factor(setup, values, data, found.factor(), progress);
     if (!prediction::all_ok(matched)) return {};
@@ -54,6 +58,8 @@ std::optional<NumericalError> match_modulus(const setup::Setup& setup, const pre
     error.by_modulus.assign(setup.trials.size(), {});
     for (std::size_t i = 0; i < data.trials.size(); ++i) {
         const std::size_t t = data.trials[i];
+        // The run with the factor moves by this much; the rest stays a shift. The contribution of step and of mesh is
+        // known to first order only, that of the whole exactly.
         add_scaled(difference(matched[i], there[i]), -1.0, error.shift[t]);
         add_scaled(column[t], -found.step, error.step_shift[t]);
         add_scaled(column[t], found.mesh + found.step, error.by_modulus[t]);

@@ -28,11 +28,13 @@ LongerSteps longer_steps(const setup::Setup& setup, const prediction::ParameterV
     }
     found.runs = static_cast<int>(open.size());
     for (;;) {
+        // A step longer than the sampling interval would interpolate the recording's own motion.
         std::erase_if(open, [&](std::size_t t) {
             const double longest_s = (1.0 + 1e-9) * setup::sampling_interval_s(setup.trials[t]);
             return !fine[t].ok() || 2.0 * longer.trials[t].options.h_s > longest_s;
         });
         if (open.empty() || progress.cancelled()) return found;
+        // Doubled steps are compared with those of the setup, not with the previous ones: errors must not add up.
         for (const std::size_t t : open) longer.trials[t].options.h_s *= 2.0;
         const std::vector<prediction::TrialPrediction> coarse = prediction::predict_trials_with(longer, values, open,
                                                                                                 progress);

@@ -14,6 +14,7 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
+/// Sum of squares and count of entries, for a common rms [m].
 struct Sum {
     double squares = 0.0, count = 0.0;
     void add(const std::vector<Matrix3Xd>& tracks) {
@@ -34,6 +35,7 @@ double mesh_order(fem::ElementKind element, const NumericsPolicy& policy) {
 /// Richardson factor: distance to the limit over the change by a refinement with this ratio (fine over coarse).
 double extrapolation(double ratio, double order) { return 1.0 / (1.0 - std::pow(ratio, order)); }
 
+/// Whether a fit determines the modulus of the whole body, which compensates for stiffer cells.
 bool moves_modulus(const JointFit& fit) {
     return std::any_of(fit.parameters.begin(), fit.parameters.end(), [](const prediction::ModelParameter& p) {
         return p.kind == prediction::ModelParameter::Kind::youngs_modulus;
@@ -80,6 +82,7 @@ NumericalError numerical_error(const RefinedRuns& runs, const NumericsPolicy& po
     NumericalError error;
     error.effective_modulus = effective_modulus;
     error.step_ratio = policy.step_ratio;
+    // Step errors of similar motions are similar: a negligible one is reused and saves a run of twice the steps.
     const bool negligible = known && known->step_rms_m < policy.negligible_step_error * setup.noise_m.minCoeff() &&
                             known->step_shift.size() == setup.trials.size();
     std::vector<prediction::TrialPrediction> finer_step(trials.size());
@@ -111,6 +114,7 @@ NumericalError numerical_error(const RefinedRuns& runs, const NumericsPolicy& po
     for (std::size_t i = 0; i < trials.size(); ++i) {
         const std::size_t t = trials[i];
         if (!base[i].ok()) continue;
+        // A refined run that fails leaves its part of the error unknown (empty); the others are still removed.
         if (finer_step[i].ok()) {
             const std::vector<Matrix3Xd> change = difference(finer_step[i], base[i]);
             by_step.add(change);
@@ -132,6 +136,7 @@ NumericalError numerical_error(const RefinedRuns& runs, const NumericsPolicy& po
     error.mesh_rms_m = by_mesh.rms();
     error.rest_rms_m = shift_rms_m(error.shift);
     const setup::PreparedTrial& first = setup.trials.front();
+    // Stated for the report only; the step error contains its effect on the motion.
     error.numerical_damping = setup::check_integration(prediction::trial_model(setup, 0, values.setup),
                                                        first.options.integrator, first.options.h_s)
                                   .numerical_damping_ratio;
@@ -154,6 +159,7 @@ NumericalError completed(NumericalError error, const NumericalError& other) {
 
 double extrapolation_left_m(const FitData& data, const NumericalError& error, const JointFit& fit,
                             const NumericsPolicy& policy) {
+    // The part of the error within the space of the parameters moves the fitted values, not the residual.
     const statistics::NuisanceSpace nuisance(fit.jacobian);
     Eigen::VectorXd shift = flat_shift(data, error.shift);
     if (!moves_modulus(fit)) shift += flat_shift(data, error.by_modulus);
@@ -163,6 +169,7 @@ double extrapolation_left_m(const FitData& data, const NumericalError& error, co
         for (const statistics::ResidualSeries& series : data.layout.series)
             if (series.trial == trial)
                 own.segment(series.begin, series.size()) = shift.segment(series.begin, series.size());
+        // Each trial by itself, squares added: the errors are taken as independent between trials.
         squares += std::pow(flat_rms_m(data, nuisance.outside(own)), 2);
     }
     return policy.extrapolation_doubt * std::sqrt(squares);

@@ -29,11 +29,11 @@ struct MatchedValues {
 
 /// Numerical error of predictions, from the changes by a finer step and a finer mesh.
 struct NumericalError {
-    double step_rms_m = 0.0;  // change by half the step
-    double mesh_rms_m = 0.0;  // change by the finer mesh
-    double rest_rms_m = 0.0;  // shift that remains with the effective modulus
-    double step_ratio = 0.0;  // fine over coarse
-    double mesh_ratio = 0.0;
+    double step_rms_m = 0.0;               // change by half the step, not extrapolated
+    double mesh_rms_m = 0.0;               // change by the finer mesh, not extrapolated
+    double rest_rms_m = 0.0;               // shift that remains with the effective modulus
+    double step_ratio = 0.0;               // fine over coarse
+    double mesh_ratio = 0.0;               // of edge lengths, fine over coarse; 0: no finer mesh
     double left_rms_m = 0.0;               // possible error of the extrapolation that the fit cannot compensate, see
                                            // extrapolation_left_m()
     double numerical_damping = 0.0;        // damping ratio that the integrator adds to the first vibration

@@ -27,10 +27,12 @@ std::vector<prediction::TrialPrediction> fitted_predictions(const setup::Setup& 
 Refinement refined(const setup::Setup& setup, bool refine_mesh, const NumericsPolicy& policy,
                    const Progress& progress) {
     if (!refine_mesh) return {};
+    // Unknowns grow with the cube of 1 / ratio.
     const double ratio = std::clamp(std::cbrt(setup.body->dofs() / policy.fine_unknowns), policy.finest_ratio,
                                     policy.coarsest_ratio);
     Result<setup::Setup> finer = setup::refined_setup(setup, ratio, progress);
     if (!finer) return {};
+    // Preparation would choose steps of its own; the two errors are separated only if the steps are equal.
     for (std::size_t t = 0; t < setup.trials.size(); ++t) finer->trials[t].options.h_s = setup.trials[t].options.h_s;
     return {std::make_shared<const setup::Setup>(std::move(*finer)), {}};
 }
@@ -38,6 +40,7 @@ Refinement refined(const setup::Setup& setup, bool refine_mesh, const NumericsPo
 NumericalError error_at(const ErrorTask& task, const NumericsPolicy& policy, const Progress& progress) {
     const auto& [setup, refinement, fitted, trials, known, matched] = task;
     const NumericalError& unmatched = refinement.unmatched;
+    // Levels of validation trials follow from the values of each run.
     const MatchedValues same = matched ? *matched : MatchedValues{fitted, fitted, fitted};
     const MatchedValues values{prediction::with_predicted_levels(setup, same.setup),
                                prediction::with_predicted_levels(setup, same.finer_step),
@@ -46,6 +49,7 @@ NumericalError error_at(const ErrorTask& task, const NumericsPolicy& policy, con
     NumericalError error = numerical_error(
         {setup, refinement.finer.get(), values, trials, base, known, unmatched.effective_modulus}, policy, progress);
     if (matched) {
+        // The base run had the matched values: its distance from the run with the fitted ones belongs to the shift.
         const std::vector<prediction::TrialPrediction> there = fitted_predictions(setup, trials, fitted, progress);
         for (std::size_t i = 0; i < trials.size(); ++i)
             if (base[i].ok() && there[i].ok() && !error.shift[trials[i]].empty())

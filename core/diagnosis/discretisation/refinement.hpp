@@ -25,6 +25,7 @@ struct Refinement {
 
 /// Setup on a finer mesh, with the steps of `setup`: about NumericsPolicy::fine_unknowns unknowns, its edge length
 /// within the limits of the policy.
+/// `finer` is null if `refine_mesh` is false or the body cannot be meshed more finely.
 Refinement refined(const setup::Setup& setup, bool refine_mesh, const NumericsPolicy& policy, const Progress& progress);
 
 /// Where the numerical error is computed. Refers to values that outlive the call.

@@ -22,6 +22,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Squared residual that the Jacobian predicts for the best step within the bounds.
+/// One Gauss-Newton step in the internal (scaled or logarithmic) parameters, as the solver takes it.
 double predicted_squares(const JointFit& fit) {
     std::vector<inverse::Parameter> parameters;
     VectorXd at(static_cast<Index>(fit.parameters.size()));
@@ -50,6 +51,7 @@ enum class Slopes { of_earlier_fit, computed };
 /// Candidate fits in rounds; each round fits some of the candidates in parallel.
 class Rounds {
 public:
+    /// Refers to its arguments, which must outlive the rounds.
     Rounds(const CandidateFitInput& in, FitStore& store, const Progress& progress)
         : in_(in), store_(store), progress_(progress), serial_(in.setup), of_base_(warm_start_of(in.base)) {
         serial_.settings.threads = 1;
@@ -60,6 +62,7 @@ public:
     int threads() const { return std::max(1, in_.setup.settings.threads); }
     int runs() const { return runs_; }
 
+    /// Whether a usable fit has not converged, or not with all parameters of its effects yet.
     bool is_unfinished(std::size_t i) const {
         const JointFit& found = fit(i).fit;
         return fit(i).usable() && (!found.report.converged() ||
@@ -67,6 +70,7 @@ public:
                                        joint_parameters(in_.setup, found.values, in_.settings.policy.declared).size());
     }
 
+    // Both are called from several threads at once, for different candidates; they must not write.
     using Wanted = std::function<bool(std::size_t)>;
     using Start = std::function<prediction::ParameterValues(std::size_t)>;
 
@@ -91,6 +95,7 @@ private:
         parallel_tasks(static_cast<int>(in_.starts.size()), in_.setup.settings.threads, [&](int task) {
             const auto i = static_cast<std::size_t>(task);
             if (progress_.cancelled() || !wanted(i)) return;
+            // The own earlier Jacobian is nearer than that of the base fit, which lacks the columns of the effect.
             WarmStart warm = slopes == Slopes::computed ? WarmStart{}
                              : fit(i).usable()          ? warm_start_of(fit(i).fit)
                                                         : of_base_;
@@ -98,12 +103,15 @@ private:
             const prediction::ParameterValues start = from(i);
             JointFit found = stored_fit({setup, in_.data, start, in_.settings.policy, freedom, effort, std::move(warm)},
                                         store_, progress_.with_sink({}));
+            // A cancelled fit is not kept: it would look like one that made no progress.
             if (!found.usable() || progress_.cancelled()) return;
+            // Only residuals and positions are needed further on; traces of all candidates would exceed the memory.
             for (prediction::TrialPrediction& prediction : found.predictions) prediction.trace = {};
             JudgedFit fresh = judged(in_.data, std::move(found), in_.settings);
             const std::lock_guard<std::mutex> lock(mutex_);
             runs_ += fresh.fit.runs(static_cast<int>(in_.data.trials.size()));
             if (!fit(i).usable() || fresh.fit.squares() < fit(i).fit.squares()) fits_[i] = std::move(fresh);
+            // The total is an estimate: one fit of amounts and one of all parameters per candidate.
             progress_.report({in_.phase, static_cast<double>(++done_), 2.0 * static_cast<double>(in_.starts.size()),
                               "fits", in_.starts[i].effect.id});
         });
@@ -120,6 +128,7 @@ private:
     std::mutex mutex_;
 };
 
+/// Values with one more effect, behind those of the base.
 prediction::ParameterValues with_effect(prediction::ParameterValues values, effect::EffectDeclaration effect) {
     values.effects.push_back(std::move(effect));
     return values;
@@ -148,6 +157,7 @@ void fit_first_amounts(const CandidateFitInput& in, Rounds& rounds) {
         policy.amount, [&](std::size_t i) { return !starts[i].nonlinear; }, stepped);
     rounds.fit_amounts(
         policy.nonlinear, [&](std::size_t i) { return starts[i].nonlinear; }, stepped);
+    // The base fit with the amount 0 would be as good as the base: a larger residual means that the start was bad.
     const auto went_wrong = [&](std::size_t i) {
         return !starts[i].nonlinear && (!rounds.fit(i).usable() || rounds.fit(i).fit.squares() > in.base.squares());
     };
@@ -165,6 +175,7 @@ void repeat_missed_amounts(const CandidateFitInput& in, Rounds& rounds) {
     const CandidateFitPolicy& policy = in.settings.policy.fits;
     double largest = 0.0;
     for (const CandidateStart& start : in.starts) largest = std::max(largest, start.predicted_reduction);
+    // Only fits of a large predicted reduction: the Jacobian of the base does not hold at their start.
     const auto missed = [&](std::size_t i) {
         const double reduction = in.starts[i].predicted_reduction, base = in.base.squares();
         if (!rounds.is_unfinished(i) || rounds.fit(i).fit.report.converged() ||
@@ -183,6 +194,7 @@ void continue_best(const CandidateFitInput& in, Rounds& rounds) {
     const CandidateFitPolicy& policy = in.settings.policy.fits;
     const std::size_t count = in.starts.size();
     std::vector<bool> continued(count, false);
+    // Each round prunes with the smallest residual so far, so that a good leader saves most of the others.
     for (bool first = true;; first = false) {
         PruningInput pruning{{}, in.least_so_far, in.base.samples(), in.pruning_factor, policy.comparable_reduction};
         for (std::size_t i = 0; i < count; ++i)
@@ -192,6 +204,7 @@ void continue_best(const CandidateFitInput& in, Rounds& rounds) {
         std::vector<std::size_t> next = fits_worth_continuing(
             pruning, [&](std::size_t i) { return predicted_squares(rounds.fit(i).fit); });
         if (next.empty()) return;
+        // After the first round, as many at once as there are threads, the best first.
         const std::size_t most = first ? 1 : static_cast<std::size_t>(rounds.threads());
         const auto end = next.begin() + static_cast<std::ptrdiff_t>(std::min(next.size(), most));
         std::partial_sort(next.begin(), end, next.end(), [&](std::size_t a, std::size_t b) {
@@ -219,6 +232,7 @@ std::vector<CandidateStart> nonlinear_starts(const std::vector<EffectScore>& sco
     for (const EffectScore& score : scores) {
         if (!score.failure.empty() || score.nonlinear.empty() || !wanted(score)) continue;
         const EffectScore*& found = best[score.id];
+        // Other probes of the effect would mostly lead to the same minimum.
         if (!found || score.share() > found->share()) found = &score;
     }
     std::vector<CandidateStart> starts;

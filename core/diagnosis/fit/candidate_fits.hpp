@@ -20,6 +20,7 @@ struct CandidateStart {
     effect::EffectParameters safe;     // parameters of the probe, the fallback start; empty: none
 };
 /// Start at the amount that the score predicts.
+/// The prediction is linear; nonlinear_starts() are for effects beyond its range.
 CandidateStart start_of(const EffectScore& score);
 /// Starts beyond the linear range: those of the best probe of each effect that `wanted` accepts.
 std::vector<CandidateStart> nonlinear_starts(const std::vector<EffectScore>& scores,
@@ -39,6 +40,9 @@ struct CandidateFitInput {
 
 /// Fits candidate effects added to the effects of a base fit: first the amount of each effect, then all parameters of
 /// the candidates that are not pruned, best first.
+///
+/// As many fits continue at once as the setup has threads; which of the others are pruned may depend on that number.
+/// Fits found in the store are evaluated only.
 ///
 /// @return  in the order of the starts; not usable where the fit failed
 std::vector<JudgedFit> fit_candidates(const CandidateFitInput& in, FitStore& store, PhaseLog& log);

@@ -14,6 +14,7 @@ namespace {
 
 /// Lengthens the time steps while predictions change by at most max_m [m, rms]. Returns whether a step became longer.
 bool lengthen_steps(DeclaredFit& result, double max_m, PhaseLog& log) {
+    // A step that the user states is kept.
     if (result.setup.settings.h_s) return false;
     const LongerSteps longer = log.timed("step", 0, [&] {
         return longer_steps(result.setup, prediction::declared_values(result.setup), max_m, log.progress());
@@ -50,6 +51,7 @@ void limit_iterations(DeclaredFit& result, const JointFit& fit, const DeclaredFi
 /// found.
 JointFit fit_of_declared(DeclaredFit& result, prediction::ParameterValues start, const DiagnoseSettings& settings,
                          FitStore& store, PhaseLog& log) {
+    // Reads `start` at the time of its call: below it changes between the calls.
     const auto fitted = [&](const WarmStart& warm) {
         return logged_fit("declared fit",
                           {result.setup, result.data, start, settings.policy, EffectFreedom::all,
@@ -65,8 +67,10 @@ JointFit fit_of_declared(DeclaredFit& result, prediction::ParameterValues start,
     const JointFit first = fitted({});
     if (!first.usable() || log.cancelled()) return first;
     start = first.values;
+    // The derivatives by the places depend on the motion: the second linearisation is at the fitted one.
     start.places_m = probable_places(result.setup, result.data, first.residual);
     std::vector<prediction::TrialPrediction> placed;
+    // Moved markers need no new run: they only observe the body elsewhere.
     for (std::size_t i = 0; i < result.data.trials.size(); ++i)
         placed.push_back(
             prediction::observe_trial(result.setup, result.data.trials[i], start, first.predictions[i].trace));
@@ -85,6 +89,7 @@ DeclaredFit fit_declared(const setup::Setup& setup, const DiagnoseSettings& sett
     }
     const NumericsPolicy& numerics = settings.policy.numerics;
     const double noise_m = setup::mean_noise(setup);
+    // Steps first, at the declared values: the time of all later phases is proportional to their number.
     lengthen_steps(result, numerics.max_step_change * noise_m, log);
     if (log.cancelled()) return result;
     const prediction::ParameterValues declared = prediction::declared_values(result.setup);
@@ -93,6 +98,7 @@ DeclaredFit fit_declared(const setup::Setup& setup, const DiagnoseSettings& sett
     if (log.cancelled()) return result;
     JointFit fit = fit_of_declared(result, declared, settings, store, log);
     if (log.cancelled()) return result;
+    // The declared values may be impossible to run while others within the bounds are not.
     if (!fit.usable())
         if (const auto start = prediction::runnable_start(result.setup, declared, fit.parameters, result.data.trials,
                                                           log.progress()))
@@ -102,6 +108,7 @@ DeclaredFit fit_declared(const setup::Setup& setup, const DiagnoseSettings& sett
         return result;
     }
     limit_iterations(result, fit, settings.policy.declared);
+    // Where even the best declared model leaves much, a step error well below that is harmless.
     const double left_m = numerics.step_change_of_left * flat_rms_m(result.data, fit.residual);
     if (left_m > numerics.max_step_change * noise_m && lengthen_steps(result, left_m, log))
         forget_paths(fit.predictions);  // they belong to shorter steps

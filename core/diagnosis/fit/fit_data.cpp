@@ -29,6 +29,7 @@ VectorXd gathered(const FitData& data, const Value& value) {
 }
 
 /// Position of each trial of the setup in data.trials.
+/// Positions of trials that are not fitted are 0 and never read.
 std::vector<std::size_t> places(const FitData& data) {
     std::vector<std::size_t> place;
     for (std::size_t i = 0; i < data.trials.size(); ++i) {
@@ -63,6 +64,7 @@ Eigen::MatrixXd place_columns(const setup::Setup& setup, const FitData& data,
 }
 
 /// Flat residual at the declared places if it was computed at those of the predictions.
+/// The residual is linear in the places: going back by `assumed` is a product with the derivatives, without a run.
 VectorXd at_declared_places(const FitData& data, const std::vector<prediction::TrialPrediction>& predictions,
                             VectorXd residual) {
     const std::vector<Eigen::Vector3d>& assumed = predictions.front().places_m;
@@ -110,6 +112,7 @@ FitData fit_data(const setup::Setup& setup, const std::vector<std::size_t>& tria
 
 VectorXd flat_residual(const FitData& data, const std::vector<prediction::TrialPrediction>& predictions) {
     assert(predictions.size() == data.trials.size());
+    // Order of operations: shift in metres, division by the noise, then whitening by the unknown places.
     const std::vector<std::size_t> place = places(data);
     const VectorXd metres = gathered(data, [&](const statistics::ResidualSeries& at, int sample) {
         const auto trial = static_cast<std::size_t>(at.trial), marker = static_cast<std::size_t>(at.marker);

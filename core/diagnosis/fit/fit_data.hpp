@@ -29,6 +29,7 @@ struct FitData {
     double placement_m = 0.0;  // markers.placement_m, if there are unknown places
 };
 /// Measured samples of these trials, from the first sample of each that is compared.
+/// Gaps (samples that are not finite) are left out per marker. A marker without samples has no series.
 FitData fit_data(const setup::Setup& setup, const std::vector<std::size_t>& trials);
 
 /// The data with the places of the markers as unknowns, linearised at these predictions. Unchanged if
@@ -47,6 +48,7 @@ Eigen::VectorXd flat_residual(const FitData& data, const std::vector<prediction:
 Eigen::VectorXd flat_shift(const FitData& data, const PredictionShift& shift);
 
 /// Jacobian of flat_residual() from the tangents of the predictions, N x parameters.
+/// @param predictions  with `parameters` tangents each, in the order of data.trials; all must have succeeded
 Eigen::MatrixXd flat_jacobian(const FitData& data, const std::vector<prediction::TrialPrediction>& predictions,
                               std::size_t parameters);
 
@@ -60,6 +62,7 @@ Eigen::VectorXd flat_tangent(const FitData& data, const TrialTangents& tangents)
 double mean_noise_m(const FitData& data);
 
 /// Root mean square of a flat residual [m].
+/// Entries are weighted by their noise, which the residual was divided by; 0 without entries.
 double flat_rms_m(const FitData& data, const Eigen::VectorXd& residual);
 
 /// Trial (index in the setup) with the largest mean square of a flat residual.

@@ -17,6 +17,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// The values with the parameters at p, in the order of `parameters`.
 prediction::ParameterValues values_at(const std::vector<prediction::ModelParameter>& parameters, const VectorXd& p,
                                       prediction::ParameterValues values) {
     for (std::size_t i = 0; i < parameters.size(); ++i)
@@ -78,7 +79,10 @@ public:
           priors_(fit.parameters, task.policy.declared.prior_widths),
           warm_paths_(task.warm.paths) {}
 
+    /// Residual at p: markers, sensors, priors, in this order. Enters the best evaluation into the fit. Not ok if a
+    /// trial cannot be run, or if the evaluations are used up.
     inverse::ResidualEvaluation evaluate(const VectorXd& p, const Progress& progress) {
+        // Solver and jacobian() ask for the same point in turn.
         if (last_at_.size() > 0 && p == last_at_ && last_.ok) return last_;
         inverse::ResidualEvaluation evaluation;
         // Also limits the evaluations made by jacobian(), which the solver does not count.
@@ -101,8 +105,10 @@ public:
         evaluation.ok = true;
         const VectorXd residual = flat_residual(data_, predictions_);
         const VectorXd of_sensors = sensor_rows(setup_, data_.trials, predictions_, policy_);
+        // Priors are rows of the problem but not part of the fit's residual, which states the misfit to data only.
         evaluation.residuals.resize(residual.size() + of_sensors.size() + priors_.size());
         evaluation.residuals << residual, of_sensors, priors_.residual(p);
+        // The fit is that of the least cost, even if the solver ends elsewhere or is stopped.
         if (evaluation.residuals.squaredNorm() < least_) {
             least_ = evaluation.residuals.squaredNorm();
             fit_.residual = residual;
@@ -110,6 +116,7 @@ public:
             fit_.values = values;
             fit_.predictions = predictions_;
             warm_paths_.clear();
+            // The next runs start from the stages of the best one, which saves iterations.
             for (const prediction::TrialPrediction& prediction : predictions_)
                 warm_paths_.push_back(prediction.trace.path);
         }
@@ -125,6 +132,7 @@ public:
         const prediction::ParameterValues values = values_at(fit_.parameters, p, start_);
         const auto count = static_cast<Index>(fit_.parameters.size());
         MatrixXd J(last_.residuals.size(), count);
+        // Rows of priors are exact and cheap; known columns belong to markers and sensors only.
         J.bottomRows(priors_.size()) = priors_.jacobian(count);
         const Index known = last_.residuals.size() - priors_.size();
         std::vector<Index> wanted;
@@ -179,6 +187,7 @@ private:
     std::vector<prediction::TrialPrediction> predictions_;  // at last_at_
 };
 
+/// Options of the solver from the effort of the task and the policy.
 inverse::LeastSquaresOptions options_of(const FitTask& task) {
     inverse::LeastSquaresOptions options;
     options.max_evaluations = task.effort.evaluations;
@@ -194,6 +203,7 @@ std::vector<prediction::ModelParameter> joint_parameters(const setup::Setup& set
                                                          const prediction::ParameterValues& start,
                                                          const DeclaredFitPolicy& policy, EffectFreedom freedom) {
     std::vector<prediction::ModelParameter> parameters = prediction::free_parameters(setup);
+    // Declared effects come first in the start; their parameters are among those of the experiment.
     for (std::size_t e = setup.experiment.effects.size(); e < start.effects.size(); ++e) {
         std::vector<prediction::ModelParameter> own = prediction::effect_parameters(setup, start.effects[e], e);
         if (freedom == EffectFreedom::amount && !own.empty())
@@ -250,12 +260,14 @@ JointFit joint_fit(const FitTask& task, const Progress& progress) {
             return residuals.jacobian(p, {}, inner);
         },
         options, progress);
+    // The report has no Jacobian if the start could not be run or the computation of derivatives failed.
     if (fit.report.jacobian.rows() < fit.residual.size() + fit.sensor_residual.size())
         fit.residual.resize(0);  // no Jacobian, so the fit cannot be assessed
     if (fit.usable()) {
         fit.jacobian = fit.report.jacobian.topRows(fit.residual.size());
         fit.sensor_jacobian = fit.report.jacobian.middleRows(fit.residual.size(), fit.sensor_residual.size());
     }
+    // Different numbers may mean one effect (a direction and its opposite); the canonical ones are reported and stored.
     for (std::size_t e = setup.experiment.effects.size(); e < fit.values.effects.size(); ++e) {
         effect::EffectDeclaration& tried = fit.values.effects[e];
         if (const effect::Effect* const effect = effect::find_effect(tried); effect && effect->canonical)

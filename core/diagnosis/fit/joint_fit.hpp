@@ -23,10 +23,12 @@ struct JointFit {
     Eigen::MatrixXd sensor_jacobian;                       // S x parameters
     std::vector<prediction::TrialPrediction> predictions;  // of data.trials, without tangents and shift
 
+    // Wall-clock time of the fit.
     double seconds = 0.0;
 
     bool usable() const { return residual.size() > 0; }
     /// Approximate number of model runs: parameters that do not act in a trial need no run of it.
+    /// @param trials  number of fit trials
     int runs(int trials) const {
         return trials * (report.evaluations + report.jacobians * static_cast<int>(parameters.size()));
     }
@@ -53,6 +55,7 @@ struct WarmStart {
 WarmStart warm_start_of(const JointFit& fit);
 
 /// First-order rms difference of the predictions of two fits with the same parameters [noise levels].
+/// Computed from the Jacobian of `b`, without a run.
 double change_between(const JointFit& a, const JointFit& b);
 
 /// Fitted parameters of the tried effects: the first parameter of each, its amount, or all (place, direction, ...).

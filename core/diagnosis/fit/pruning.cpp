@@ -12,12 +12,14 @@ std::vector<std::size_t> fits_worth_continuing(const PruningInput& in,
             least = fit.squares;
             reduction_of_best = fit.predicted_reduction;
         }
+    // least / samples is 1 for a fit that leaves noise only. The farther the best is from that, the less it proves.
     const double factor = in.pruning_factor, squared = factor * factor;
     const double limit = factor * std::clamp(least / in.samples, 1.0, squared);
     std::vector<std::size_t> next;
     for (std::size_t i = 0; i < in.fits.size(); ++i) {
         const OpenFit& fit = in.fits[i];
         if (!fit.open) continue;
+        // Scores within a few percent do not rank effects: these fits get the highest limit.
         const bool comparable = fit.predicted_reduction > in.comparable_reduction * reduction_of_best;
         if (fit.squares < (comparable ? std::max(squared, limit) : limit) * least ||
             predicted_squares(i) < factor * least)

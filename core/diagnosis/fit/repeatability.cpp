@@ -15,7 +15,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Values of a track at a time, between two samples; NaN outside or beside an unseen one.
+/// Position of a track at a time, linear between two samples [m]; NaN outside the recording or next to an unseen one.
 Vector3d at_time(const VectorXd& time_s, const Eigen::Matrix3Xd& track, double t_s) {
     const Index next = std::lower_bound(time_s.begin(), time_s.end(), t_s) - time_s.begin();
     if (next == time_s.size() || (next == 0 && time_s(0) > t_s))
@@ -32,6 +32,8 @@ struct Pairs {
     double largest_model_m = 0.0;  // difference of the predictions
 };
 
+/// Pairs at the samples of `a` at which both trials are measured; `b` is interpolated there. Residuals, not positions,
+/// are compared: small differences of the commanded motion are in the predictions and drop out.
 Pairs pairs_of(const setup::PreparedTrial& a, const prediction::TrialPrediction& of_a, const setup::PreparedTrial& b,
                const prediction::TrialPrediction& of_b) {
     Pairs pairs;
@@ -44,6 +46,7 @@ Pairs pairs_of(const setup::PreparedTrial& a, const prediction::TrialPrediction&
             const Eigen::Matrix3Xd& motion = of_a.positions_m[m];
             const Vector3d other = at_time(b.measured.time_s, of_b.positions_m[m], time_s(i));
             pairs.largest_model_m = std::max(pairs.largest_model_m, (other - motion.col(i)).norm());
+            // Velocity of the predicted motion by a central difference, one-sided at the ends.
             const Index before = std::max<Index>(0, i - 1), after = std::min(i + 1, time_s.size() - 1);
             const double span_s = time_s(after) - time_s(before);
             pairs.velocity.push_back(span_s > 0.0 ? Vector3d((motion.col(after) - motion.col(before)) / span_s)
@@ -56,6 +59,7 @@ Pairs pairs_of(const setup::PreparedTrial& a, const prediction::TrialPrediction&
 }
 
 /// Columns of a shift in time, and of a rigid displacement about the mean position.
+/// To first order d = velocity * shift + translation + rotation x (position - mean).
 MatrixXd alignment(const Pairs& pairs, bool rigid) {
     const auto n = static_cast<Index>(pairs.difference.size());
     Vector3d mean = Vector3d::Zero();
@@ -80,6 +84,7 @@ std::optional<VectorXd> aligned_differences(const Pairs& pairs, bool rigid, doub
     VectorXd d(3 * n);
     for (Index i = 0; i < n; ++i) d.segment<3>(3 * i) = pairs.difference[static_cast<std::size_t>(i)];
     const MatrixXd columns = alignment(pairs, rigid);
+    // A least-norm solution: a body at rest has no velocity, and markers on a line do not see one rotation.
     return d - columns * Eigen::CompleteOrthogonalDecomposition<MatrixXd>(columns).solve(d);
 }
 
@@ -90,6 +95,7 @@ Repeatability repeatability(const setup::Setup& setup, const std::vector<predict
     Repeatability result;
     const auto markers = static_cast<Index>(setup.marker_names.size());
     VectorXd squares = VectorXd::Zero(markers), count = VectorXd::Zero(markers);
+    // Unless the registration is known, an error of it may displace one recording against the other.
     const bool rigid = !setup.experiment.registration.known;
     for (std::size_t a = 0; a < predictions.size(); ++a)
         for (std::size_t b = a + 1; b < predictions.size(); ++b) {
@@ -102,6 +108,7 @@ Repeatability repeatability(const setup::Setup& setup, const std::vector<predict
             if (!d) continue;
             result.repeats.emplace_back(a, b);
             for (std::size_t i = 0; i < pairs.marker.size(); ++i) {
+                // Half: the difference of two independent recordings has twice the variance of one.
                 squares(pairs.marker[i]) += d->segment<3>(3 * static_cast<Index>(i)).squaredNorm() / 2.0;
                 count(pairs.marker[i]) += 3.0;
             }

@@ -15,6 +15,7 @@ VectorXd readings(const setup::Setup& setup, const std::vector<std::size_t>& tri
                   const std::vector<prediction::TrialPrediction>& predictions, const DeclaredFitPolicy& policy,
                   const Value& value) {
     assert(predictions.size() == trials.size());
+    // The number of rows depends on the setup alone, so that residuals of all fits have one length.
     Index rows = 0;
     for (const std::size_t trial : trials)
         for (const setup::SensorSeries& series : setup.trials[trial].sensors) rows += series.values.size();

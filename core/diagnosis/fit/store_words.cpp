@@ -10,6 +10,7 @@ namespace myo::diagnosis {
 namespace {
 
 /// Hash of recordings, loads, and declared parameters.
+/// Start values and steps are part of the key of each fit instead, see fit_key().
 std::uint64_t setup_fingerprint(const setup::Setup& setup) {
     Fingerprint print;
     const experiment::MaterialDeclaration& material = setup.experiment.material;
@@ -22,6 +23,7 @@ std::uint64_t setup_fingerprint(const setup::Setup& setup) {
     // A law may have changed under its id.
     for (const std::filesystem::path& file : setup.experiment.law_files)
         if (const Result<std::string> text = read_file(file)) print.add_text(*text);
+    // Added only where it is used, so that the hash of other setups does not depend on it.
     if (setup.experiment.markers.placement_m > 0.0) print.add(setup.experiment.markers.placement_m);
     for (const setup::PreparedTrial& trial : setup.trials) {
         print.add_all(trial.measured.time_s);
@@ -31,6 +33,7 @@ std::uint64_t setup_fingerprint(const setup::Setup& setup) {
             print.add_all(force.force_N);
             print.add(force.from_s);
             print.add(force.until_s);
+            // A force that is only switched on and off has no course.
             if (force.switches()) continue;
             print.add(force.course.times_s.data(), static_cast<std::ptrdiff_t>(force.course.times_s.size()));
             print.add(force.course.values.data(), static_cast<std::ptrdiff_t>(force.course.values.size()));

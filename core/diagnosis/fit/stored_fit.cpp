@@ -15,6 +15,7 @@ using Eigen::VectorXd;
 std::string exact(double number) { return format_number(number, std::numeric_limits<double>::max_digits10); }
 
 /// Number that distinguishes shifts in the key of a fit.
+/// The sum of squares: two shifts that differ but have the same sum are not expected.
 double fingerprint(const PredictionShift& shift) {
     double sum = 0.0;
     for (const auto& trial : shift)
@@ -22,6 +23,7 @@ double fingerprint(const PredictionShift& shift) {
     return sum;
 }
 
+/// See fit_key(). `parameters` with their start values, as joint_parameters() returns them.
 std::string key_of(const FitTask& task, const std::vector<prediction::ModelParameter>& parameters) {
     std::string key = std::to_string(task.effort.evaluations) + " samples " + std::to_string(task.data.layout.size()) +
                       " shift " + exact(fingerprint(task.data.shift)) + " modulus factor " +
@@ -33,6 +35,7 @@ std::string key_of(const FitTask& task, const std::vector<prediction::ModelParam
     return key;
 }
 
+/// Fitted parameters of a task with their start values.
 std::vector<prediction::ModelParameter> parameters_of(const FitTask& task) {
     return joint_parameters(task.setup, task.start, task.policy.declared, task.freedom);
 }
@@ -50,6 +53,7 @@ JointFit stored_fit(const FitTask& task, FitStore& store, const Progress& progre
         done && done->size() == static_cast<Index>(parameters.size())) {
         for (std::size_t i = 0; i < parameters.size(); ++i)
             prediction::set_value(parameters[i], (*done)(static_cast<Index>(i)), from);
+        // The evaluation that is left recomputes residual and Jacobian at the stored values; the file has only these.
         effort.evaluations = 0;
     }
     JointFit fit = joint_fit({task.setup, task.data, from, task.policy, task.freedom, effort, task.warm}, progress);
@@ -57,6 +61,7 @@ JointFit stored_fit(const FitTask& task, FitStore& store, const Progress& progre
     VectorXd found(static_cast<Index>(parameters.size()));
     for (std::size_t i = 0; i < parameters.size(); ++i)
         found(static_cast<Index>(i)) = prediction::value_of(parameters[i], fit.values);
+    // A file that cannot be written costs time at the next start, not the result.
     static_cast<void>(store.keep(key, found));
     return fit;
 }

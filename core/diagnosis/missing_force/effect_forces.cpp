@@ -14,6 +14,7 @@ namespace {
 using Eigen::Index;
 using Eigen::Matrix3Xd;
 
+/// Positions [m], velocities [m/s] and accelerations [m/s2] of the nodes at a step, 3 x n each.
 struct StateView {
     const Matrix3Xd& x;
     const Matrix3Xd& v;
@@ -21,6 +22,7 @@ struct StateView {
     double time_s = 0.0;
 };
 
+/// State at step k. The acceleration is a central difference of the velocities, one-sided at the ends.
 StateView moment_of(const dynamics::Trace& motion, std::size_t k) {
     const std::size_t before = k > 0 ? k - 1 : k, after = std::min(k + 1, motion.times_s.size() - 1);
     const double span = motion.times_s[after] - motion.times_s[before];
@@ -39,6 +41,7 @@ public:
         masses_ = model::mass_spans(model_);
     }
 
+    /// External, velocity, elastic and viscous forces minus inertia, 3 x n [N].
     Matrix3Xd at(const StateView& m) const {
         const std::vector<double> activation = model::activations(model_, m.time_s);
         model::InternalInput input;
@@ -74,6 +77,7 @@ NodalForces effect_forces(const setup::Setup& setup, std::size_t trial, const pr
         return result;
     }
     prediction::ParameterValues plain = values;
+    // Both models share values and declared effects; only the effects from `first` on differ.
     plain.effects.resize(first);
     const effect::Affected affected = prediction::affected_trial(setup, trial, values),
                            unaffected = prediction::affected_trial(setup, trial, plain);
@@ -86,6 +90,7 @@ NodalForces effect_forces(const setup::Setup& setup, std::size_t trial, const pr
     const std::size_t stride = std::max<std::size_t>(1, motion.times_s.size() / static_cast<std::size_t>(most));
     for (std::size_t k = 0; k < motion.times_s.size(); k += stride) {
         const StateView m = moment_of(motion, k);
+        // An effect may change the support: nodes held in either model carry no force.
         Matrix3Xd force = model::free_part(with.body(), model::free_part(without.body(), with.at(m) - without.at(m)));
         result.times_s.push_back(m.time_s);
         result.force_N.push_back(std::move(force));
@@ -103,6 +108,7 @@ Matrix3Xd BodyPatches::sums(const Matrix3Xd& of_nodes) const {
 BodyPatches body_patches(const model::Body& body, int about) {
     const Matrix3Xd& X = body.mesh.nodes;
     const Eigen::Vector3d lowest = X.rowwise().minCoeff(), extent = X.rowwise().maxCoeff() - lowest;
+    // Boxes of the bounding box: the body fills only a part of them, so that their number is approximate.
     const double edge = std::cbrt(body.volume_m3 / about);
     const Eigen::Array3d cubes = (extent.array() / edge).round().max(1.0);
     std::map<std::array<int, 3>, int> number;

@@ -45,6 +45,7 @@ VectorXd elastic_course(const model::Model& model, const dynamics::Trace& trace,
     elastic.fibres = false;
     model::InternalInput input;
     input.stiffness = &elastic;
+    // Energies of the whole body are the costly part: no more of them than points of the curve.
     const std::size_t stride = std::max<std::size_t>(
         1, trace.times_s.size() / static_cast<std::size_t>(policy.curve_points));
     std::vector<double> times, values;
@@ -63,9 +64,11 @@ std::vector<statistics::Correlate> course_correlates(const setup::Setup& setup, 
                                                      const dynamics::Trace& trace, const KnotTimes& knots,
                                                      const ForceMode& mode, const MissingForcePolicy& policy) {
     if (trace.times_s.size() < 2) return {};
+    // All courses at the same, evenly spaced times.
     const VectorXd at = VectorXd::LinSpaced(policy.curve_points, 0.0, knots.end_s());
     const double dt = at(1) - at(0);
     std::vector<double> position, velocity;
+    // The body's motion along the mode: displacement and velocity weighted by its nodal forces.
     for (std::size_t k = 0; k < trace.times_s.size(); ++k) {
         position.push_back((trace.positions[k] - trial.model.body->mesh.nodes).cwiseProduct(mode.pattern).sum());
         velocity.push_back(trace.velocities[k].cwiseProduct(mode.pattern).sum());
@@ -88,6 +91,7 @@ std::vector<statistics::Correlate> course_correlates(const setup::Setup& setup, 
         VectorXd input(policy.curve_points);
         for (Index k = 0; k < policy.curve_points; ++k)
             input(k) = signal.value(at(k)) - setup::passive_level(experiment, a);
+        // A constant signal correlates with nothing.
         if (input.maxCoeff() > input.minCoeff())
             regressors.push_back({experiment::quantity_word(actuators[a].kind) + " of " + actuators[a].name, input});
     }

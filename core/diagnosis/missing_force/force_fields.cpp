@@ -32,6 +32,7 @@ VectorXd places(const model::Body& body) {
     return (along.array() - lowest) / (highest - lowest);
 }
 
+/// Mean of a signal over 0 ... end_s from evenly spaced samples.
 double mean_value(const fibre::Signal& signal, double end_s, int samples) {
     double sum = 0.0;
     for (int k = 0; k < samples; ++k) sum += signal.value(end_s * k / (samples - 1));
@@ -49,6 +50,7 @@ effect::Affected at_mean_state(effect::Affected trial, const MissingForcePolicy&
             element = element->with_command(fibre::Signal::constant(mean_value(*command, end, policy.path_samples)));
     std::vector<model::DeadForce> steady;
     for (model::DeadForce force : trial.model.forces)
+        // A load that acts at half time is taken as acting always, others as never.
         if (force.active(0.5 * end)) {
             force.from_s = -std::numeric_limits<double>::infinity();
             force.until_s = std::numeric_limits<double>::infinity();
@@ -84,9 +86,11 @@ std::vector<TimedForce> hats(const ForceFields& fields, double spacing, bool fro
     return forces;
 }
 
+/// Run of the trial with tangents by the size of each force, at size zero.
 sensitivity::SensitiveTrace unit_run(const measurement::MarkerSet& markers, effect::Affected trial,
                                      std::vector<TimedForce> forces, const Progress& progress) {
     const std::size_t others = trial.model.force_elements.size(), count = forces.size();
+    // The forces are one more element with factor 0: the motion stays, and its parameters are the factors.
     trial.model.force_elements.push_back(timed_forces(std::move(forces), 0.0));
     std::vector<sensitivity::ModelTangent> tangents(count);
     for (std::size_t p = 0; p < count; ++p) {
@@ -106,6 +110,7 @@ ForceFields force_fields(const model::Body& body, const MissingForcePolicy& poli
         for (Index j = 0; j < policy.stations; ++j)
             hats(i, j) = std::max(0.0,
                                   1.0 - std::abs((policy.stations - 1) * fields.place(i) - static_cast<double>(j)));
+    // Consistent nodal forces of a body force field f: the mass matrix of unit density times its nodal values.
     const MatrixXd weighted = body.unit_mass * hats;
     const MatrixXd volume = hats.transpose() * weighted;
     fields.volume.setZero(3 * policy.stations, 3 * policy.stations);
@@ -141,6 +146,7 @@ MatrixXd force_response(const setup::Setup& setup, const FitData& data, const pr
     const std::vector<TimedForce> forces = hats(fields, knots.spacing_s, affected.options.starts_at_equilibrium());
     const measurement::MarkerSet markers = measurement::seen_markers(setup.markers, affected.observation_error);
     sensitivity::SensitiveTrace run = unit_run(markers, at_mean_state(affected, policy), forces, progress);
+    // A body without equilibrium under its mean loads, such as one that is not held.
     if (!run.trace.complete() && !progress.cancelled()) run = unit_run(markers, at_rest(affected), forces, progress);
     if (!run.trace.complete()) return {};
 
@@ -151,6 +157,8 @@ MatrixXd force_response(const setup::Setup& setup, const FitData& data, const pr
     const measurement::SensitiveTracks origin = measurement::observe(run, markers, VectorXd::Zero(1));
     const std::size_t count = fields.patterns.size();
     MatrixXd response(data.layout.size(), static_cast<Index>(count) * knots.count);
+    // About an equilibrium the response depends on the time since the force only: the hats of all later knots are those
+    // of the second knot, delayed.
     for (int knot = 0; knot < knots.count; ++knot) {
         const double later = knot == 0 ? 0.0 : knots.spacing_s * (knot - 1);
         const std::size_t first = knot == 0 ? 0 : count;
@@ -165,6 +173,7 @@ MatrixXd force_response(const setup::Setup& setup, const FitData& data, const pr
             const std::vector<Matrix3Xd> start = measurement::laboratory_tangents(
                 affected.observation_error, origin.tangents[f], VectorXd::Zero(1));
             for (std::size_t m = 0; m < d.size(); ++m) {
+                // Displacements are measured from the start, which the force of the first knot moves as well.
                 if (displacement)
                     d[m].colwise() -= measurement::seen_by_place(affected.observation_error,
                                                                  origin.tracks.positions[m].col(0)) *

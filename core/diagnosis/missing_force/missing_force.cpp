@@ -35,6 +35,8 @@ MatrixXd size_of_force(const ForceBasis& basis, double smoothing_s) {
     const double dt = knots.spacing_s;
     MatrixXd time = MatrixXd::Zero(knots.count, knots.count);
     Eigen::Matrix2d interval;
+    // Two hat functions in an interval of length dt: mass matrix dt / 6 [2 1; 1 2] plus smoothing_s^2 times the
+    // stiffness matrix 1 / dt [1 -1; -1 1].
     const double diagonal = dt / 3.0 + smoothing_s * smoothing_s / dt,
                  neighbouring = dt / 6.0 - smoothing_s * smoothing_s / dt;
     interval << diagonal, neighbouring, neighbouring, diagonal;
@@ -58,6 +60,7 @@ public:
           affected_(prediction::affected_trial(setup, trial, values_)),
           basis_{force_fields(*affected_.model.body, policy_), knot_times(affected_.options.end_s, policy_)},
           data_(fit_data(setup, {trial})) {
+        // The numerical error is taken off here, too; else the force would explain it.
         data_.shift = d.data.shift;
     }
 
@@ -65,6 +68,7 @@ public:
         dynamics::Trace trace;
         VectorXd residual;  // empty: the run failed
     };
+    /// Runs the trial with the force of these knot values [N/m3].
     /// @param sizes  fields x knots, in the order of the columns of force_response()
     Run run(const VectorXd& sizes, const Progress& progress) const {
         model::Model model = affected_.model;
@@ -107,6 +111,10 @@ struct FoundForce {
     VectorXd sizes;
     ForcedTrial::Run run;
 };
+/// Gauss-Newton iterations with a fixed Jacobian A and a residual that falls gradually: the response is linearised
+/// once, and a large force moves the body out of its range.
+/// @param A     see force_response()
+/// @param runs  counts the runs
 FoundForce repeated_steps(const ForcedTrial& trial, const MatrixXd& A, ForcedTrial::Run start, int& runs,
                           const Progress& progress) {
     const MissingForcePolicy& policy = trial.policy();
@@ -124,6 +132,7 @@ FoundForce repeated_steps(const ForcedTrial& trial, const MatrixXd& A, ForcedTri
         const VectorXd sizes = solver.solve(best.run.residual - A * best.sizes, std::max(wanted, share * before));
         ForcedTrial::Run run = trial.run(sizes, progress);
         ++runs;
+        // The step went beyond the linear range: a higher target gives a smaller force.
         if (run.residual.size() == 0 || !(run.residual.squaredNorm() < before)) {
             share *= policy.share_factor;
             continue;
@@ -134,6 +143,7 @@ FoundForce repeated_steps(const ForcedTrial& trial, const MatrixXd& A, ForcedTri
     return best;
 }
 
+/// Direction of a mode in words, for ForceMode::where.
 std::string direction_words(const ForceMode& mode, const MissingForcePolicy& policy) {
     if (mode.aligned < policy.min_aligned) return "in opposite directions along the body, like a moment";
     Index axis = 0;
@@ -147,6 +157,7 @@ std::string direction_words(const ForceMode& mode, const MissingForcePolicy& pol
     return words;
 }
 
+/// Place of a mode in words, for ForceMode::where.
 /// @param place, spread  mean and standard deviation along the body, in units of its length
 std::string place_words(double place, double spread, const MissingForcePolicy& policy) {
     if (place > policy.at_end) return "at the free end";
@@ -156,9 +167,11 @@ std::string place_words(double place, double spread, const MissingForcePolicy& p
     return spread < policy.concentrated ? "at the middle of the body" : "along the whole body";
 }
 
+/// Normalises a mode and computes what is reported about it.
 void describe(const model::Body& body, const ForceFields& fields, const MissingForcePolicy& policy, ForceMode& mode) {
     VectorXd lengths = mode.pattern.colwise().norm().transpose();
     const double total = lengths.sum();
+    // Magnitudes sum to 1, so that the amplitude is a force in N; a positive main component fixes the sign of the pair.
     mode.pattern /= total;
     mode.amplitude_N *= total;
     lengths /= total;
@@ -185,6 +198,7 @@ std::vector<ForceMode> force_modes(const ForcedTrial& trial, const VectorXd& siz
     const ForceFields& fields = trial.fields();
     const MissingForcePolicy& policy = trial.policy();
     const Eigen::Map<const MatrixXd> courses(sizes.data(), fields.volume.rows(), trial.knots().count);
+    // With U'U = volume, squares of U * courses are integrals over the body, whatever the basis of fields.
     const Eigen::LLT<MatrixXd> volume(fields.volume);
     const MatrixXd weighted = volume.matrixU() * courses;
     const LeadingSvd svd = leading_svd(weighted, policy.max_modes);
@@ -196,6 +210,7 @@ std::vector<ForceMode> force_modes(const ForcedTrial& trial, const VectorXd& siz
         mode.share = std::pow(svd.sizes(k), 2) / all;
         if (mode.share < policy.min_mode) break;
         shown += mode.share;
+        // Back from these coordinates to those of the fields.
         const VectorXd of_field = volume.matrixU().solve(VectorXd(svd.left.col(k)));
         mode.pattern = Matrix3Xd::Zero(3, fields.place.size());
         for (std::size_t f = 0; f < fields.patterns.size(); ++f)
@@ -207,6 +222,7 @@ std::vector<ForceMode> force_modes(const ForcedTrial& trial, const VectorXd& siz
     return modes;
 }
 
+/// Root mean square; 0 of an empty vector.
 double rms_of(const VectorXd& r) {
     return std::sqrt(r.squaredNorm() / static_cast<double>(std::max<Index>(1, r.size())));
 }
@@ -226,6 +242,7 @@ MissingForce infer_missing_force(const setup::Setup& declared, const Diagnosis& 
         result.failure = "there is no fit to begin from";
         return result;
     }
+    // The fit was made with these steps and this element.
     const setup::Setup setup = as_diagnosed(d, declared);
     const MissingForcePolicy& policy = d.settings.policy.force;
     if (const std::size_t worst = worst_trial(d.data, d.augmented.fit.residual); setup.trials[worst].hold) {
@@ -255,6 +272,7 @@ MissingForce infer_missing_force(const setup::Setup& declared, const Diagnosis& 
     result.after_over_noise = rms_of(found.run.residual);
     result.modes = force_modes(trial, found.sizes);
     const double squares_before = std::pow(result.before_over_noise, 2) * static_cast<double>(A.rows());
+    // Reasons from the most harmless one on: nothing to explain, no force found, a force that explains too little.
     if (result.modes.empty())
         result.failure = squares_before <= policy.noise_margin * noise_squares(A.rows(), policy)
                              ? "the residual is noise"

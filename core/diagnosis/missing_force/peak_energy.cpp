@@ -17,6 +17,7 @@ std::vector<Eigen::MatrixX3d> mean_gradients(const mesh::VolumeMesh& mesh) {
     std::vector<Eigen::MatrixX3d> gradients;
     for (const auto& cell : mesh.cells.colwise()) {
         Matrix3Xd X = mesh.nodes(Eigen::all, cell);
+        // The columns of the map then sum to zero, so that node positions need not be centred.
         X.colwise() -= Eigen::Vector3d(X.rowwise().mean());
         gradients.push_back(X.transpose() * (X * X.transpose()).inverse());
     }
@@ -37,6 +38,7 @@ double peak_isochoric_energy(const std::vector<model::Model>& models,
                 const Matrix3Xd x = predictions[i].trace.positions[k](Eigen::all, mesh.cells.col(c));
                 const Matrix3d F = x * gradients[static_cast<std::size_t>(c)];
                 const double J = F.determinant();
+                // I1 of the isochoric part, J^(-2/3) tr(F'F); inverted cells have none.
                 if (J > 0.0)
                     peak = std::max(peak, 0.5 * models[i].moduli[static_cast<std::size_t>(c)].mu *
                                               (F.squaredNorm() / std::cbrt(J * J) - 3.0));

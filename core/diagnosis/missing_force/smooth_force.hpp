@@ -9,6 +9,7 @@ namespace myo::diagnosis {
 /// Tikhonov solutions: x that minimises |d + A x|^2 + lambda x' R x, after one factorisation for all lambda.
 class SmoothForce {
 public:
+    /// @param A  residuals x unknowns
     /// @param R  symmetric and positive definite
     SmoothForce(const Eigen::MatrixXd& A, const Eigen::MatrixXd& R, const MissingForcePolicy& policy);
 

@@ -11,10 +11,12 @@ using Eigen::VectorXd;
 
 using SharedForces = std::shared_ptr<const std::vector<TimedForce>>;
 
+/// Value of a course; at a jump the one before or after it, as the integrator asks.
 double size_at(const fibre::Signal& course, const model::ForceState& at) {
     return at.before_jump ? course.value_before(at.time_s) : course.value(at.time_s);
 }
 
+/// Dead forces: energy -f . (x - X), with a gradient that does not depend on positions, hence no Hessian.
 class TimedForces : public model::ForceElement {
 public:
     TimedForces(SharedForces forces, VectorXd factors) : forces_(std::move(forces)), factors_(std::move(factors)) {}

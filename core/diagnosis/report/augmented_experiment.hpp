@@ -10,6 +10,8 @@
 namespace myo::diagnosis {
 
 /// Effects as `[[effect]]` tables of experiment.toml.
+/// Numbers have eight digits.
+/// @param calibrate  fits determine the parameters, with these values as start
 std::string effect_tables(const std::vector<effect::EffectDeclaration>& effects, bool calibrate);
 
 /// Text of an experiment.toml with these effects in addition to what the user wrote in `written`. Its file names are

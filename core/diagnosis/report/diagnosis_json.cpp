@@ -35,6 +35,7 @@ report::Json parameters_json(const JointFit& fit) {
     for (const effect::EffectDeclaration& effect : fit.values.effects) {
         const report::Json parameters = effect_parameters_json(effect.parameters);
         for (const auto& [name, value] : parameters.items()) {
+            // Two effects may share the name of a parameter, such as position_m.
             const std::string key = json.contains(name) ? effect.id + "." + name : name;
             json[key] = value;
         }
@@ -42,10 +43,12 @@ report::Json parameters_json(const JointFit& fit) {
     return json;
 }
 
+/// Values and rms of a fit, as the schema states them for both fits.
 report::Json fit_json(const JudgedFit& fit) {
     return {{"parameters", parameters_json(fit.fit)}, {"rms_m", report::json_number(fit.rms_m)}};
 }
 
+/// Standard deviation of each fitted number under its name; null where it is unknown.
 report::Json deviations_json(const JointFit& fit) {
     report::Json json = report::Json::object();
     for (std::size_t i = 0; i < fit.parameters.size(); ++i)
@@ -75,6 +78,7 @@ report::Json intervals_json(const JointFit& fit, const std::string& effect) {
     return json;
 }
 
+/// Results of the residual tests; a p-value below p_threshold is significant.
 report::Json tests_json(const statistics::ResidualTests& tests) {
     return {{"samples", tests.samples},
             {"p_threshold", report::json_number(tests.threshold)},
@@ -88,6 +92,7 @@ report::Json tests_json(const statistics::ResidualTests& tests) {
             {"significant", tests.significant()}};
 }
 
+/// Fit with its assessment, for `details`.
 report::Json judged_json(const JudgedFit& fit) {
     report::Json json = fit_json(fit);
     json["effects"] = report::Json::array();
@@ -108,6 +113,7 @@ report::Json judged_json(const JudgedFit& fit) {
     return json;
 }
 
+/// Effect that was tried: score, and fit if there was one.
 report::Json candidate_json(const Candidate& candidate) {
     report::Json json{{"id", candidate.score.id}};
     if (!candidate.score.failure.empty()) json["failure"] = candidate.score.failure;
@@ -121,6 +127,7 @@ report::Json candidate_json(const Candidate& candidate) {
     return json;
 }
 
+/// Sources of numerical error, with the names of the schema.
 report::Json numerics_json(const Diagnosis& d) {
     const NumericalError& n = d.numerics;
     return {
@@ -160,6 +167,7 @@ report::Json markers_json(const setup::Setup& setup, const Diagnosis& d) {
     return json;
 }
 
+/// The missing force with its modes; its unit is in the key, places are shares of the body's length.
 report::Json missing_force_json(const MissingForce& force) {
     report::Json json{{"trial", force.trial}};
     if (!force.failure.empty()) json["failure"] = force.failure;
@@ -205,6 +213,7 @@ report::Json not_told_apart_json(const Diagnosis& d) {
     return json;
 }
 
+/// Evidence for the verdict. Its keys are those of report/1, also where the code has other words by now.
 report::Json details_json(const setup::Setup& setup, const Diagnosis& d) {
     report::Json json{{"verdict", kind_word(d.verdict.kind)},
                       {"because", d.verdict.reason},
@@ -244,6 +253,7 @@ report::Json effect_parameters_json(const effect::EffectParameters& parameters) 
     report::Json json = report::Json::object();
     for (const auto& [name, value] : parameters) {
         if (const auto* const number = std::get_if<double>(&value))
+            // An axis is a number in memory and an integer in files.
             json[name] = name == "axis" ? report::Json(static_cast<int>(*number)) : report::json_number(*number);
         else if (const auto* const vector = std::get_if<Eigen::VectorXd>(&value))
             json[name] = report::json_array(*vector);
@@ -262,6 +272,7 @@ report::Json diagnosis_json(const setup::Setup& setup, const Diagnosis& d, const
                       {"declared_fit", fit_json(d.declared)},
                       {"noise_floor_m", report::json_number(d.noise_m)}};
     report::Json effects = report::Json::array();
+    // `none` and `unknown` stand in the list of effects as an effect without parameters.
     if (d.verdict.kind != VerdictKind::effects)
         effects.push_back({{"id", kind_word(d.verdict.kind)},
                            {"confidence", report::json_number(d.verdict.confidence)},

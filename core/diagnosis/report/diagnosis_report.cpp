@@ -18,6 +18,7 @@
 namespace myo::diagnosis {
 namespace {
 
+/// Title of the page: the verdict as a sentence.
 std::string headline(const Diagnosis& d) {
     switch (d.verdict.kind) {
         case VerdictKind::none: return "No effect is missing: the declared model is sufficient";
@@ -27,11 +28,13 @@ std::string headline(const Diagnosis& d) {
     return "An effect is missing that no known effect explains";
 }
 
+/// The text with a capital first letter.
 std::string capital(std::string text) {
     if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
     return text;
 }
 
+/// Length as a multiple of the noise of the recordings.
 std::string times_noise(double rms_m, const Diagnosis& d) {
     return readable_number(rms_m / d.noise_m, 3) + " times the noise";
 }
@@ -46,6 +49,7 @@ report::KeyFigure error_figure(const Diagnosis& d) {
             times_noise(after, d) + "; before " + report::length_words(before) + ", " + times_noise(before, d)};
 }
 
+/// Figures at the top of the page: fitted effects, confidence, error, noise.
 std::vector<report::KeyFigure> key_figures(const setup::Setup& setup, const Diagnosis& d) {
     std::vector<report::KeyFigure> figures;
     if (d.verdict.kind == VerdictKind::effects) {
@@ -62,6 +66,7 @@ std::vector<report::KeyFigure> key_figures(const setup::Setup& setup, const Diag
     return figures;
 }
 
+/// Lines under the title: name and description of the experiment, summaries of the named effects.
 std::vector<std::string> summary(const setup::Setup& setup, const Diagnosis& d) {
     std::vector<std::string> lines{setup.experiment.name};
     if (!setup.experiment.description.empty()) lines.push_back(setup.experiment.description);
@@ -81,6 +86,7 @@ std::string reason(const setup::Setup& setup, const Diagnosis& d) {
     return text + d.verdict.cautions;
 }
 
+/// Reason, change of the error on trials that were not used, and confounded effects.
 report::Section verdict_section(const setup::Setup& setup, const Diagnosis& d) {
     report::Section section{"Verdict", {report::Paragraph{reason(setup, d)}}};
     const double before = d.before.validation_rms_m, after = d.after.validation_rms_m;
@@ -128,6 +134,7 @@ report::HtmlReport diagnosis_report(const setup::Setup& setup, const Diagnosis& 
     const std::string folder = std::filesystem::weakly_canonical(setup.experiment.folder).filename().string();
     report.sections.back().blocks.push_back(report::EmbeddedJson{"diagnose", diagnosis_json(setup, d, folder)});
     report.footer = "Myoloop " + facts.version;
+    // The command line, so that the page states how to repeat it.
     for (const std::string& word : facts.command)
         report.footer += (&word == &facts.command.front() ? " — " : " ") + word;
     return report;

@@ -8,8 +8,10 @@
 namespace myo::diagnosis {
 namespace {
 
+/// Correlation with two digits; a dash if it is not known.
 std::string correlation_words(double r) { return std::isfinite(r) ? fixed_decimals(r, 2) : "–"; }
 
+/// What a force that follows a quantity resembles, for one of the correlates of course_correlates().
 std::string course_words(const statistics::Correlate& c) {
     if (c.name == "position")
         return c.correlation < 0.0 ? "it pulls back, like a spring"
@@ -25,6 +27,7 @@ std::string course_words(const statistics::Correlate& c) {
     return "it goes with the " + c.name;
 }
 
+/// Place, size and course of a mode in sentences. A correlate is named only if it is strong and not chance.
 std::string mode_words(const ForceMode& mode) {
     std::string words = "It acts mainly " + mode.where + ", with up to " + readable_number(mode.peak_N(), 2) + " N.";
     if (mode.steady > diagnosis_report_policy.min_steady)
@@ -38,6 +41,7 @@ std::string mode_words(const ForceMode& mode) {
            correlation_words(first.correlation) + "): " + course_words(first) + ".";
 }
 
+/// Chart (SVG) of the amplitudes of all modes [N] over time.
 std::string chart_of(const MissingForce& force) {
     chart::Chart chart{"", {.label = "time", .unit = "s"}, {}};
     chart::Panel panel{{.label = "force", .unit = "N", .include_zero = true}, {}, 200.0};
@@ -52,6 +56,7 @@ std::string chart_of(const MissingForce& force) {
     return chart::svg(chart);
 }
 
+/// Modes with place and size, in the order of their shares.
 report::Table mode_table(const MissingForce& force) {
     report::Table table{"",
                         {{"Mode"},
@@ -70,6 +75,7 @@ report::Table mode_table(const MissingForce& force) {
     return table;
 }
 
+/// Strongest correlates of each mode.
 report::Table correlate_table(const MissingForce& force) {
     report::Table table{"Correlation of the courses",
                         {{"Mode"}, {"Follows"}, {"Correlation"}, {"Independent samples", "", 3}, {"p"}},

@@ -54,6 +54,7 @@ std::vector<double> rms_over_markers(const setup::Setup& setup, const prediction
     return rms;
 }
 
+/// Chart (SVG) of one marker in a trial: measured and simulated courses per axis [mm].
 std::string overlay(const setup::Setup& setup, const Diagnosis& d, const TrialMotion& motion, std::size_t marker) {
     const bool displacement = setup.experiment.markers.compare == experiment::Comparison::displacement;
     const results::ComparedMotion& any = motion.before ? *motion.before : *motion.after;
@@ -77,6 +78,7 @@ std::string overlay(const setup::Setup& setup, const Diagnosis& d, const TrialMo
     return chart::svg(chart);
 }
 
+/// Chart (SVG) of the rms over all markers at each sample [noise levels].
 std::string residual_over_time(const setup::Setup& setup, const Diagnosis& d, std::size_t trial,
                                const std::vector<double>& time) {
     const auto samples = static_cast<Index>(time.size());
@@ -107,6 +109,7 @@ std::vector<std::size_t> by_error(const prediction::TrialScore* score, std::size
     return order;
 }
 
+/// Figures of a trial: its worst marker, the residual over time, and further markers folded.
 std::vector<report::Block> trial_blocks(const setup::Setup& setup, const Diagnosis& d, std::size_t trial) {
     const setup::PreparedTrial& t = setup.trials[trial];
     const std::string name = t.name + " (" + result_word(t.role) + ")";

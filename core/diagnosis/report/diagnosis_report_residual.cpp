@@ -15,6 +15,7 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+/// The entries as a list, for charts.
 std::vector<double> numbers(const VectorXd& values) { return {values.begin(), values.end()}; }
 
 /// Fit with its name and its colour, which is the same on the whole page.
@@ -23,12 +24,14 @@ struct Compared {
     const VectorXd* residual;
     int colour;
 };
+/// Residuals of the declared fit and, if there is another one, of the verdict's fit.
 std::vector<Compared> compared(const Diagnosis& d) {
     std::vector<Compared> list{{"declared model", &d.declared.fit.residual, before_colour}};
     if (has_two_fits(d)) list.push_back({after_words(d), &d.augmented.fit.residual, after_colour});
     return list;
 }
 
+/// Chart (SVG) of the mean spectrum of the residual in a trial; white noise of the declared size is at 1.
 std::string spectrum(const Diagnosis& d, int trial) {
     chart::Chart chart{"", {.label = "frequency", .unit = "Hz"}, {}};
     chart::Panel panel{{.label = "power over that of white noise", .logarithmic = true}, {}, 190.0};
@@ -52,6 +55,7 @@ double interval_s(const statistics::ResidualLayout& layout, int trial) {
     return 0.0;
 }
 
+/// Chart (SVG) of the autocorrelation of the residual in a trial, with the 95 % limits of white noise.
 std::string memory(const Diagnosis& d, int trial) {
     chart::Chart chart{"", {.label = "lag", .unit = "ms"}, {}};
     chart::Panel panel{{.label = "autocorrelation", .include_zero = true}, {}, 170.0};
@@ -66,6 +70,7 @@ std::string memory(const Diagnosis& d, int trial) {
             {fit.name, numbers(at), numbers(correlation), chart::SeriesStyle::line_and_dots, fit.colour});
         if (found.pairs.size() > 0) pairs = found.pairs(0);
     }
+    // Two standard deviations of the estimate from that many pairs of white noise.
     if (pairs > 0.0) panel.horizontal = {{2.0 / std::sqrt(pairs), "noise"}, {-2.0 / std::sqrt(pairs), ""}};
     chart.panels.push_back(std::move(panel));
     return chart::svg(chart);
@@ -85,6 +90,7 @@ std::vector<double> marker_rms(const setup::Setup& setup, const Diagnosis& d, co
     return rms;
 }
 
+/// Rms at each marker over all fit trials: bars, or a table if there are many markers.
 report::Block over_the_body(const setup::Setup& setup, const Diagnosis& d) {
     if (setup.marker_names.size() <= diagnosis_report_policy.bars) {
         chart::BarChart chart{"", setup.marker_names, {.label = "rms over the fit trials", .unit = "× noise"}, {}};
@@ -115,6 +121,7 @@ std::vector<report::Block> patterns(const setup::Setup& setup, const Diagnosis& 
             words += (words.empty() ? "One pattern over the markers carries " : ", ") +
                      readable_number(100.0 * mode.share, 3) + " % of the residual of " +
                      setup.trials[static_cast<std::size_t>(trial)].name + " (" + fit.name + ")";
+            // The table is that of the declared model; of the other fit only the share is stated.
             if (fit.colour != before_colour) continue;
             report::Table table{"First pattern of the declared model’s residual (root mean square 1)",
                                 {{"Marker"}, {"x", "", 3}, {"y", "", 3}, {"z", "", 3}},

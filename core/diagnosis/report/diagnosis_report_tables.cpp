@@ -16,12 +16,14 @@
 namespace myo::diagnosis {
 namespace {
 
+// Shown as a dash.
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 void add_columns(report::Table& table, const std::vector<report::Column>& columns) {
     table.columns.insert(table.columns.end(), columns.begin(), columns.end());
 }
 
+/// Word for whether a test fires.
 std::string yes(bool fired) { return fired ? "yes" : "no"; }
 
 /// Two cells with value and deviation of a parameter; dashes if the fit does not have it.
@@ -38,6 +40,8 @@ std::vector<report::Cell> estimate_cells(const JointFit& fit, const prediction::
     return {"–", "–"};
 }
 
+/// Errors of each marker in one trial, in mm and in noise levels.
+/// @param before, after  scores of the trial; null: it was not run
 report::Table marker_table(const Diagnosis& d, const setup::Setup& setup, const prediction::TrialScore* before,
                            const prediction::TrialScore* after) {
     report::Table table{
@@ -57,6 +61,9 @@ report::Table marker_table(const Diagnosis& d, const setup::Setup& setup, const 
     return table;
 }
 
+/// Row of the table of candidates.
+/// @param explained  share of the squared residual, 0 ... 1; NaN: not scored
+/// @param fit        null: not fitted
 std::vector<report::Cell> candidate_row(const setup::Setup& setup, const std::string& name, double explained, double p,
                                         const JudgedFit* fit) {
     std::vector<report::Cell> row{name, 100.0 * explained, p_words(p)};
@@ -74,6 +81,7 @@ report::Section parameter_section(const setup::Setup& setup, const Diagnosis& d)
     const bool two = has_two_fits(d);
     report::Table table{"", {{"Parameter"}, {"Unit"}, {"Declared model"}, {"±"}}, {}};
     if (two) add_columns(table, {report::Column{"With the effect"}, report::Column{"±"}});
+    // The fit of the verdict has all parameters of the declared one, and those of its effects.
     const std::vector<prediction::ModelParameter>& all = two ? d.augmented.fit.parameters : d.declared.fit.parameters;
     for (const prediction::ModelParameter& p : all) {
         const results::ReadableParameter shown = results::readable_parameter(p, setup);
@@ -230,6 +238,7 @@ report::Section candidate_section(const setup::Setup& setup, const Diagnosis& d)
              "the weights of all fits add up to one."},
          table}};
     if (!others.rows.empty()) {
+        // Only the first four columns are shown here; the fourth holds the reason.
         for (std::vector<report::Cell>& row : others.rows) row.resize(4, report::Cell(""));
         others.columns.resize(4);
         others.columns[3].title = "Remark";
@@ -238,6 +247,7 @@ report::Section candidate_section(const setup::Setup& setup, const Diagnosis& d)
     for (const JudgedFit& set : d.sets) {
         sets.rows.push_back(
             candidate_row(setup, results::effect_name(names_of(set.fit.effects)), no_value, no_value, &set));
+        // Sets have no score of their own: columns 1 and 2, share and p, are left out.
         sets.rows.back().erase(sets.rows.back().begin() + 1, sets.rows.back().begin() + 3);
     }
     sets.columns.erase(sets.columns.begin() + 1, sets.columns.begin() + 3);

@@ -10,6 +10,7 @@
 namespace myo::diagnosis {
 namespace {
 
+/// The name with a small first letter.
 std::string in_sentence(std::string name) {
     if (!name.empty()) name[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[0])));
     return name;
@@ -20,6 +21,7 @@ bool is_tried(const setup::Setup& setup, const prediction::ModelParameter& p) {
     return p.kind == prediction::ModelParameter::Kind::effect && p.index >= setup.experiment.effects.size();
 }
 
+/// Estimate of one fitted parameter, in the unit in which people read it.
 EffectEstimate estimate_of(const setup::Setup& setup, const JointFit& fit, std::size_t i) {
     const results::ReadableParameter shown = results::readable_parameter(fit.parameters[i], setup);
     const auto row = static_cast<Eigen::Index>(i);
@@ -84,6 +86,7 @@ std::string estimate_words(const EffectEstimate& e) {
 std::string fitted_words(const setup::Setup& setup, const JointFit& fit) {
     std::string words;
     for (const EffectEstimate& e : effect_estimates(setup, fit)) {
+        // The name of a single effect stands before the table cell; of several, each value needs it.
         const std::string name = fit.effects.size() > 1 ? in_sentence(e.name)
                                                         : e.name.substr(std::min(e.name.size(), e.name.find(", ") + 2));
         words += (words.empty() ? "" : ", ") + name + " " + estimate_words(e);

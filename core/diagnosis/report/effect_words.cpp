@@ -5,6 +5,7 @@
 namespace myo::diagnosis {
 namespace {
 
+/// Value of a parameter: number, name, or list in brackets.
 std::string words(const effect::EffectParameter& value) {
     if (const auto* const number = std::get_if<double>(&value)) return format_number(*number, 6);
     if (const auto* const name = std::get_if<std::string>(&value)) return *name;

@@ -10,6 +10,7 @@
 namespace myo::diagnosis {
 namespace {
 
+/// Indices of the scores by decreasing explained share; equal ones keep their order.
 std::vector<std::size_t> by_share(const std::vector<EffectScore>& scores) {
     std::vector<std::size_t> order(scores.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -25,6 +26,7 @@ std::vector<EffectScore> score_with_longer_steps(const setup::Setup& setup, cons
                                                  const ScreeningPolicy& policy, const Progress& progress) {
     setup::Setup longer = setup;
     for (setup::PreparedTrial& trial : longer.trials) trial.options.h_s *= 2.0;
+    // One run of the fit with the longer steps is both the test of these steps and the reference of the probes.
     const std::vector<prediction::TrialPrediction> unaffected = prediction::predict_trials_with(longer, base.values,
                                                                                                 data.trials, progress);
     if (progress.cancelled()) return {};
@@ -42,6 +44,7 @@ EffectScore best_score(const std::vector<EffectScore>& scores) {
 
 std::vector<std::size_t> best_probes(const std::vector<EffectScore>& scores, int count, const ScreeningPolicy& policy) {
     std::vector<std::size_t> chosen;
+    // Effects of which a probe was chosen.
     std::set<std::string> there;
     for (const std::size_t i : by_share(scores))
         if (static_cast<int>(chosen.size()) < count && scores[i].share() > policy.min_explained &&
@@ -59,6 +62,7 @@ std::vector<std::size_t> other_places(const std::vector<EffectScore>& scores, co
     };
     std::map<std::string, Found> found;
     for (const std::size_t i : by_share(scores)) {
+        // By decreasing share the first probe of an effect is its best one, which best_probes() has chosen already.
         const auto [place, is_best] = found.try_emplace(scores[i].id, Found{scores[i].share()});
         Found& effect = place->second;
         if (is_best || !wanted(scores[i].id) ||

@@ -9,6 +9,7 @@
 namespace myo::diagnosis {
 namespace {
 
+/// Experiment that separates two effects, by their kinds; the first case that applies decides.
 std::string advice(const effect::Effect& first, const effect::Effect& second) {
     const auto either = [&](effect::EffectKind kind) { return first.kind == kind || second.kind == kind; };
     if (either(effect::EffectKind::actuation)) return "a trial with a slow ramp of the actuation and one with a step";
@@ -23,6 +24,7 @@ std::string advice(const effect::Effect& first, const effect::Effect& second) {
     return "releases from two other deflections, one small and one large";
 }
 
+/// Entry of the effect in the catalogue, or its law.
 const effect::Effect& entry_of(const EffectScore& score) {
     return score.law ? *score.law : *effect::find_effect(score.id);
 }
@@ -41,11 +43,13 @@ double predicted_cosine(const Candidate& a, const Candidate& b, double largest_r
 /// weight.
 double fitted_cosine(const Candidate& a, const Candidate& b, const JointFit& declared, const ConfusionPolicy& policy) {
     if (!a.judged || !b.judged || std::min(a.judged->weight, b.judged->weight) < policy.comparable_weight) return 0.0;
+    // Changes from the declared residual, not residuals: what two good fits leave is the noise, which they share.
     const Eigen::VectorXd of_a = a.judged->fit.residual - declared.residual,
                           of_b = b.judged->fit.residual - declared.residual;
     return std::abs(of_a.normalized().dot(of_b.normalized()));
 }
 
+/// Whether the verdict names this effect.
 bool is_named(const Diagnosis& d, const std::string& id) {
     return std::any_of(d.verdict.effects.begin(), d.verdict.effects.end(),
                        [&](const effect::EffectDeclaration& effect) { return effect.id == id; });
@@ -61,6 +65,7 @@ std::vector<Confusion> find_confusions(const std::vector<Candidate>& candidates,
     std::vector<Confusion> confusions;
     for (auto a = candidates.begin(); a != candidates.end(); ++a)
         for (auto b = a + 1; b != candidates.end(); ++b) {
+            // Either is enough: scores are linear, and only the best candidates have a fit.
             const double cosine = std::max(predicted_cosine(*a, *b, largest, policy),
                                            fitted_cosine(*a, *b, declared, policy));
             if (cosine < policy.min_cosine) continue;

@@ -12,12 +12,14 @@ struct Diagnosis;
 /// Two effects that this experiment cannot separate, with the cosine of their changes of the residual.
 struct Confusion {
     std::string first, second;
+    // Magnitude, 0 ... 1; 1: one replaces the other exactly.
     double cosine = 0.0;
     std::string next_experiment;  // one that would separate them
 };
 
 /// Candidates that explain the residual in the same way, according to scores or fits, and the experiment that would
 /// separate them.
+/// Pairs with a cosine from ConfusionPolicy::min_cosine on, each once, the more credible effect first.
 std::vector<Confusion> find_confusions(const std::vector<Candidate>& candidates, const JointFit& declared,
                                        const ConfusionPolicy& policy);
 

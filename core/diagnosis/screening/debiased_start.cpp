@@ -9,6 +9,7 @@ std::optional<prediction::ParameterValues> debiased_start(const JointFit& fit,
     bool distorted = false;
     for (const prediction::ModelParameter& p : fit.parameters) {
         const double now = prediction::value_of(p, values), before = prediction::value_of(p, expected);
+        // Damping far above the expected one, or a start shift at a bound; other parameters are left as fitted.
         const bool far = p.kind == prediction::ModelParameter::Kind::damping
                              ? now > policy.max_damping_ratio * before
                              : p.kind == prediction::ModelParameter::Kind::start_shift &&

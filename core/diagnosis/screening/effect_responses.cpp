@@ -16,6 +16,7 @@ prediction::TrialPrediction probed(const UnaffectedRuns& runs, std::size_t i, co
     const std::size_t trial = runs.data.trials[i];
     const prediction::TrialPrediction& unaffected = runs.predictions[i];
     prediction::TrialPrediction prediction;
+    // The response is exactly zero: only what flat_residual() reads is copied.
     if (!effect::acts_on(runs.search.trials[i], effect.parameters)) {
         prediction.status = unaffected.status;
         prediction.residual_m = unaffected.residual_m;
@@ -47,6 +48,7 @@ std::vector<EffectResponse> effect_responses(const UnaffectedRuns& runs,
     const int all = static_cast<int>(effects.size() * trials);
     parallel_tasks(all, runs.setup.settings.threads, [&](int number) {
         if (progress.cancelled()) return;
+        // Each task writes to its own element; only times and progress need the mutex.
         const std::size_t e = static_cast<std::size_t>(number) / trials, i = static_cast<std::size_t>(number) % trials;
         const Stopwatch watch;
         predictions[e][i] = probed(runs, i, effects[e], progress);
@@ -56,6 +58,7 @@ std::vector<EffectResponse> effect_responses(const UnaffectedRuns& runs,
             progress.report({task, static_cast<double>(done), static_cast<double>(all), "runs", effects[e].id});
     });
     if (progress.cancelled()) return {};
+    // In the difference of two residuals the measurement and the shift cancel.
     const Eigen::VectorXd before = diagnosis::flat_residual(runs.data, runs.predictions);
     for (std::size_t e = 0; e < effects.size(); ++e) {
         for (const prediction::TrialPrediction& prediction : predictions[e])

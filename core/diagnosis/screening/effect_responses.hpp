@@ -28,6 +28,7 @@ struct EffectResponse {
 };
 
 /// Responses to each effect by itself, in parallel on the setup's threads. Empty if cancelled.
+/// The change is that by the whole amount of the declaration, not a derivative.
 ///
 /// @param task  name under which runs are reported
 std::vector<EffectResponse> effect_responses(const UnaffectedRuns& runs,

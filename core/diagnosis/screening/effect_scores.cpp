@@ -16,6 +16,7 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 
+/// Probe with the effect that it belongs to.
 struct Probe {
     const effect::Effect* effect = nullptr;
     effect::LawPointer law;  // null: the effect is in the catalogue
@@ -83,6 +84,7 @@ std::vector<EffectScore> score_effects(const setup::Setup& setup, const FitData&
                                        const EffectFilter& allowed, ProbeSize size, const ScreeningPolicy& policy,
                                        const Progress& progress) {
     effect::EffectSearch search = effect_search(setup, data, fit.values);
+    // Amounts of some probes follow from the motion of the fit (strains) or from its residual (frequencies).
     search.largest_energy_density_J_m3 = peak_isochoric_energy(search.models, unaffected);
     search.residual_lines_Hz = residual_lines(flat_residual(data, unaffected), data.layout, policy.residual_lines);
     const std::vector<Probe> probes = chosen_probes(search, setup.experiment.laws, allowed, size);
@@ -97,11 +99,13 @@ std::vector<EffectScore> score_effects(const setup::Setup& setup, const FitData&
     parallel_tasks(static_cast<int>(probes.size()), setup.settings.threads, [&](int task) {
         const auto p = static_cast<std::size_t>(task);
         if (!scores[p].failure.empty()) return;
+        // score_probe() makes a new score; the time of its runs was entered before.
         const double seconds = scores[p].seconds;
         scores[p] = score_probe(*probes[p].effect, probes[p].probe, S[p], reference, policy);
         scores[p].seconds = seconds;
         scores[p].law = probes[p].law;
     });
+    // Events of markers are linear in the residual and need no large probes.
     if (size == ProbeSize::large) return scores;
     for (EffectScore& score : scan_markers(setup, data, fit, reference.nuisance, allowed, policy)) {
         if (score.usable()) score.left = (1.0 - score.test.explained) * reference.squares;

@@ -37,6 +37,7 @@ Onset best_onset(std::vector<Moment> moments, const Value& value) {
                      [](const Moment& a, const Moment& b) { return a.time_s < b.time_s; });
     Onset best;
     Amount sum = Amount::Zero();
+    // From the end backwards, so that one running sum gives all onsets. Samples of equal time belong together.
     for (std::size_t k = moments.size(); k-- > 0;) {
         sum += moments[k].amount;
         if (k > 0 && moments[k - 1].time_s == moments[k].time_s) continue;
@@ -83,6 +84,7 @@ private:
     int markers_[2];
 };
 
+/// Score test of the columns S (N x events, before whitening) on the residual of the fit.
 EffectScore scored(const FitData& data, const JointFit& fit, const statistics::NuisanceSpace& nuisance,
                    const MatrixXd& S, const std::string& id) {
     EffectScore score;
@@ -94,12 +96,14 @@ EffectScore scored(const FitData& data, const JointFit& fit, const statistics::N
     return score;
 }
 
+/// The parameters with the name of the trial, if the event is restricted to one.
 effect::EffectParameters with_trial(effect::EffectParameters parameters, const setup::Setup& setup,
                                     const std::optional<std::size_t>& choice) {
     if (choice) parameters["trial"] = setup.trials[*choice].name;
     return parameters;
 }
 
+/// Scores every pair of markers whose exchange removes enough of the squared residual (min_swap_gain).
 void scan_swaps(const setup::Setup& setup, const FitData& data, const JointFit& fit,
                 const statistics::NuisanceSpace& nuisance, const std::string& id, const ScreeningPolicy& policy,
                 std::vector<EffectScore>& scores) {
@@ -113,6 +117,7 @@ void scan_swaps(const setup::Setup& setup, const FitData& data, const JointFit& 
                     if (in_choice(choice, series) && (series.marker == first || series.marker == second))
                         for (Index k = series.begin; k < series.end; ++k) {
                             const double r = fit.residual(k), swapped = r + change.at(series, k);
+                            // Gain of an entry: its square before minus that after the exchange; no amount is fitted.
                             moments.push_back({data.layout.time_s[static_cast<std::size_t>(k)],
                                                Amount(r * r - swapped * swapped, 0.0, 0.0, 0.0)});
                         }
@@ -135,6 +140,7 @@ void scan_swaps(const setup::Setup& setup, const FitData& data, const JointFit& 
         }
 }
 
+/// Scores every marker whose displacement from an onset on removes enough of the squared residual (min_slip_gain).
 void scan_slips(const setup::Setup& setup, const FitData& data, const JointFit& fit,
                 const statistics::NuisanceSpace& nuisance, const std::string& id, const ScreeningPolicy& policy,
                 std::vector<EffectScore>& scores) {
@@ -146,6 +152,8 @@ void scan_slips(const setup::Setup& setup, const FitData& data, const JointFit& 
                 if (in_choice(choice, series) && series.marker == marker)
                     for (Index k = series.begin; k < series.end; ++k) {
                         Amount amount = Amount::Zero();
+                        // A constant displacement d of n samples removes |sum r|^2 / n: components 0 to 2 are sums per
+                        // axis, component 3 counts samples, of which each of the three axes has an entry.
                         amount(series.axis) = outside(k);
                         amount(3) = 1.0 / 3.0;
                         moments.push_back({data.layout.time_s[static_cast<std::size_t>(k)], amount});

@@ -13,6 +13,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// Amount of a probe of one column, in the unit of its parameter.
 double amount_of(const effect::EffectProbe& probe) { return effect::number(probe.columns.front(), probe.amount); }
 
 /// Parameters of a single-column probe with `multiple` times the effect. Returns false if the amount would be zero, not
@@ -21,8 +22,10 @@ bool scaled(const effect::Effect& effect, const effect::EffectProbe& probe, doub
             effect::EffectParameters& result) {
     const effect::EffectParameterEntry& entry = *effect.parameter(probe.amount);
     result = probe.columns.front();
+    // A reciprocal amount (a stiffness that is infinite without the effect) has its effect in 1 / amount.
     const double value = probe.reciprocal ? amount_of(probe) / multiple : amount_of(probe) * multiple;
     if (!std::isfinite(value) || value == 0.0) return false;
+    // A negative multiple of an amount that cannot be negative: the probe explains nothing.
     if (entry.lowest >= 0.0 && value <= 0.0) return false;
     result[probe.amount] = std::clamp(value, entry.lowest, entry.highest);
     return true;
@@ -48,6 +51,7 @@ std::vector<EffectScore::Start> nonlinear_starts_of(const effect::Effect& effect
                                                     const VectorXd& S, const Range& range,
                                                     const ScoreReference& reference, const ScreeningPolicy& policy) {
     const JointFit& fit = reference.fit;
+    // Linear extrapolation: the multiple that changes the residual by its own norm.
     const double modest = std::clamp(fit.residual.norm() / std::max(S.norm(), std::numeric_limits<double>::min()),
                                      range.lowest, range.highest);
     std::vector<EffectScore::Start> starts;
@@ -111,6 +115,7 @@ ScoreReference score_reference(const JointFit& fit, const statistics::ResidualLa
     for (Index i = 0; i < fit.jacobian.cols(); ++i) {
         const prediction::ModelParameter& p = fit.parameters[static_cast<std::size_t>(i)];
         const double value = prediction::value_of(p, fit.values);
+        // A value outside its bounds by rounding must not force a step.
         reference.lower(i) = std::min(0.0, p.parameter.lower - value);
         reference.upper(i) = std::max(0.0, p.parameter.upper - value);
     }
@@ -125,6 +130,7 @@ EffectScore score_probe(const effect::Effect& effect, const effect::EffectProbe&
     const JointFit& fit = reference.fit;
     EffectScore score;
     score.id = effect.id;
+    // The test is unbounded (its p-value has a known distribution); shares and starts below respect the bounds.
     score.candidate = statistics::project_candidate(reference.nuisance, S);
     score.test = statistics::score_test(score.candidate, reference.outside, reference.layout);
     if (score.candidate.rank() == 0) return score;
@@ -135,6 +141,7 @@ EffectScore score_probe(const effect::Effect& effect, const effect::EffectProbe&
     const VectorXd step = best_step(A, S, range, reference, policy), multiples = step.tail(S.cols());
     score.best.step = step.head(reference.lower.size());
     const double squares = (fit.residual + A * step).squaredNorm();
+    // Several columns are joined into one declaration by the effect itself, a single one is scaled.
     const bool possible = probe.joined ? multiples.allFinite() : scaled(effect, probe, multiples(0), score.best.effect);
     if (possible && probe.joined) score.best.effect = probe.joined(probe.columns, multiples);
     score.test.explained = possible && reference.squares > 0.0 ? std::max(0.0, 1.0 - squares / reference.squares) : 0.0;

@@ -16,6 +16,7 @@ struct ScoreReference {
     Eigen::VectorXd lower, upper;        // admissible steps of the fit's own parameters
     double squares = 0.0;                // squared residual after their best step
 };
+/// Refers to `fit` and `layout`, which must outlive it.
 ScoreReference score_reference(const JointFit& fit, const statistics::ResidualLayout& layout);
 
 /// Scores a probe by its response.

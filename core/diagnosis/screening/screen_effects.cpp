@@ -19,6 +19,7 @@ std::optional<JointFit> debiased_fit(const DiagnosisContext& context, FitStore& 
     const std::optional<prediction::ParameterValues> values = debiased_start(
         context.declared.fit, prediction::declared_values(context.setup), context.policy().declared);
     if (!values) return std::nullopt;
+    // One evaluation: the values stay, only residual and Jacobian are computed there.
     JointFit fit = stored_fit({context.setup, context.data, *values, context.policy(), EffectFreedom::all, {1}}, store,
                               log.progress());
     return fit.usable() ? std::optional(std::move(fit)) : std::nullopt;
@@ -56,6 +57,7 @@ std::vector<Candidate> listed_candidates(const std::vector<EffectScore>& scores)
     std::vector<double> p;
     for (const EffectScore& score : scores) p.push_back(score.usable() ? score.test.p : 1.0);
     const std::vector<double> adjusted = statistics::holm_adjusted(p);
+    // Adjusted over all probes, not effects: an effect with many probes has more chances to explain by chance.
     std::map<std::string, std::size_t> best_probe;
     for (std::size_t i = 0; i < scores.size(); ++i) {
         const auto [place, first] = best_probe.emplace(scores[i].id, i);

@@ -17,6 +17,7 @@ using Eigen::Index;
 /// Number of samples in the beginning of a trial, from the first of its recording.
 Index samples_in_beginning(const setup::PreparedTrial& trial, double share, int min_samples) {
     const Index all = trial.measured.sample_count(), compared = all - trial.first_sample;
+    // A pose has one equilibrium for all samples: it costs the same, however short.
     if (trial.hold) return all;
     const auto wanted = static_cast<Index>(std::ceil(share * static_cast<double>(compared)));
     return std::min(all, trial.first_sample + std::max<Index>(min_samples, wanted));
@@ -58,6 +59,7 @@ double residual_in_beginnings(const DiagnosisContext& context, double share) {
 std::optional<DiagnosisContext> beginning_context(const DiagnosisContext& context, double share, FitStore& store,
                                                   PhaseLog& log) {
     const int min_samples = context.policy().beginnings.min_samples;
+    // Everything that refers to samples is shortened: both setups, and every shift in the errors.
     DiagnosisContext part{context.setup, context.settings, {}, {}, context.numerics, context.refinement};
     keep_beginnings(part.setup, context.data.trials, share, min_samples);
     if (context.refinement.finer) {
@@ -72,8 +74,10 @@ std::optional<DiagnosisContext> beginning_context(const DiagnosisContext& contex
     part.data = fit_data(part.setup, context.data.trials);
     part.numerics.shift = of_beginnings(context.numerics.shift, part.setup);
     part.data.shift = of_beginnings(context.data.shift, part.setup);
+    // Repeated trials are compared once, on the whole recordings.
     part.data.floor_m = context.data.floor_m;
     const prediction::ParameterValues& declared = context.declared.fit.values;
+    // Unknown places are linearised at the samples that are left.
     if (part.setup.experiment.markers.placement_m > 0.0) {
         const std::vector<prediction::TrialPrediction> placed = prediction::predict_trials_with(
             part.setup, declared, part.data.trials, log.progress());

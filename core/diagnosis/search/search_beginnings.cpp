@@ -18,6 +18,7 @@ namespace {
 
 constexpr const char* phase = "fit of beginnings";
 
+/// The fits with weights, in the order of both candidates and sets.
 RankedFits ranked(RankedFits fits, const Baseline& baseline) {
     return with_ranked_sets(with_ranked_candidates(std::move(fits), baseline), baseline);
 }
@@ -51,6 +52,7 @@ std::vector<prediction::ParameterValues> best_values(const RankedFits& fits, con
     });
     const BeginningPolicy& policy = baseline.policy().beginnings;
     std::vector<prediction::ParameterValues> values;
+    // Fits far behind the first lead the longer beginning to a wrong minimum at the cost of a fit each.
     for (const JudgedFit* fit : all)
         if (values.size() < policy.kept && fit->fit.squares() <= policy.kept_factor * all.front()->fit.squares())
             values.push_back(fit->fit.values);
@@ -99,6 +101,7 @@ BeginningSearch search_beginnings(const DiagnosisContext& context, FitStore& sto
     const BeginningPolicy& policy = context.policy().beginnings;
     if (context.declared.tests.systematic.rms < policy.min_residual) return {};
     double share = policy.first_share;
+    // A beginning in which the residual is small does not show the effect.
     while (share < 1.0 && residual_in_beginnings(context, share) < policy.min_residual) share *= policy.growth;
     BeginningSearch search{{}, share};
     std::vector<prediction::ParameterValues> starts;
@@ -109,6 +112,7 @@ BeginningSearch search_beginnings(const DiagnosisContext& context, FitStore& sto
                                          : refitted(*part, starts, std::move(search.fits), store, log);
         fits = with_sets(*part, std::move(fits), store, log);
         starts = best_values(fits, part->baseline());
+        // Fits of different beginnings are not comparable: only the scores of the candidates are kept.
         search.fits = {{}, std::move(fits.candidates), {}};
         for (Candidate& candidate : search.fits.candidates) candidate.judged.reset();
     }

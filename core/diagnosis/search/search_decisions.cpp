@@ -19,6 +19,7 @@ bool is_rival(const Candidate& candidate, double least_squares, const SearchPoli
 
 std::size_t starts_worth_fitting(const std::vector<CandidateStart>& starts, const JudgedFit* best,
                                  const JudgedFit& declared, bool explained, const SearchPolicy& policy) {
+    // Without a good fit every start may be the right one.
     const bool mostly = best && best->fit.squares() < policy.max_left * declared.fit.squares() &&
                         best->tests.systematic.rms < policy.noise_like;
     if ((!explained && !mostly) || starts.empty()) return starts.size();

@@ -46,6 +46,7 @@ bool is_far_from_explained(const std::vector<Candidate>& ranked, const Baseline&
 bool is_explained(const RankedFits& fits, const Baseline& baseline);
 
 /// Values without one of their effects.
+/// @param effect  index in values.effects (asserted)
 prediction::ParameterValues without_effect(prediction::ParameterValues values, std::size_t effect);
 
 }  // namespace myo::diagnosis

@@ -25,6 +25,7 @@ public:
         rank();
     }
 
+    // Each step is described at its definition.
     bool fit_starts(const std::vector<CandidateStart>& starts, double pruning_factor);
     bool fit_starts(const std::vector<CandidateStart>& starts) { return fit_starts(starts, policy().pruning_factor); }
     bool correct_best();
@@ -39,6 +40,7 @@ public:
     bool is_far() const { return is_far_from_explained(fits_.candidates, context_.baseline()); }
     /// Fit of the most credible candidate, or null.
     const JudgedFit* best() const { return best_fit(fits_.candidates); }
+    /// Squared residual that the fit of an effect leaves; infinite without one.
     double left(const std::string& effect) const { return left_by(fits_.candidates, effect); }
     const RankedFits& fits() const { return fits_; }
 
@@ -47,6 +49,7 @@ private:
     const JointFit& base() const { return screening_.base(context_); }
     std::vector<Candidate>& candidates() { return fits_.candidates; }
 
+    /// To be called after every change of fits: all decisions read the order of the candidates.
     void rank() {
         fits_ = with_ranked_candidates(std::move(fits_), context_.baseline());
         if (show_) show_(fits_);
@@ -85,6 +88,7 @@ bool Search::correct(JudgedFit& fit) {
         store_, log_);
     if (!corrected) return false;
     fit = std::move(*corrected);
+    // An error that could not be computed must not be tried again.
     if (!fit.numerics) fit.numerics = context_.numerics;
     return true;
 }
@@ -111,6 +115,7 @@ bool Search::correct_best() {
     for (std::size_t i = 0; i < count; ++i) {
         std::optional<JudgedFit>& fit = candidates()[i].judged;
         if (!fit || !is_worth_correcting(*fit, context_.declared, policy())) continue;
+        // Candidates behind one that explains the residual need no better error.
         if (explains(*fit, context_.baseline())) break;
         if (!correct(*fit)) return false;
     }
@@ -164,6 +169,7 @@ bool Search::correct_rivals() {
     rank();
     const std::size_t count = std::min(policy().corrected_candidates + 1, candidates().size());
     const auto end = candidates().begin() + static_cast<std::ptrdiff_t>(count);
+    // One rival alone is compared with nothing.
     if (std::count_if(candidates().begin(), end, competes) < 2) return true;
     for (auto candidate = candidates().begin(); candidate != end; ++candidate)
         if (competes(*candidate) && !candidate->judged->numerics && !correct(*candidate->judged)) return false;
@@ -171,6 +177,7 @@ bool Search::correct_rivals() {
     return true;
 }
 
+/// Starts [first, last); empty if first is beyond last.
 std::vector<CandidateStart> part_of(const std::vector<CandidateStart>& starts, std::size_t first, std::size_t last) {
     return {starts.begin() + static_cast<std::ptrdiff_t>(std::min(first, last)),
             starts.begin() + static_cast<std::ptrdiff_t>(last)};
@@ -184,6 +191,7 @@ bool fit_likely(Search& search, const DiagnosisContext& context, const Screening
         starts.push_back(start_of(screening.scores[i]));
     const std::size_t first = std::min(policy.first_fits, starts.size());
     if (!search.fit_starts(part_of(starts, 0, first)) || !search.correct_best()) return false;
+    // Where the best is far off, sets are tried before it is polished.
     if (!search.is_far() && !search.polish_best()) return false;
     const std::size_t last = starts_worth_fitting(starts, search.best(), context.declared,
                                                   search.is_explained(Leniency::strict), policy);
@@ -195,7 +203,9 @@ bool fit_likely(Search& search, const DiagnosisContext& context, const Screening
 bool fit_unlikely(Search& search, const DiagnosisContext& context, const Screening& screening) {
     // A faint residual does not justify a long search.
     if (is_faint(context.baseline())) return search.correct_rivals();
+    // Each further step is left out once an effect explains the residual.
     if (!search.is_explained(Leniency::strict)) {
+        // Effects whose fit made no progress probably started outside of the linear range.
         const double most = context.policy().search.restart_share * screening.base(context).squares();
         if (!search.fit_starts(nonlinear_starts(
                 screening.scores, [&](const EffectScore& score) { return search.left(score.id) >= most; })))

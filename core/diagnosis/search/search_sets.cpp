@@ -29,14 +29,17 @@ public:
 
     SetSearch run() {
         const SetPolicy& policy = context_.policy().sets;
+        // A set from the beginnings may hold an effect that the whole recordings do not need.
         if (effects().size() > 1 && (!drop_idle() || !correct())) return {std::move(fits_), data_.shift};
         for (int round = 0; round < policy.max_rounds && is_open(); ++round) {
             const std::vector<effect::EffectDeclaration> before = effects();
             const bool grows = before.size() < policy.max_effects && !explains(current_, context_.baseline());
+            // Forward if the larger set is worth its numbers, then backward; exchanges where growing does not help.
             const std::optional<JudgedFit> larger = grows ? best_extension(current_) : std::nullopt;
             if (log_.cancelled()) break;
             if (larger && is_better(*larger, current_, policy.min_evidence_ratio)) {
                 adopt(*larger);
+                // Back at the set before: the next round would repeat this one.
                 if (!drop_idle() || !correct() || have_same_ids(effects(), before)) break;
             } else if (!exchange()) {
                 break;
@@ -59,12 +62,14 @@ private:
         return evidence_ratio(data_, fit, than, context_.policy().judgement) > ratio;
     }
 
+    /// Orders all fits and shows them.
     void rank() {
         fits_ = with_ranked_candidates(std::move(fits_), context_.baseline());
         fits_ = with_ranked_sets(std::move(fits_), context_.baseline());
         if (show_) show_(fits_);
     }
 
+    /// Makes a fit the current set.
     void adopt(JudgedFit fit) {
         current_ = std::move(fit);
         follow_current();
@@ -99,9 +104,11 @@ private:
 /// The best fit with one more effect, other than `without`; all are kept.
 std::optional<JudgedFit> SearchOfSets::best_extension(const JudgedFit& of, const std::string& without) {
     extended_.push_back(of.fit.effects);
+    // Kept fits have no traces, from which probes start.
     JointFit base = of.fit;
     base.predictions = prediction::predict_trials_with(context_.setup, base.values, data_.trials, log_.progress());
     if (log_.cancelled()) return {};
+    // No effect acts twice in a set, and `without` was in it before.
     std::vector<std::string> excluded{without};
     for (const effect::EffectDeclaration& effect : base.effects) excluded.push_back(effect.id);
     const std::vector<EffectScore> scores = log_.timed(
@@ -110,6 +117,7 @@ std::optional<JudgedFit> SearchOfSets::best_extension(const JudgedFit& of, const
     std::vector<CandidateStart> starts;
     for (const std::size_t i : best_probes(scores, context_.settings.extensions, context_.policy().screening))
         starts.push_back(start_of(scores[i]));
+    // Larger sets must leave less than the best single effect, too.
     const double least = std::min(min_left(fits_.candidates), current_.fit.squares());
     std::vector<JudgedFit> fits = fit_candidates({context_.setup, data_, context_.settings, base, starts, least,
                                                   context_.policy().sets.pruning_factor, "refit of sets"},
@@ -149,6 +157,7 @@ std::optional<JudgedFit> SearchOfSets::reduced(const JudgedFit& from, std::size_
 /// Drops effects without which the evidence does not fall. Also the last one: without it the others may end in a better
 /// minimum than before.
 bool SearchOfSets::drop_idle() {
+    // From the last one added to the first; indices of those not visited yet stay valid when one is dropped.
     for (std::size_t i = effects().size(); i-- > 0 && effects().size() > 1;) {
         const std::optional<JudgedFit> smaller = reduced(current_, i);
         if (log_.cancelled()) return false;
@@ -161,6 +170,7 @@ bool SearchOfSets::drop_idle() {
 bool SearchOfSets::exchange() {
     if (effects().size() < 2) return false;
     std::optional<JudgedFit> best;
+    // All exchanges start from this set; current_ changes only if one is adopted.
     const JudgedFit from = current_;
     for (std::size_t i = 0; i < from.fit.effects.size() && !log_.cancelled(); ++i) {
         const std::optional<JudgedFit> smaller = reduced(from, i);
@@ -185,6 +195,7 @@ bool SearchOfSets::correct() {
          context_.policy().search.correction},
         current_, store_, log_);
     if (!corrected) return false;
+    // As for single effects: an error that could not be computed is not tried again.
     if (!corrected->numerics) corrected->numerics = context_.numerics;
     for (JudgedFit& set : fits_.sets)
         if (have_same_ids(set.fit.effects, corrected->fit.effects)) set = *corrected;

@@ -16,11 +16,13 @@ JudgedFit judged(const FitData& data, JointFit fit, const DiagnoseSettings& sett
         result.rms_m = flat_rms_m(data, fit.residual);
         result.tests = statistics::test_residuals(fit.residual, data.layout, static_cast<int>(fit.parameters.size()),
                                                   options);
+        // Drift is a question only for residuals that need an explanation and are small enough for cameras to drift by.
         const double systematic = result.tests.systematic.rms;
         if (result.tests.significant() && systematic > policy.min_systematic && systematic < policy.max_drift)
             result.independence = statistics::independence_test(fit.residual, data.layout);
         statistics::FoldOptions folds;
         folds.guard_s = policy.guard_s;
+        // Linearised: a refit without each trial would cost as many fits as there are trials.
         const statistics::LinearCrossValidation of_trials = statistics::linear_cross_validation(
             fit.residual, fit.jacobian, statistics::make_folds(data.layout, folds));
         result.held_out_rms = std::sqrt(of_trials.mean_square());

@@ -34,6 +34,7 @@ struct JudgedFit {
 };
 
 /// Assesses a fit: tests of its residual and prediction of held-out data.
+/// A fit that is not usable is returned with default tests.
 JudgedFit judged(const FitData& data, JointFit fit, const DiagnoseSettings& settings);
 
 /// Effect that was tried.

@@ -16,6 +16,7 @@ double numerical_doubt(const FitData& data, const NumericalError& numerics, cons
 /// Systematic residual that repeated trials leave between each other [noise levels]; 0: none was repeated.
 double unrepeatable(const FitData& data) {
     const double noise_m = mean_noise_m(data);
+    // Variances add: floor^2 = noise^2 + unrepeatable^2.
     return data.floor_m > noise_m ? std::sqrt(std::pow(data.floor_m / noise_m, 2) - 1.0) : 0.0;
 }
 
@@ -31,6 +32,7 @@ bool predicts_held_out(const JudgedFit& fit, const JudgedFit& before, const Judg
            std::max(policy.chance_held_out, policy.max_held_out * held_out_excess(before.*rms));
 }
 
+/// Whether a fitted value is at a bound, up to rounding (JudgementPolicy::at_bound).
 bool at_bound(const prediction::ModelParameter& p, const prediction::ParameterValues& values,
               const JudgementPolicy& policy) {
     const double value = prediction::value_of(p, values), little = policy.at_bound * std::abs(value);
@@ -52,6 +54,7 @@ double tolerated(const NumericalError& numerics, const Baseline& baseline, doubl
     const double doubt = numerical_doubt(baseline.data, numerics, policy);
     if (!excused) return std::max(policy.min_systematic, doubt);
     const double was = baseline.declared.tests.systematic.rms;
+    // A fit that leaves little may have failed at the mesh alone: then a share of the whole mesh error is admitted.
     const double of_whole_mesh = left <= policy.little_left * was
                                      ? std::min(policy.most_of_mesh, policy.share_of_mesh * numerics.mesh_rms_m /
                                                                          mean_noise_m(baseline.data))
@@ -60,6 +63,7 @@ double tolerated(const NumericalError& numerics, const Baseline& baseline, doubl
                      unrepeatable(baseline.data)});
 }
 
+/// Whether the effect is declared for one trial, by its parameter `trial`.
 bool acts_in_one_trial(const effect::EffectDeclaration& effect) { return effect::has(effect.parameters, "trial"); }
 
 }  // namespace
@@ -83,6 +87,7 @@ bool effect_at_bound(const JointFit& fit, const JudgementPolicy& policy) {
 
 bool differs_from_zero(const JointFit& fit, const JudgementPolicy& policy) {
     if (fit.report.deviations.size() != static_cast<Eigen::Index>(fit.parameters.size())) return true;
+    // Tried effects follow those of the experiment.
     const std::size_t first_tried = fit.values.effects.size() - std::min(fit.values.effects.size(), fit.effects.size());
     struct Amount {
         std::string name;
@@ -93,6 +98,7 @@ bool differs_from_zero(const JointFit& fit, const JudgementPolicy& policy) {
         const prediction::ModelParameter& p = fit.parameters[i];
         if (p.kind != prediction::ModelParameter::Kind::effect || p.index < first_tried) continue;
         Amount& amount = amounts.try_emplace(p.index, Amount{p.of_effect}).first->second;
+        // The first parameter of an effect is its amount; places and directions need not differ from zero.
         if (amount.name != p.of_effect) continue;
         const double deviations = std::abs(prediction::value_of(p, fit.values)) /
                                   fit.report.deviations(static_cast<Eigen::Index>(i));
@@ -128,6 +134,7 @@ bool explains(const JudgedFit& fit, const Baseline& baseline, Leniency leniency)
     const bool tolerant = leniency == Leniency::tolerant;
     const double was = baseline.declared.tests.systematic.rms;
     const double left = tolerant ? surely_left(fit.tests.systematic, policy) : fit.tests.systematic.rms;
+    // First condition: the effect removes enough. Second, below: what remains has a reason.
     if (left > (is_faint(baseline) ? policy.most_of_faint : policy.most_of_residual) * was) return false;
     // An effect at its bound would have grown further: its remainder is due neither to its form nor to the mesh.
     const bool excused = tolerant && !effect_at_bound(fit.fit, policy);

@@ -5,6 +5,7 @@
 namespace myo::diagnosis {
 
 /// Largest systematic residual that may be due to numerical error [noise levels].
+/// The uncertainty of the extrapolation, at least min_systematic, and more if little of the mesh error is left.
 double numerical_allowance(const FitData& data, const NumericalError& numerics, const JudgementPolicy& policy);
 
 /// Whether the fitted modulus is at a bound; it then compensates for something else.

@@ -21,6 +21,8 @@ std::vector<double> criteria_of(const std::vector<const JudgedFit*>& fits, doubl
             criteria.push_back(std::numeric_limits<double>::infinity());
             continue;
         }
+        // The penalty for an effect at a bound is twice the logarithm of the odds against it, in units that the
+        // temperature divides out again in the weights.
         const double of_fit = statistics::information_criterion(fit->fit.squares(), fit->fit.samples(), effective,
                                                                 static_cast<int>(fit->fit.parameters.size()));
         const double of_held_out = statistics::information_criterion(samples * std::pow(fit->*held_out, 2), samples,
@@ -71,6 +73,7 @@ std::vector<FitWeight> weights_of(const FitData& data, const std::vector<const J
     if (!best) return places;
     const auto samples = static_cast<double>(data.layout.size());
     const double effective = statistics::effective_samples(best->fit.residual, data.layout);
+    // Fits are compared by held-out trials; if these cannot test the best fit, all are compared by blocks of time.
     std::vector<double> criteria = criteria_of(fits, samples, effective, &JudgedFit::held_out_rms, policy);
     if (is_best_untested(fits, criteria))
         criteria = criteria_of(fits, samples, effective, &JudgedFit::held_out_in_time_rms, policy);
@@ -99,6 +102,7 @@ bool have_same_ids(const std::vector<effect::EffectDeclaration>& a, const std::v
 
 RankedFits with_ranked_candidates(RankedFits fits, const Baseline& baseline) {
     weigh(fits, baseline, false);
+    // Three groups: explains the residual, fitted, not fitted.
     const auto rank = [&](const Candidate& c) { return !c.judged ? 2 : explains(*c.judged, baseline) ? 0 : 1; };
     std::stable_sort(fits.candidates.begin(), fits.candidates.end(), [&](const Candidate& a, const Candidate& b) {
         if (rank(a) != rank(b)) return rank(a) < rank(b);

@@ -48,6 +48,7 @@ RankedFits with_ranked_candidates(RankedFits fits, const Baseline& baseline);
 RankedFits with_ranked_sets(RankedFits fits, const Baseline& baseline);
 
 /// Enters a fit among those of its effects, where it replaces a worse one.
+/// A single effect that is not among the candidates is dropped.
 void enter_fit(RankedFits& fits, JudgedFit fit);
 
 /// Squared residual of an effect's fit; infinite if it was not fitted.

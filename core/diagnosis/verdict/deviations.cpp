@@ -32,6 +32,7 @@ MatrixXd estimator(const JointFit& fit, const NumericsPolicy& policy) {
     return size.cwiseInverse().asDiagonal() * solver.pseudoInverse() * Q.transpose();
 }
 
+/// The shift times a factor.
 PredictionShift scaled(PredictionShift shift, double factor) {
     for (std::vector<Eigen::Matrix3Xd>& trial : shift)
         for (Eigen::Matrix3Xd& track : trial) track *= factor;
@@ -68,9 +69,11 @@ JudgedFit with_deviations(JudgedFit fit, const FitData& data, const NumericalErr
         const VectorXd by_markers = rows.row(i).head(N);
         const double markers = by_markers.squaredNorm(), sensors = rows.row(i).tail(S).squaredNorm();
         if (!(markers + sensors > 0.0)) continue;
+        // Residuals that are correlated in time count as fewer samples. Readings of sensors are taken as independent.
         const double inflation = markers > 0.0 ? statistics::variance_inflation(of.residual, by_markers, data.layout)
                                                : 1.0;
         double variance = std::pow(deviations(i), 2) * (inflation * markers + sensors) / (markers + sensors);
+        // First-order change of the estimate by each possible error; the errors are independent of the noise.
         for (const VectorXd& doubt : doubts) variance += std::pow(by_markers.dot(doubt), 2);
         deviations(i) = std::sqrt(variance);
     }

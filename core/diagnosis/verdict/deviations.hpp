@@ -14,7 +14,7 @@ namespace myo::diagnosis {
 JudgedFit with_deviations(JudgedFit fit, const FitData& data, const NumericalError& numerics,
                           const NumericsPolicy& policy);
 
-/// Limits of a number.
+/// Limits of a number, in its own unit.
 struct Interval {
     double low = 0.0, high = 0.0;
 };

@@ -18,6 +18,7 @@ prediction::SetupRun shifted_run(const setup::Setup& setup, const prediction::Pa
     return prediction::scored_run(setup, prediction::with_predicted_levels(setup, fitted), std::move(predictions), all);
 }
 
+/// Limits of the last refit: full effort only for effects that are named.
 ErrorCorrection correction_of(VerdictKind kind, const SearchPolicy& policy) {
     return {kind == VerdictKind::effects ? policy.correction.effort : policy.unexplained, policy.correction.max_change};
 }
@@ -38,9 +39,11 @@ FinalFit final_fit(const FinalFitInput& in, FitStore& store, PhaseLog& log) {
     };
     FinalFit result;
     result.fit = in.decision.fit;
+    // Also trials that were not fitted: both models predict them without any refit.
     result.before = log.timed("prediction", 2 * static_cast<int>(all.size()),
                               [&] { return predicted(context.declared, in.declared_error); });
     if (!result.fit.numerics) {
+        // The fit of the decision was made with this shift.
         FitData data = context.data;
         data.shift = in.shift;
         std::optional<JudgedFit> corrected = correct_discretisation(
@@ -52,6 +55,7 @@ FinalFit final_fit(const FinalFitInput& in, FitStore& store, PhaseLog& log) {
         if (!result.fit.numerics) result.fit.numerics = in.declared_error;
     }
     result.fit.numerics = with_error_of_other_trials(context, result.fit, log);
+    // With the verdict `none` both models are the declared one.
     result.after = kind == VerdictKind::none ? result.before : predicted(result.fit, *result.fit.numerics);
     const std::vector<Eigen::Vector3d>& places = result.after.values.places_m;
     for (const std::size_t marker : prediction::far_markers(setup, places))

@@ -8,11 +8,13 @@ namespace {
 
 using Effects = std::vector<effect::EffectDeclaration>;
 
+/// Whether an effect of this id is among the given ones.
 bool acts_in(const Effects& effects, const std::string& id) {
     return std::any_of(effects.begin(), effects.end(),
                        [&](const effect::EffectDeclaration& effect) { return effect.id == id; });
 }
 
+/// All fits with tried effects: single ones and sets.
 std::vector<const JudgedFit*> fits_of(const Diagnosis& d) {
     std::vector<const JudgedFit*> fits;
     for (const Candidate& candidate : d.candidates)
@@ -35,6 +37,7 @@ double presence(const Diagnosis& d, const JudgedFit& fit) {
 }
 
 std::map<std::string, double> effect_probabilities(const Diagnosis& d) {
+    // Without named effects all candidates share what the verdict leaves over.
     const double share = d.verdict.kind == VerdictKind::effects ? d.verdict.trust : 1.0 - d.verdict.confidence;
     std::map<std::string, double> probabilities;
     for (const Candidate& candidate : d.candidates) {
@@ -46,6 +49,7 @@ std::map<std::string, double> effect_probabilities(const Diagnosis& d) {
     if (d.verdict.kind == VerdictKind::effects)
         for (const effect::EffectDeclaration& effect : d.verdict.effects)
             probabilities[effect.id] = std::max(probabilities[effect.id], d.verdict.confidence);
+    // The data do not separate twins: each gets an equal share of their sum.
     for (const std::vector<std::string>& group : d.verdict.twins) {
         double all = 0.0;
         for (const std::string& id : group) all += probabilities[id];

@@ -48,6 +48,7 @@ std::vector<std::string> twins_of(const Diagnosis& d, const std::string& effect)
     const JudgedFit* const without = fit_of(d, rest);
     if (!with || !without || with->fit.residual.size() != without->fit.residual.size()) return {};
     const statistics::NuisanceSpace nuisance(d.declared.fit.jacobian);
+    // Unit vector of what the effect changes, outside the space of the declared parameters.
     const auto contribution = [&](const JudgedFit& fit) {
         return Eigen::VectorXd(nuisance.outside(fit.fit.residual - without->fit.residual)).normalized();
     };
@@ -55,6 +56,7 @@ std::vector<std::string> twins_of(const Diagnosis& d, const std::string& effect)
     std::vector<std::string> twins;
     for (const Candidate& candidate : d.candidates) {
         const std::string& id = candidate.score.id;
+        // Effects that are named themselves are no alternatives.
         if (std::any_of(named.begin(), named.end(), [&](const auto& member) { return member.id == id; })) continue;
         const JudgedFit* const other = fit_of(d, exchanged(named, effect, id));
         if (!other || !other->usable() || other->fit.residual.size() != own.size()) continue;
@@ -73,6 +75,7 @@ Diagnosis with_twins(Diagnosis d) {
     for (const effect::EffectDeclaration& effect : d.verdict.effects) {
         const std::vector<std::string> others = twins_of(d, effect.id);
         if (others.empty()) continue;
+        // Twins move up in the ranking, behind all named effects.
         d.verdict.twins.push_back({effect.id});
         for (const std::string& other : others) {
             d.verdict.twins.back().push_back(other);
@@ -81,6 +84,7 @@ Diagnosis with_twins(Diagnosis d) {
                 ++place;
             }
         }
+        // The evidence of the group counts for its members together; each then has an equal share.
         const double of_group = d.verdict.confidence * weight_of_group(d, effect.id, others);
         d.verdict.confidence = std::min(d.verdict.trust, of_group) / static_cast<double>(others.size() + 1);
     }

@@ -10,7 +10,7 @@ namespace myo::diagnosis {
 /// @param effect  named by the verdict
 std::vector<std::string> twins_of(const Diagnosis& diagnosis, const std::string& effect);
 
-/// The diagnosis with the twins of its named effects: they are ranked behind their effect, and the confidence of the
+/// The diagnosis with the twins of its named effects: they are ranked behind the named ones, and the confidence of the
 /// answer is shared among all of them.
 Diagnosis with_twins(Diagnosis diagnosis);
 

@@ -37,6 +37,7 @@ std::string above_noise_note(const NumericalError& numerics, double noise_m) {
 Decision decide(const Diagnosis& d) {
     const VerdictEvidence evidence = verdict_evidence(d);
     const std::vector<VerdictRule>& rules = verdict_rules();
+    // The last rule always applies, so that one is found.
     const auto rule = std::find_if(rules.begin(), rules.end(),
                                    [&](const VerdictRule& r) { return r.applies(evidence); });
     Conclusion conclusion = rule->conclude(evidence);
@@ -44,6 +45,7 @@ Decision decide(const Diagnosis& d) {
     Verdict& verdict = decision.verdict;
     verdict.rule = rule->name;
     verdict.ranking = ranking_of(verdict, d.candidates);
+    // verdict_evidence() leaves such a set out: the user can decide the case with one more trial.
     if (verdict.kind == VerdictKind::unknown && !d.sets.empty() && is_untested(d.sets.front(), d.declared) &&
         explains(d.sets.front(), d.baseline()))
         decision.notes.push_back(
@@ -58,6 +60,7 @@ Diagnosis with_final_fit(Diagnosis d) {
     if (d.verdict.kind != VerdictKind::effects) return d;
     d.verdict.effects = d.augmented.fit.effects;
     d.verdict.reason = systematic_fall(d.augmented, d.declared) + d.verdict.cautions;
+    // The tables of the report show candidates and sets: the verdict's own fit must have one value everywhere.
     const auto same = [&](const JudgedFit& fit) {
         return fit.fit.effects.size() == d.verdict.effects.size() &&
                std::equal(

@@ -12,6 +12,7 @@
 namespace myo::diagnosis {
 namespace {
 
+/// Verdict `none`; its confidence falls with the systematic residual over the numerical allowance.
 Conclusion nothing_missing(const VerdictEvidence& e) {
     const Diagnosis& d = e.diagnosis;
     const VerdictPolicy& policy = e.policy.verdict;
@@ -40,11 +41,14 @@ Conclusion drift(const VerdictEvidence& e) {
     return {verdict, d.declared};
 }
 
+/// Appends a sentence to the reason; kept separately, so that a later reason can repeat it.
 void add_caution(Verdict& verdict, const std::string& sentence) {
     verdict.cautions += " " + sentence;
     verdict.reason += " " + sentence;
 }
 
+/// Verdict that names the effects of a fit.
+/// @param weight  factor of the confidence: evidence for these effects among all fits, 0 ... 1
 Conclusion named(const VerdictEvidence& e, const JudgedFit& fit, double weight) {
     const VerdictPolicy& policy = e.policy.verdict;
     const bool effect_bound = effect_at_bound(fit.fit, e.policy.judgement),
@@ -97,6 +101,7 @@ bool is_idle(const VerdictEvidence& e) {
            e.set->tests.systematic.rms > e.policy.judgement.most_of_residual * e.single->tests.systematic.rms;
 }
 
+/// Whether the best single effect leaves so little that only its form may be wrong (VerdictPolicy::nearly_all).
 bool removes_nearly_all(const VerdictEvidence& e) {
     const Diagnosis& d = e.diagnosis;
     const JudgedFit& fit = *e.single;
@@ -105,6 +110,7 @@ bool removes_nearly_all(const VerdictEvidence& e) {
            fit.tests.systematic.rms <= e.policy.verdict.nearly_all * d.declared.tests.systematic.rms;
 }
 
+/// explains() with the tolerance of the verdict.
 bool explains_all(const VerdictEvidence& e, const JudgedFit& fit) { return explains(fit, e.diagnosis.baseline()); }
 
 /// Weight among the fits that explain the residual. Others do not count, even if they predict held-out trials better.
@@ -131,6 +137,7 @@ bool second_is_open(const VerdictEvidence& e) {
     return e.single && removes_nearly_all(e) && presence(e.diagnosis, *e.set) < e.policy.verdict.second_effect;
 }
 
+/// Names the single effect, with reduced confidence.
 Conclusion nearly_all(const VerdictEvidence& e) {
     const Diagnosis& d = e.diagnosis;
     Conclusion conclusion = named(e, *e.single, e.policy.verdict.other_form * presence(d, *e.single));
@@ -140,6 +147,7 @@ Conclusion nearly_all(const VerdictEvidence& e) {
     return conclusion;
 }
 
+/// Names effects whose remainder is not compared with the noise, which is not that of the model's error.
 Conclusion most_of_it(const VerdictEvidence& e, const JudgedFit& fit, double weight) {
     const double left = fit.rms_m / e.diagnosis.declared.rms_m;
     Conclusion conclusion = named(e, fit, weight * (1.0 - e.policy.verdict.discount_of_left * left));
@@ -149,6 +157,7 @@ Conclusion most_of_it(const VerdictEvidence& e, const JudgedFit& fit, double wei
     return conclusion;
 }
 
+/// Whether the residual of the declared fit needs no explanation.
 bool nothing_to_explain(const VerdictEvidence& e) { return !needs_explanation(e.diagnosis.baseline()); }
 
 }  // namespace

@@ -27,6 +27,7 @@ struct Conclusion {
 /// Rule of the verdict: a condition, and the conclusion if it holds.
 struct VerdictRule {
     std::string name;
+    // Called in order; a rule may assume that all earlier ones do not apply.
     bool (*applies)(const VerdictEvidence& evidence);
     Conclusion (*conclude)(const VerdictEvidence& evidence);
 };
