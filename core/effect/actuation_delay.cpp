@@ -17,6 +17,7 @@ void apply(const TrialContext& context, const EffectParameters& parameters, Affe
         if (signal.times_s.size() < 2) return;
         // The value at the start extends to all earlier times; the motion of the file begins at t = 0.
         for (double& time : signal.times_s) time += delay;
+        // A kink that moves within a step would change the impulse of the stages by more than the delay.
         signal = with_bends_between_steps(signal, affected.options.h_s, affected.options.end_s);
     });
 }

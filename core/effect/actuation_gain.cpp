@@ -17,12 +17,13 @@ void apply(const TrialContext& context, const EffectParameters& parameters, Affe
 /// Observable only if some actuator leaves its passive state.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     if (!any_signal(acts, search)) return {};
+    // The response is linear in a small change, of either sign.
     return {probe({{change, 0.02}}, change)};
 }
 
 }  // namespace actuation_gain_parts
 
-// A relative change of -1 would be no actuation at all: the lower bound.
+// A relative change of -1 is no actuation at all, and the lower bound.
 Effect actuation_gain() {
     using namespace actuation_gain_parts;
     return {.id = "actuation_gain",

@@ -11,8 +11,10 @@ namespace actuation_hysteresis_parts {
 ///
 /// Within a sample interval the equation for z is linear, and its exponential solution is exact. z is 0 at u = 0 and
 /// has followed u from there to its value before the start: a constant input is not reached in full.
+/// Source: Bouc 1967, Wen 1976; with the exponent 1.
 void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
     const double h = number(parameters, "fraction"), width = number(parameters, "width");
+    // z after the input has changed by du.
     const auto moved = [width](double z, double du) {
         if (du == 0.0) return z;
         const double direction = du > 0.0 ? 1.0 : -1.0;
@@ -28,6 +30,7 @@ void apply(const TrialContext& context, const EffectParameters& parameters, Affe
     respond_to_signals(
         context, parameters, acts,
         [=](const std::vector<double>&, const std::vector<double>& u) {
+            // The path before the trial is not known: taken as monotonous from rest to the first value.
             double z = moved(0.0, u.front());
             std::vector<double> x{(1.0 - h) * u.front() + h * z};
             for (std::size_t k = 1; k < u.size(); ++k) {
@@ -49,8 +52,10 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return list;
 }
 
+/// Width in units of the activation of a muscle.
 EffectParameters drawn(const DrawContext&, RandomStream& random) { return {{"width", random.log_uniform(0.02, 0.12)}}; }
 
+/// The width is an input, and has the unit of the signal.
 EffectParameterEntry width_parameter() {
     EffectParameterEntry width = fitted_number("width", 1e-4, 10.0, 0.05, true);
     width.of_signal = true;

@@ -19,6 +19,7 @@ void apply(const TrialContext& context, const EffectParameters& parameters, Affe
             for (std::size_t k = 1; k < u.size(); ++k) {
                 // A jump has h = 0: decay = ramp = 1 leave x unchanged.
                 const double h = times[k] - times[k - 1];
+                // Weights of the old state and of the input at both ends of the interval; their sum is 1.
                 const double decay = std::exp(-h / tau), ramp = h > 0.0 ? tau * (1.0 - decay) / h : 1.0;
                 x.push_back(decay * x.back() + (1.0 - ramp) * u[k] + (ramp - decay) * u[k - 1]);
             }

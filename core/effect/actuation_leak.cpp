@@ -20,6 +20,7 @@ void apply(const TrialContext& context, const EffectParameters& parameters, Affe
             std::vector<double> x{u.front()};
             for (std::size_t k = 1; k < u.size(); ++k) {
                 const double h = times[k] - times[k - 1];
+                // A jump has h = 0: decay = kept = 1 pass it on in full.
                 const double decay = std::exp(-h / tau), kept = h > 0.0 ? tau / h * (1.0 - decay) : 1.0;
                 x.push_back(decay * x.back() + (u[k] - u[k - 1]) * kept);
             }

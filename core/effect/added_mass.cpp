@@ -13,6 +13,7 @@ void apply(const TrialContext& context, const EffectParameters& parameters, Affe
         model::added_mass(*context.body, model::free_faces(*context.body), number(parameters, density)));
 }
 
+/// One small value: the response is linear in a small mass.
 std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{density, 0.2}}, density)}; }
 
 }  // namespace added_mass_parts

@@ -21,9 +21,11 @@ bool same_structure(const model::Model& a, const model::Model& b) {
 
 std::optional<sensitivity::ModelTangent> affected_tangent(const Affected& under, const Affected& between,
                                                           const Affected& over, double width) {
+    // Runs with different unknowns have no common tangent.
     if (!(width > 0.0) || !same_structure(under.model, between.model) || !same_structure(over.model, between.model))
         return std::nullopt;
     sensitivity::ModelTangent tangent;
+    // The tangent run evaluates forces and masses of both models and divides their difference by the width.
     tangent.between = std::make_shared<sensitivity::ModelPair>(sensitivity::ModelPair{under.model, over.model, width});
     tangent.start_m = (start_of(over) - start_of(under)) / width;
     // Held nodes stay; a change of their position acts through the pair of models.

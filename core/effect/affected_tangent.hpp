@@ -12,6 +12,7 @@ namespace myo::effect {
 /// Derivative of a model and its start along a number of an effect, by a central difference.
 ///
 /// Exact where forces, masses and start are linear in the number; otherwise the error is of the order of width squared.
+/// Positions of the start are differentiated, too, [m per unit of the number].
 ///
 /// @param under, between, over  model with the number decreased, unchanged and increased
 /// @param width                 difference of the number between `over` and `under`, in its unit

@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 constexpr double pi = std::numbers::pi;
 
 struct BaseVibrationPolicy {
-    double probed_m = 1e-4;       // as little as cameras resolve
+    double probed_m = 1e-4;       // amplitude of a column; as little as cameras resolve
     std::size_t frequencies = 3;  // tried, those that stand out most in the residual
     double cycles = 2.0;          // within a trial, where the residual has no line
 };
@@ -31,6 +31,7 @@ double phase_in(const EffectParameters& parameters, std::size_t trial) {
     return list->size() == 0 ? 0.0 : (*list)(i < list->size() ? i : 0);
 }
 
+/// Adds a sinusoidal motion of the mount; the run sees it as inertia forces, the cameras as a motion of the clamp.
 void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
     affected.mount_vibrations.push_back(
         {number(parameters, "amplitude_m") * vector(parameters, "direction").normalized(),
@@ -43,6 +44,7 @@ EffectParameters joined(const std::vector<EffectParameters>& columns, const Vect
     std::map<std::size_t, Eigen::Matrix<double, 3, 2>> of_trial;
     std::size_t trials = 1;
     for (std::size_t i = 0; i < columns.size(); ++i) {
+        // The length of the list of phases says of which trial a column is, see probes().
         const auto& only = std::get<VectorXd>(columns[i].at("phase_rad"));
         const std::size_t trial = static_cast<std::size_t>(only.size()) - 1;
         trials = std::max(trials, trial + 1);
@@ -52,6 +54,7 @@ EffectParameters joined(const std::vector<EffectParameters>& columns, const Vect
                                                          vector(columns[i], "direction");
     }
     Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+    // Sum of squares over trials and phases: its first principal axis is the best common direction.
     for (const auto& [trial, sum] : of_trial) moments += sum * sum.transpose();
     const Vector3d d = Eigen::JacobiSVD<Eigen::Matrix3d>(moments, Eigen::ComputeFullU).matrixU().col(0);
     double squares = 0.0;
@@ -61,6 +64,7 @@ EffectParameters joined(const std::vector<EffectParameters>& columns, const Vect
         squares += along.squaredNorm() / static_cast<double>(of_trial.size());
         phases(static_cast<Eigen::Index>(trial)) = std::atan2(along.y(), along.x());
     }
+    // An amplitude of exactly 0 would be the absent value, from which a fit over decades cannot start.
     EffectParameters result{{"amplitude_m", std::max(std::sqrt(squares), 0.01 * base_vibration_policy.probed_m)},
                             {"frequency_Hz", number(columns.front(), "frequency_Hz")},
                             {"direction", VectorXd(d)}};
@@ -120,15 +124,17 @@ EffectParameters one_form(EffectParameters parameters) {
     return parameters;
 }
 
+/// d and -d with the phase turned by pi are one vibration.
 EffectParameters canonical(const model::Model&, const EffectParameters& parameters) { return one_form(parameters); }
 
 EffectParameters comparable(const EffectParameters& parameters) {
     EffectParameters result = one_form(parameters);
-    // The phase is that of one trial or another; what vibrates is told by the rest.
+    // Phases differ between trials and say nothing about the mount: amplitude, frequency and direction are compared.
     result.erase("phase_rad");
     return result;
 }
 
+/// Frequencies about those of soft bodies [Hz].
 EffectParameters drawn(const DrawContext&, RandomStream& random) {
     return {{"frequency_Hz", random.uniform(1.0, 15.0)},
             {"direction", VectorXd(drawn_direction(random))},

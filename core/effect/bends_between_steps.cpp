@@ -20,6 +20,7 @@ public:
                                                        (signal.times_s[k] - signal.times_s[k - 1]));
     }
 
+    /// Constant extension: before the first knot and beyond the last one the signal keeps its value.
     double to(double t) const {
         const auto after = std::upper_bound(signal_.times_s.begin(), signal_.times_s.end(), t);
         const auto k = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - signal_.times_s.begin() - 1, 0));
@@ -72,6 +73,7 @@ fibre::Signal with_jump(const fibre::Signal& signal, const Jump& jump) {
     return result;
 }
 
+/// Whether all values are equal.
 bool is_constant(const fibre::Signal& signal) {
     return std::all_of(signal.values.begin(), signal.values.end(),
                        [&](double value) { return value == signal.values.front(); });
@@ -82,6 +84,7 @@ bool is_constant(const fibre::Signal& signal) {
 fibre::Signal with_bends_between_steps(const fibre::Signal& signal, double h_s, double end_s) {
     fibre::Signal rest = signal;
     const std::vector<Jump> kept = take_jumps(rest, bends_between_steps_policy.reach * h_s);
+    // Unchanged to the last bit, jumps included.
     if (is_constant(rest)) return signal;
     const Integral integral(rest);
     const auto mean = [&](double t) { return (integral.to(t + 0.5 * h_s) - integral.to(t - 0.5 * h_s)) / h_s; };
@@ -94,6 +97,7 @@ fibre::Signal with_bends_between_steps(const fibre::Signal& signal, double h_s, 
         result.values.push_back(around - sharpening * (mean(t + h_s) - 2.0 * around + mean(t - h_s)));
     }
     result.values.front() = rest.value_before(0.0);  // the body starts under the value before t = 0
+    // In the order of time: with_jump() raises everything after its jump.
     for (const Jump& jump : kept) result = with_jump(result, jump);
     return result;
 }

@@ -40,6 +40,7 @@ Vector2d solve(double deflection, double shear, Vector2d at) {
         const Vector4d end = end_of(p, shear);
         return Vector2d(end(1), end(3) - deflection);
     };
+    // Quadratic convergence from a nearby solution takes a few iterations; 30 only bound the loop.
     for (int iteration = 0; iteration < 30; ++iteration) {
         const Vector2d now = error(at);
         if (now.norm() < 1e-15) break;
@@ -55,12 +56,14 @@ Vector2d solve(double deflection, double shear, Vector2d at) {
     return at;
 }
 
+/// Section of a state (rotation, curvature, along, across).
 BeamSection section(const Vector4d& y) { return {y(0), y(1), y(2), y(3)}; }
 
 }  // namespace
 
 BeamSection BentCantilever::at(double s) const {
     assert(s >= 0.0 && sections.size() == bent_cantilever_policy.parts + 1);
+    // One shorter increment from the section before s: the result is as accurate as the stored sections.
     const int before = std::clamp(static_cast<int>(s * bent_cantilever_policy.parts), 0, bent_cantilever_policy.parts);
     const BeamSection& from = sections[static_cast<std::size_t>(before)];
     return section(after({from.turn_rad, from.curvature, from.along, from.across},
@@ -73,6 +76,7 @@ BentCantilever bent_cantilever(double deflection, double shear) {
     // Small deflections: bending contributes load / 3, shear contributes load times shear. Larger deflections are
     // reached by continuation.
     Vector2d at = Vector2d::Constant(std::min(wanted, 0.1) / (1.0 / 3.0 + shear));
+    // Increments shrink towards the full length, where the load grows without bound.
     for (double reached = std::min(wanted, 0.1);; reached = std::min(wanted, reached + 0.2 * (1.0 - reached))) {
         at = solve(reached, shear, at);
         if (reached >= wanted) break;

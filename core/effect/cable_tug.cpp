@@ -15,6 +15,7 @@ double body_length(const TrialContext& context) {
     return (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).norm();
 }
 
+/// Ties a linear spring between the surface point nearest to the position and the anchor, without tension at rest.
 void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
     const SurfacePlace place = surface_place(*context.body, vector(parameters, "position_m"));
     // Default anchor: along the surface normal, farther away than any motion of the body.
@@ -28,8 +29,8 @@ void apply(const TrialContext& context, const EffectParameters& parameters, Affe
 }
 
 struct CableTugPolicy {
-    double probed_stiffness_N_m = 0.2;
-    double min_share = 0.1;
+    double probed_stiffness_N_m = 0.2;  // of a column; its response is linear
+    double min_share = 0.1;  // of it, the smallest start of a fit: a tensor without a positive eigenvalue is no spring
 };
 constexpr CableTugPolicy cable_tug_policy;
 
@@ -40,6 +41,7 @@ std::vector<Vector3d> directions() {
     return {x, y, z, (x + y).normalized(), (y + z).normalized(), (z + x).normalized()};
 }
 
+/// From the point of attachment to the anchor of a column [m].
 Vector3d span_of(const EffectParameters& column) { return vector(column, "anchor_m") - vector(column, "position_m"); }
 
 /// The spring closest to the sum of the column tensors: largest eigenvalue and its eigenvector. Its anchor lies outside
@@ -67,6 +69,7 @@ EffectParameters joined(const std::vector<EffectParameters>& columns, const Eige
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     const TrialContext& context = search.trials.front();
     std::vector<EffectProbe> list;
+    // At each of four places the six columns of a tensor; anchors are a diagonal of the bounding box away.
     for (const Vector3d& point : spread_surface_points(context, 4)) {
         EffectProbe probe;
         probe.amount = "stiffness_N_m";

@@ -92,6 +92,7 @@ std::vector<std::string> effect_ids(const Laws& laws) {
 
 namespace {
 
+/// Whether the entry of any of these effects has a trait. Declarations without an entry are skipped.
 bool any_with(const std::vector<EffectDeclaration>& effects, bool Effect::*trait) {
     return std::any_of(effects.begin(), effects.end(), [&](const EffectDeclaration& declaration) {
         const Effect* const effect = find_effect(declaration);
@@ -143,6 +144,7 @@ void apply_effects(const TrialContext& context, const std::vector<EffectDeclarat
     for (const auto& [effect, declaration] : order) {
         if (!acts_on(context, declaration->parameters)) continue;
         effect->apply(context, declaration->parameters, affected);
+        // Forces come first in the order, so that supports and later kinds append behind `outside`.
         if (effect->kind == EffectKind::force) outside = affected.model.force_elements.size();
     }
     put_on_mount(outside, affected);

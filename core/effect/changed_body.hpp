@@ -10,6 +10,7 @@ namespace myo::effect {
 model::BodyPointer released_body(const model::Body& body, const std::vector<int>& nodes);
 
 /// Copy of the body with other rest positions, 3 x n [m]; cells and clamped nodes are the same.
+/// Mass, volumes and shape functions are computed for them. Cells must stay valid (positive volume).
 model::BodyPointer on_nodes(const model::Body& body, Eigen::Matrix3Xd nodes_m);
 
 /// Copy of the body with another element formulation on the same nodes, clamped at the same ones.

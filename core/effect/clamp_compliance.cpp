@@ -16,6 +16,7 @@ void apply(const TrialContext& context, const EffectParameters& parameters, Affe
     const std::vector<int> faces = model::faces_of_nodes(*context.body, nodes);
     if (faces.empty()) return;  // clamped nodes inside the body have no face for the bed
     affected.model.body = released_body(*affected.model.body, nodes);
+    // The faces are those of the declared body: the released one has no clamped nodes.
     affected.model.force_elements.push_back(
         model::elastic_bed(*context.body, faces, number(parameters, bed_stiffness)));
 }

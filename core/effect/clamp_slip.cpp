@@ -10,7 +10,7 @@
 namespace myo::effect {
 namespace clamp_slip_parts {
 
-constexpr const char* length = "free_length_m";
+constexpr const char* length = "free_length_m";  // of the clamp's depth, from its front on
 
 struct ClampSlipPolicy {
     /// The cells absorb the free length over at most this fraction of the body length.
@@ -28,6 +28,7 @@ constexpr ClampSlipPolicy clamp_slip_policy;
 double first_load(const TrialContext& context, const model::Model& model, const ClampAxis& clamp) {
     const mesh::VolumeMesh& mesh = model.body->mesh;
     double first = clamp_slip_policy.farthest * clamp.length_m;
+    // A fibre point acts on all nodes of its cell, so that none of them may stretch.
     const auto at = [&](int node) { first = std::min(first, clamp.ahead(mesh.nodes.col(node))); };
     for (const measurement::MarkerBinding& marker : context.markers)
         std::for_each(marker.nodes.begin(), marker.nodes.end(), at);
@@ -74,6 +75,7 @@ Eigen::Matrix3Xd set_back(const TrialContext& context, const model::Model& model
     return shift;
 }
 
+/// Lengthens the free part of the body backwards into the clamp, without new unknowns, see set_back().
 void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
     const ClampAxis clamp = clamp_axis(context);
     const double free_m = std::min(number(parameters, length), (1.0 - clamp_slip_policy.left_of_depth) * clamp.held_m);
@@ -81,6 +83,7 @@ void apply(const TrialContext& context, const EffectParameters& parameters, Affe
     model::Model& model = affected.model;
     const mesh::VolumeMesh declared = model.body->mesh;
     const Eigen::Matrix3Xd shift = set_back(context, model, clamp, free_m);
+    // Rest positions change, and with them mass and volumes: the cells are undeformed in their new shape.
     model.body = on_nodes(*model.body, declared.nodes + shift);
     // Fibres are defined per cell: adapt them to the moved nodes.
     auto fibres = std::make_shared<std::vector<fibre::FibreGroup>>();
@@ -99,6 +102,7 @@ void apply(const TrialContext& context, const EffectParameters& parameters, Affe
     }
 }
 
+/// A short and a long slip: the response of a bent body is not proportional to the free length.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     const ClampAxis clamp = clamp_axis(search.trials.front());
     std::vector<EffectProbe> list;
@@ -108,6 +112,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return list;
 }
 
+/// Largest free length that is drawn [m].
 double drawn_limit(const DrawContext& context) { return clamp_slip_policy.max_drawn_part * context.held_m; }
 
 }  // namespace clamp_slip_parts

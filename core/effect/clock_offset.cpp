@@ -10,6 +10,7 @@ void apply(const TrialContext&, const EffectParameters& parameters, Affected& af
     affected.observation_error.clock_offset_s += number(parameters, offset);
 }
 
+/// Offsets of a part of a frame and of a few frames.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     std::vector<EffectProbe> list;
     const double interval = search.trials.front().interval_s;

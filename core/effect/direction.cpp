@@ -13,6 +13,8 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 /// Orthonormal basis of the tangent plane at the base: the directions of the two angles.
+/// The axis least aligned with the base gives the best conditioned cross product. It changes where two components are
+/// equal, but the base of a fit is constant.
 Matrix<double, 3, 2> tangents(const Vector3d& base) {
     int least = 0;
     base.cwiseAbs().minCoeff(&least);

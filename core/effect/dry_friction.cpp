@@ -18,6 +18,7 @@ struct DryFrictionPolicy {
 };
 constexpr DryFrictionPolicy dry_friction_policy;
 
+/// Coulomb friction, regularised at v0, at the surface point nearest to the position.
 void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
     const SurfacePlace place = surface_place(*context.body, vector(parameters, "position_m"));
     const std::optional<Vector3d> normal = has(parameters, "normal") ? std::optional(vector(parameters, "normal"))

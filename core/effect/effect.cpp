@@ -23,6 +23,7 @@ const EffectParameterEntry* Effect::parameter(const std::string& name) const {
 // A missing parameter or one of another type is an error of the caller: at() and get() throw.
 double number(const EffectParameters& parameters, const std::string& name) {
     const EffectParameter& value = parameters.at(name);
+    // A number_or_vector3 may be either; its magnitude is what amounts are compared by.
     if (const auto* const v = std::get_if<Eigen::VectorXd>(&value)) return v->norm();
     return std::get<double>(value);
 }

@@ -45,13 +45,14 @@ struct EffectParameterEntry {
     bool optional = false;
     double lowest = -std::numeric_limits<double>::max();  // range of a number, bounds included
     double highest = std::numeric_limits<double>::max();
-    double scale = 0.0;         // a change of this size matters: width of the prior; 0: not fitted
+    double scale = 0.0;         // a change of this size matters: width of the prior [unit of the name]; 0: not fitted
     bool over_decades = false;  // positive with unknown order of magnitude: ln(1 + value / scale) is fitted
     /// In the unit of the signals that it acts on: range and scale are those for muscles, whose unit is 1.
     bool of_signal = false;
 };
 
 /// Data of the trial on which an effect acts.
+/// Constant while effects are applied: later effects see the body as declared, not as earlier ones changed it.
 struct TrialContext {
     model::BodyPointer body;  // as declared, with the declared clamped nodes
     Box held;                 // clamped box
@@ -69,12 +70,13 @@ struct TrialContext {
 };
 
 /// What an effect may change: model, start and options of the run, the motion of the mount, and the recording.
+/// Effects are applied one after the other, so that each finds what the earlier ones have changed.
 struct Affected {
     model::Model model;
     dynamics::SimulationOptions options;
     measurement::ObservationError observation_error;
     model::MountMotionPointer recorded_mount = {};          // by the time stamps of the recording; null: at rest
-    std::vector<model::MountVibration> mount_vibrations{};  // beside it, by the clock of the simulation
+    std::vector<model::MountVibration> mount_vibrations{};  // added to it, by the clock of the simulation
 };
 
 /// Start values for the search for an effect.
@@ -152,6 +154,7 @@ struct Effect {
 };
 
 /// Value of a number; the norm of a number_or_vector3 that is given as a vector. The parameter must exist.
+/// Errors: a missing parameter or one of another type throws (std::out_of_range, std::bad_variant_access).
 double number(const EffectParameters& parameters, const std::string& name);
 /// Value of a vector3 or direction. The parameter must exist.
 Eigen::Vector3d vector(const EffectParameters& parameters, const std::string& name);
@@ -166,6 +169,7 @@ bool acts_on(const TrialContext& context, const EffectParameters& parameters);
 EffectProbe probe(EffectParameters at, const std::string& amount);
 
 /// Declaration of a required, fitted number; see EffectParameterEntry.
+/// @param lowest, highest, scale  in the unit that the name ends in
 EffectParameterEntry fitted_number(const std::string& name, double lowest, double highest, double scale,
                                    bool over_decades = false);
 

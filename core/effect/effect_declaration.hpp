@@ -18,7 +18,7 @@ using EffectParameters = std::map<std::string, EffectParameter>;
 struct Effect;
 /// An entry that an experiment adds to the catalogue by a file of its own.
 using LawPointer = std::shared_ptr<const Effect>;
-/// All those of an experiment, in the order of their files.
+/// All entries that an experiment adds, in the order of their files.
 using Laws = std::vector<LawPointer>;
 
 /// An effect with its parameter values: declared by an experiment, or a candidate of a diagnosis.

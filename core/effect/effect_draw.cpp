@@ -13,6 +13,7 @@ Vector3d drawn_direction(RandomStream& random) {
     return Vector3d(x, y, z).normalized();
 }
 
+// The body extends along x, so that only y and z are across.
 double drawn_cross_axis(RandomStream& random) { return random.chance(0.5) ? 1.0 : 2.0; }
 
 std::string drawn_fitted_trial(const DrawContext& context, RandomStream& random) {

@@ -18,6 +18,7 @@ struct EndStopPolicy {
 };
 constexpr EndStopPolicy end_stop_policy;
 
+/// Elastic stop at the surface point nearest to the position, see model::point_stop().
 void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
     const SurfacePlace place = surface_place(*context.body, vector(parameters, "position_m"));
     affected.model.force_elements.push_back(
@@ -31,6 +32,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     const ClampAxis axis = clamp_axis(context);
     std::vector<EffectProbe> list;
     for (const Vector3d& place : spread_surface_points(context, end_stop_policy.places))
+        // The two axes across the body, and both senses of each.
         for (const int turn : {2, 1})
             for (const double sign : {1.0, -1.0})
                 list.push_back(probe({{"stiffness_N_m", end_stop_policy.probed_stiffness_N_m},

@@ -18,6 +18,7 @@ Vector3d tilted(const Vector3d& gravity, const EffectParameters& parameters) {
            gravity;
 }
 
+/// Turns gravity and nothing else: the mesh frame is that of the mount.
 void apply(const TrialContext&, const EffectParameters& parameters, Affected& affected) {
     affected.model.gravity_m_s2 = tilted(affected.model.gravity_m_s2, parameters);
 }
@@ -32,6 +33,7 @@ EffectParameters joined(const std::vector<EffectParameters>& columns, const Eige
     return {{"tilt_deg", std::max(turn.norm(), 0.01)}, {"axis", Eigen::VectorXd(axis)}};
 }
 
+/// One probe of two columns; none without gravity.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     const Vector3d g = search.models.front().gravity_m_s2;
     if (!(g.norm() > 0.0)) return {};

@@ -12,7 +12,7 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr const char* offset = "offset_m";
+constexpr const char* offset = "offset_m";  // of the centre of the free end
 
 /// Centre of the bounding box of the nodes in the plane of the free end.
 Vector3d end_centre(const TrialContext& context, const ClampAxis& clamp) {
@@ -60,10 +60,12 @@ Vector3d upwards(const Vector3d& gravity, const Vector3d& axis, int axis_number)
 /// The axial component of the offset is therefore not independent and is ignored. Bending is in the plane of axis and
 /// offset.
 void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
+    // Other trials do not start from the rest shape.
     if (context.start != dynamics::StartKind::straight) return;
     const ClampAxis clamp = clamp_axis(context);
     const Vector3d axis = clamp.sign * Vector3d::Unit(clamp.axis);
     Vector3d end = upwards(affected.model.gravity_m_s2, axis, clamp.axis);
+    // A plain number is an offset in the default direction.
     if (std::holds_alternative<VectorXd>(parameters.at(offset)))
         end = vector(parameters, offset);
     else
@@ -76,6 +78,7 @@ void apply(const TrialContext& context, const EffectParameters& parameters, Affe
     const Vector3d centre = end_centre(context, clamp);
     Matrix3Xd x = affected.options.initial.positions.size() > 0 ? affected.options.initial.positions
                                                                 : affected.model.body->mesh.nodes;
+    // Added to the start as it is, which an earlier effect may have changed; sections refer to the declared body.
     for (Eigen::Index i = 0; i < x.cols(); ++i) {
         const Vector3d X = context.body->mesh.nodes.col(i);
         const double s = clamp.ahead(X) / clamp.length_m;

@@ -35,6 +35,7 @@ void apply(const TrialContext&, const EffectParameters& parameters, Affected& af
     }
 }
 
+/// Not observable without a weight. Two ratios: a thread with a light body, and the weight's own mass.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     for (std::size_t i = 0; i < search.models.size(); ++i)
         for (const model::DeadForce& force : search.models[i].forces)

@@ -23,6 +23,7 @@ void apply(const TrialContext& context, const EffectParameters& parameters, Affe
     const auto across = static_cast<Eigen::Index>(number(parameters, "axis"));
     const Eigen::Index along = clamp_axis(context).axis;
     const Eigen::RowVectorXd s = context.body->mesh.nodes.row(across);
+    // Distances from the middle of the body's extent, where the stress-free length is unchanged.
     const double middle = 0.5 * (s.minCoeff() + s.maxCoeff());
     mesh::VolumeMesh free_cells = exploded(affected.model.body->mesh);
     const Eigen::Index per_cell = free_cells.cells.rows();
@@ -58,6 +59,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return list;
 }
 
+/// Curvature across y or z.
 EffectParameters drawn(const DrawContext&, RandomStream& random) { return {{"axis", drawn_cross_axis(random)}}; }
 
 }  // namespace intrinsic_curvature_parts

@@ -22,11 +22,12 @@ constexpr const char* position = "position_m";
 
 struct LawEffectPolicy {
     std::size_t places = 10;  // on the surface, where the search for a force at a point starts
-    double span = 10.0;       // of an amount to each side of its first start: plausible values
+    double span = 10.0;       // factor of an amount to each side of its first start: plausible values
     double place_scale_m = 0.01, largest_place_m = 10.0;
 };
 constexpr LawEffectPolicy law_effect_policy;
 
+/// Order in which a law is applied among other effects, by where it acts.
 EffectKind kind_of(law::Place place) {
     switch (place) {
         case law::Place::surface:
@@ -54,6 +55,7 @@ VectorXd numbers_of(const law::Law& law, const EffectParameters& parameters) {
     return numbers;
 }
 
+/// Test conditions of the trial, in the order of the law.
 std::vector<double> conditions_of(const law::Law& law, const TrialContext& context) {
     std::vector<double> values;
     for (const law::Law::Condition& condition : law.conditions) {
@@ -82,16 +84,18 @@ std::vector<double> variables_of(const law::Law& law, const EffectParameters& pa
 /// A law of a force, with what its elements need.
 struct ForceLaw {
     std::shared_ptr<const model::LawPrograms> programs;
-    VectorXd scales;
+    VectorXd scales;                        // a change of each number that matters; 1 where none is stated
     std::vector<std::string> directions{};  // parameters of which fits move angles
 
     const law::Law& law() const { return programs->law; }
 };
 
+/// Compiles a law of a force. Takes the law out of the statement.
 ForceLaw force_law(LawStatement& statement) {
     const VectorXd numbers = numbers_of(statement.law, statement.starts.front());
     ForceLaw force{nullptr, VectorXd::Ones(numbers.size())};
     Index k = 0;
+    // One scale per component: k counts components, p parameters.
     for (std::size_t p = 0; p < statement.parameters.size(); ++p)
         for (int i = 0; i < statement.law.parameters[p].count(); ++i, ++k)
             if (statement.parameters[p].scale > 0.0) force.scales(k) = statement.parameters[p].scale;
@@ -101,6 +105,7 @@ ForceLaw force_law(LawStatement& statement) {
     return force;
 }
 
+/// Nodes that the declared clamp holds, ascending.
 std::vector<int> clamped_nodes(const model::Body& body) {
     std::vector<int> nodes;
     for (int i = 0; i < body.node_count(); ++i)
@@ -124,6 +129,7 @@ std::vector<model::LawCarrier> carriers_of(law::Place place, const TrialContext&
     return model::law_points_of_faces(body, faces);
 }
 
+/// Appends the force element of the law, unless it acts nowhere.
 void apply_force(const ForceLaw& force, const TrialContext& context, const EffectParameters& parameters,
                  Affected& affected) {
     auto carriers = std::make_shared<const std::vector<model::LawCarrier>>(
@@ -139,6 +145,7 @@ void apply_force(const ForceLaw& force, const TrialContext& context, const Effec
 std::optional<sensitivity::ModelTangent> force_tangent(const ForceLaw& force, const EffectParameters& parameters,
                                                        const std::string& name, int component,
                                                        const Affected& affected) {
+    // Fits move two angles of a direction, and the element knows its three components only.
     if (std::find(force.directions.begin(), force.directions.end(), name) != force.directions.end())
         return std::nullopt;
     const VectorXd numbers = numbers_of(force.law(), parameters);
@@ -170,6 +177,7 @@ struct CameraLaw {
     law::Program seen;
 };
 
+/// Compiles a law of the cameras with its derivatives by the place.
 CameraLaw camera_law(law::Law law) {
     std::vector<law::Node> outputs(law.result.begin(), law.result.end());
     for (const law::Node component : law.result)
@@ -178,6 +186,8 @@ CameraLaw camera_law(law::Law law) {
     return {std::move(law), std::move(program)};
 }
 
+/// Where the cameras see a point at x [m] at a time [s].
+/// @param variables  see variables_of(); place and time are entered here
 measurement::SeenPlace seen_by_law(const CameraLaw& camera, std::vector<double> variables, const Vector3d& x,
                                    double time_s) {
     for (int i = 0; i < 3; ++i) variables[static_cast<std::size_t>(law::Variable::x + i)] = x(i);
@@ -208,6 +218,7 @@ public:
         std::vector<EffectProbe> list;
         if (place_ == law::Place::signal && !any_signal(acts, search)) return list;
         for (EffectParameters start : starts_) {
+            // Starts in the unit of the signal are stated as shares of its largest deviation from rest.
             for (const std::string& name : of_signal_) start[name] = number(start, name) * largest_input(search);
             if (place_ != law::Place::point) {
                 list.push_back(probe_at(std::move(start)));
@@ -231,6 +242,7 @@ private:
     std::vector<std::string> of_signal_;
 };
 
+/// Range from which amounts of synthetic experiments are drawn; other parameters keep their starts.
 EffectDraw draw_of(const LawStatement& statement) {
     EffectDraw draw;
     if (statement.amount.empty()) return draw;
@@ -256,6 +268,7 @@ Effect law_effect(LawStatement statement) {
     for (const law::Law::Condition& condition : statement.law.conditions) effect.conditions.push_back(condition.name);
     effect.draw = draw_of(statement);
     if (!statement.amount.empty()) effect.probes = LawProbes(statement);
+    // The closures own the compiled law: the entry may outlive the statement.
     switch (statement.law.place) {
         case law::Place::signal:
             effect.parameters.push_back(signal_parameter());

@@ -19,8 +19,9 @@ struct LawStatement {
     bool absent_at_infinity = false;               // the law does nothing at an infinite amount, instead of at 0
 };
 
-/// Entry of a law beside those of the catalogue. Laws at points have the parameter `position_m` as well, laws of
-/// signals the optional parameter `signal`.
+/// Entry of a law, in addition to those of the catalogue. Laws at points have the parameter `position_m` as well, laws
+/// of signals the optional parameter `signal`. Asserts a start, and one parameter entry per parameter of the law. The
+/// law is compiled once and shared by all runs.
 Effect law_effect(LawStatement statement);
 
 }  // namespace myo::effect

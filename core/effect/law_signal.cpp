@@ -21,14 +21,17 @@ struct LawSignalPolicy {
 };
 constexpr LawSignalPolicy law_signal_policy;
 
+// Radau IIA of fifth order: Hairer & Wanner 1996, ch. IV.5.
 constexpr int stages = Eigen::Matrix3d::RowsAtCompileTime;
 const double root6 = std::sqrt(6.0);
 
+/// Nodes c of the method; the last one is the end of the interval.
 const std::array<double, stages>& stage_times() {
     static const std::array<double, stages> c{(4.0 - root6) / 10.0, (4.0 + root6) / 10.0, 1.0};
     return c;
 }
 
+/// Matrix A of the method. Its last row are the weights (stiffly accurate).
 const Eigen::Matrix3d& stage_weights() {
     static const Eigen::Matrix3d A = (Eigen::Matrix3d() << (88.0 - 7.0 * root6) / 360.0,
                                       (296.0 - 169.0 * root6) / 1800.0, (-2.0 + 3.0 * root6) / 225.0,
@@ -48,6 +51,7 @@ law::Program::Registers registers_of(const law::Program& program, const std::vec
 }
 
 /// The input at an instant.
+/// Signal less its passive value, with its slope [1/s].
 struct Input {
     double time_s, u, rate;
 };
@@ -66,6 +70,7 @@ public:
         for (Index i = 0; i < y_.size(); ++i) y_(i) = law.initial.output(initial, static_cast<std::size_t>(i)).front();
     }
 
+    /// The signal that acts, with the present states.
     double signal(const Input& at) {
         set(law_.signal, signal_, 0, at);
         set_states(law_.signal, signal_, 0, y_);
@@ -78,27 +83,33 @@ public:
         const Index m = y_.size();
         if (m == 0) return;
         VectorXd Z = VectorXd::Zero(stages * m);
+        // Unknowns are the stages less the state, Z = Y - y: differences lose fewer digits than values.
         for (int k = 0; k < law_signal_policy.most_iterations; ++k) {
+            // Full Newton: the systems have three times as many unknowns as the law has states, a few.
             const auto [residual, slope] = stage_equations(from, h, Z);
             const VectorXd step = slope.partialPivLu().solve(residual);
             Z -= step;
             const double size = y_.lpNorm<Eigen::Infinity>() + Z.lpNorm<Eigen::Infinity>();
             if (!(step.lpNorm<Eigen::Infinity>() > law_signal_policy.tolerance * size)) break;
         }
+        // The last stage is the state at the end of the interval.
         y_ += Z.tail(m);
     }
 
 private:
+    /// Sets a variable in one lane; without effect if the program does not use it.
     static void put(const law::Program& program, law::Program::Registers& registers, int variable, std::size_t lane,
                     double value) {
         if (law::Lanes* const lanes = program.input(registers, variable)) (*lanes)[lane] = value;
     }
+    /// Sets time, input and its slope in one lane.
     static void set(const law::Program& program, law::Program::Registers& registers, std::size_t lane,
                     const Input& at) {
         put(program, registers, Variable::t, lane, at.time_s);
         put(program, registers, Variable::a, lane, at.u);
         put(program, registers, Variable::rate, lane, at.rate);
     }
+    /// Sets the states in one lane.
     void set_states(const law::Program& program, law::Program::Registers& registers, std::size_t lane,
                     const VectorXd& y) const {
         for (Index i = 0; i < y.size(); ++i)

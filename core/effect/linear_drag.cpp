@@ -13,6 +13,7 @@ void apply(const TrialContext& context, const EffectParameters& parameters, Affe
         model::surface_drag(*context.body, model::free_faces(*context.body), number(parameters, coefficient), 0.0));
 }
 
+/// One small value: the force is linear in the coefficient.
 std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{coefficient, 5.0}}, coefficient)}; }
 
 }  // namespace linear_drag_parts

@@ -31,6 +31,7 @@ void apply(const TrialContext& context, const EffectParameters& parameters, Affe
     const int marker = marker_number(context, text(parameters, "marker"));
     if (marker < 0) return;
     measurement::MarkerPlace& place = place_of(context, static_cast<std::size_t>(marker), affected.observation_error);
+    // Offsets of one marker by several declarations add.
     place.shift_m += vector(parameters, "shift_m");
     const mesh::VolumeMesh& mesh = context.body->mesh;
     place.binding = measurement::moved_binding(mesh, mesh::BoundaryLocator(mesh),
@@ -60,6 +61,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
     return list;
 }
 
+/// A random marker, shifted in a random direction; the amount scales the length.
 EffectParameters drawn(const DrawContext& context, RandomStream& random) {
     const int marker = random.below(static_cast<int>(context.marker_names.size()));
     return {{"marker", context.marker_names[static_cast<std::size_t>(marker)]},

@@ -12,6 +12,7 @@ void apply(const TrialContext& context, const EffectParameters& parameters, Affe
         {static_cast<std::size_t>(marker), vector(parameters, "shift_m"), number(parameters, "time_s")});
 }
 
+/// A random marker, direction, time and fitted trial.
 EffectParameters drawn(const DrawContext& context, RandomStream& random) {
     const int marker = random.below(static_cast<int>(context.marker_names.size()));
     return {{"marker", context.marker_names[static_cast<std::size_t>(marker)]},

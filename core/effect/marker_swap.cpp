@@ -4,6 +4,7 @@
 namespace myo::effect {
 namespace marker_swap_parts {
 
+/// Exchanges the recorded tracks of two markers from a time on.
 void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
     const auto& names = std::get<std::vector<std::string>>(parameters.at("markers"));
     const int first = marker_number(context, names[0]), second = marker_number(context, names[1]);
@@ -26,6 +27,7 @@ EffectParameters drawn(const DrawContext& context, RandomStream& random) {
 
 Effect marker_swap() {
     using namespace marker_swap_parts;
+    // Without an amount: an exchange has no size.
     return {.id = "marker_swap",
             .kind = EffectKind::measurement,
             .summary = "two markers exchange their names from some time on",

@@ -9,6 +9,7 @@ constexpr const char* rate = "rate_1_s";
 
 /// Moduli times 1 + rate * session time, at least 0.01.
 void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
+    // One factor per trial: the drift within a trial of seconds is far below that over a session.
     const double factor = std::max(0.01, 1.0 + number(parameters, rate) * context.session_time_s);
     for (material::Moduli& m : affected.model.moduli) m = {factor * m.mu, factor * m.kappa};
 }

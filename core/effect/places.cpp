@@ -27,6 +27,7 @@ std::vector<Vector3d> spread(const Matrix3Xd& points, const Vector3d& away, std:
         Index farthest = 0;
         squared_distance.maxCoeff(&farthest);
         const Vector3d next = points.col(farthest);
+        // `away` decides on the first point only and is not a point of the set.
         if (chosen.empty()) squared_distance.setConstant(std::numeric_limits<double>::max());
         // Distance of every point to the chosen set; the next point is the one with the largest distance.
         squared_distance = squared_distance.cwiseMin((points.colwise() - next).colwise().squaredNorm());

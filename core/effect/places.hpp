@@ -18,9 +18,11 @@ struct SurfacePlace {
 SurfacePlace surface_place(const model::Body& body, const Eigen::Vector3d& near_m);
 
 /// `count` face centres of the free surface far from each other, the one farthest from the clamp first [m].
+/// Farthest-point sampling: any place on the surface is near one of them. Fewer if the surface has fewer faces.
 std::vector<Eigen::Vector3d> spread_surface_points(const TrialContext& context, std::size_t count);
 
 /// `count` cell centres far from each other, the one farthest from the clamp first [m].
+/// Farthest-point sampling, as above. Fewer if the body has fewer cells.
 std::vector<Eigen::Vector3d> spread_cells(const TrialContext& context, std::size_t count);
 
 /// Centre of each cell in the rest shape, 3 x cells [m].
@@ -38,6 +40,7 @@ struct ClampAxis {
     double ahead(const Eigen::Vector3d& point_m) const { return sign * (point_m(axis) - begin_m); }
 };
 /// The axis along which the clamped nodes are farthest off-centre, relative to the size of the body.
+/// Without clamped nodes length_m is the whole extent of the body, and held_m is 0.
 ClampAxis clamp_axis(const TrialContext& context);
 
 }  // namespace myo::effect

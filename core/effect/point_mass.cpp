@@ -15,6 +15,7 @@ void apply(const TrialContext& context, const EffectParameters& parameters, Affe
 }
 
 /// Probes of 1 % of the body mass at points spread over the surface.
+/// The response to so little is linear in the mass, and the place is found by comparing probes.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     const TrialContext& context = search.trials.front();
     const double body_kg = search.models.front().density_kg_m3 * context.body->volume_m3;

@@ -13,6 +13,7 @@ void apply(const TrialContext& context, const EffectParameters& parameters, Affe
         model::surface_drag(*context.body, model::free_faces(*context.body), 0.0, number(parameters, coefficient)));
 }
 
+/// One small value: the force is linear in the coefficient, though not in the velocity.
 std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{coefficient, 50.0}}, coefficient)}; }
 
 }  // namespace quadratic_drag_parts

@@ -10,6 +10,7 @@ void apply(const TrialContext&, const EffectParameters& parameters, Affected& af
     affected.observation_error.scale_error += number(parameters, error);
 }
 
+/// One small value: the recording is linear in the error.
 std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{error, 0.002}}, error)}; }
 
 }  // namespace scale_error_parts

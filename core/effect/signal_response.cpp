@@ -22,6 +22,7 @@ namespace {
 fibre::Signal sampled(const fibre::Signal& signal, double spacing, double end_s) {
     const auto count = static_cast<std::size_t>(std::ceil(end_s / spacing)) + 2;
     std::vector<double> jumps = signal.jumps();
+    // Jumps before the run are in its start, those beyond the last sample never act.
     std::erase_if(jumps, [&](double t) { return t < 0.0 || t >= static_cast<double>(count - 1) * spacing; });
     jumps.erase(std::unique(jumps.begin(), jumps.end()), jumps.end());
     // The value before the start extends to all earlier times.
@@ -38,6 +39,7 @@ fibre::Signal sampled(const fibre::Signal& signal, double spacing, double end_s)
             if (*jump > 0.0) add(*jump, signal.value_before(*jump));
             add(*jump, signal.value(*jump));
         }
+        // A multiple at which the signal jumps is there already.
         if (t > samples.times_s.back()) add(t, signal.value(t));
     }
     return samples;
@@ -76,6 +78,7 @@ void respond_to_signals(const TrialContext& context, const EffectParameters& par
         for (double& value : samples.values) value -= passive;
         signal.values = respond(samples.times_s, samples.values);
         for (double& value : signal.values) value += passive;
+        // Response and samples have the same times.
         signal.times_s = std::move(samples.times_s);
     });
 }

@@ -18,6 +18,7 @@ void apply(const TrialContext& context, const EffectParameters& parameters, Affe
 }
 
 /// Patches of 0.3 body sizes at nine cells spread over the body.
+/// Wide patches: narrow ones between the chosen centres would be overlooked.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     const TrialContext& context = search.trials.front();
     const double size = std::cbrt(context.body->volume_m3);
@@ -40,6 +41,7 @@ EffectParameters drawn(const DrawContext& context, RandomStream& random) {
 
 Effect soft_patch() {
     using namespace soft_patch_parts;
+    // Above -1, so that the modulus stays positive at the centre.
     return {.id = "soft_patch",
             .kind = EffectKind::material,
             .summary = "the modulus differs around a point",

@@ -8,10 +8,12 @@ namespace strain_stiffening_parts {
 constexpr const char* c2 = "yeoh_c2";
 
 /// Adds the second term of the Yeoh law to the material.
+/// Energy mu/2 c2 (I1 - 3)^2, see material::strain_stiffening().
 void apply(const TrialContext&, const EffectParameters& parameters, Affected& affected) {
     affected.model.material = material::strain_stiffening(affected.model.material, number(parameters, c2));
 }
 
+/// One small value: the energy is linear in c2.
 std::vector<EffectProbe> probes(const EffectSearch&) { return {probe({{c2, 0.05}}, c2)}; }
 
 }  // namespace strain_stiffening_parts

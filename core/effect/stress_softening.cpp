@@ -16,6 +16,7 @@ void apply(const TrialContext&, const EffectParameters& parameters, Affected& af
 std::vector<EffectProbe> probes(const EffectSearch& search) {
     std::vector<EffectProbe> list;
     if (search.largest_energy_density_J_m3 > 0.0)
+        // A scale far below the energies softens everything at once, one far above hardly anything: three regimes.
         for (const double part : {0.03, 0.3, 1.5})
             list.push_back(probe({{damage, 0.1}, {scale, part * search.largest_energy_density_J_m3}}, damage));
     return list;

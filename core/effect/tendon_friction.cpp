@@ -11,6 +11,7 @@ struct TendonFrictionPolicy {
 };
 constexpr TendonFrictionPolicy tendon_friction_policy;
 
+/// Adds the coefficient to the friction of the tendon that is named, or of all.
 void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
     const std::string only = has(parameters, "tendon") ? text(parameters, "tendon") : "";
     const double added = effect::number(parameters, "coefficient");
@@ -20,12 +21,14 @@ void apply(const TrialContext& context, const EffectParameters& parameters, Affe
         if (element->command() == nullptr) continue;
         const std::size_t i = number++;
         if (!only.empty() && (i >= context.actuator_names.size() || context.actuator_names[i] != only)) continue;
+        // Chambers have commands, too, but no friction: null for them.
         if (model::ForceElementPointer rubbing = model::with_added_friction(*element, added))
             element = std::move(rubbing);
     }
 }
 
 /// Names of the tendons of a model.
+/// Chambers are left out: they have no friction to which 0 could be added.
 std::vector<std::string> tendons_of(const TrialContext& context, const model::Model& model) {
     std::vector<std::string> names;
     std::size_t number = model.activation.size();

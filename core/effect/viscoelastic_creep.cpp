@@ -19,6 +19,7 @@ std::vector<EffectProbe> probes(const EffectSearch&) {
     return list;
 }
 
+/// Relaxation within the time of a trial [s].
 EffectParameters drawn(const DrawContext&, RandomStream& random) { return {{time, random.log_uniform(0.03, 0.5)}}; }
 
 }  // namespace viscoelastic_creep_parts
