@@ -22,6 +22,7 @@ bool can_be_set(const experiment::Experiment& experiment, const Actuator& actuat
     return !muscle.follows && !muscle.signal;
 }
 
+/// Limit of an actuator of this kind, in its unit; empty: none is declared.
 std::optional<double> declared_limit(const Actuator& actuator, const experiment::LimitsDeclaration& limits) {
     switch (actuator.kind) {
         case ActuatorKind::muscle: return limits.activation;
@@ -48,6 +49,7 @@ double extreme_value(const setup::Setup& setup, std::size_t number, const Actuat
     const std::optional<double> limit = declared_limit(actuator, limits);
     if (!limit) return extreme;
     if (extreme == actuator.rest) return *limit;
+    // The limit holds for both senses of the deviation from rest.
     const double most = std::abs(*limit - actuator.rest);
     return actuator.rest + std::clamp(extreme - actuator.rest, -most, most);
 }
@@ -65,6 +67,7 @@ void set_curve(const experiment::Experiment& experiment, const Actuator& actuato
                       " }\n";
         return;
     }
+    // A file of a trial states all muscles that can be set; the others stay passive, at 1.
     measurement::ActuationTable table;
     for (const Actuator& other : experiment::actuators(experiment))
         if (other.kind == ActuatorKind::muscle && can_be_set(experiment, other)) table.muscles.push_back(other.column);
@@ -79,6 +82,7 @@ void set_curve(const experiment::Experiment& experiment, const Actuator& actuato
     trial.signal = std::move(table);
 }
 
+/// Slow rise to the extreme and a faster fall back: rows of time [s] and value.
 std::vector<Eigen::Vector2d> ramp(double rest, double extreme, double duration_s, const FamilyPolicy& policy) {
     return {{0.0, rest}, {rounded(policy.ramp_up * duration_s), extreme}, {duration_s, rest}};
 }
@@ -89,6 +93,7 @@ std::vector<Eigen::Vector2d> sine(double rest, double extreme, double duration_s
     const double period_s = duration_s / policy.sine_periods;
     for (double t = 0.0; t < duration_s; t += policy.sample_s) {
         const double share = 0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * t / period_s);
+        // Whole microseconds, so that the numbers of the file stay short.
         const double at = 1e-6 * std::round(1e6 * (policy.lead_s + t));
         rows.emplace_back(at, rest + rounded(share * (extreme - rest)));
     }
@@ -101,6 +106,7 @@ std::vector<PossibleTrial> actuator_trials(const setup::Setup& setup, const expe
                                            const TrialDurations& durations, const FamilyPolicy& policy) {
     const experiment::Experiment& experiment = setup.experiment;
     const std::vector<Actuator> all = experiment::actuators(experiment);
+    // Poses are proposed only where the experiment measures some already.
     const bool holds = std::any_of(setup.trials.begin(), setup.trials.end(),
                                    [](const setup::PreparedTrial& trial) { return trial.hold; });
     const auto moving = [](double duration_s) {
@@ -113,6 +119,7 @@ std::vector<PossibleTrial> actuator_trials(const setup::Setup& setup, const expe
         const double extreme = extreme_value(setup, i, actuator, limits);
         const double full = actuator.rest + rounded(extreme - actuator.rest),
                      half = actuator.rest + rounded(policy.moderate * (extreme - actuator.rest));
+        // No trial has used the actuator, and no limit says how far it may go.
         if (full == actuator.rest) continue;
         const std::string of = actuator.name + " ", unit = actuator.unit.empty() ? "" : " " + actuator.unit;
         const auto step = [&](const char* name, double level, double duration_s) {

@@ -26,10 +26,12 @@ std::vector<ErrorBlock> error_blocks(const statistics::ResidualLayout& layout, E
 double noncentrality(const Eigen::VectorXd& d, const std::vector<ErrorBlock>& blocks, double numerical_error);
 
 /// Probability with which the chi^2 test of level alpha rejects, for a noncentrality. alpha for 0.
+/// @param freedom  degrees of freedom: number of directions that the test allows, > 0
 /// Source: Patnaik 1949, Biometrika 36, 202.
 double detection_probability(double noncentrality, double freedom, double alpha);
 
 /// Noncentrality with which the test rejects with a probability: inverse of detection_probability().
+/// At most DetectionPolicy::most_noncentrality.
 double needed_noncentrality(double probability, double freedom, const DetectionPolicy& policy);
 
 }  // namespace myo::planning

@@ -35,11 +35,13 @@ std::vector<EffectVariant> effect_variants(const effect::Effect& effect, const e
                                            const PowerPolicy& policy) {
     if (!effect.probes) return {typical_variant(effect, setup, trials.front())};
     const std::vector<effect::EffectProbe> probes = effect.probes(search);
+    // Large probes serve where an effect has no small ones: sized_columns() replaces the amounts anyway.
     const bool small = std::any_of(probes.begin(), probes.end(), [](const auto& probe) { return !probe.large; });
     std::vector<EffectVariant> variants;
     for (const effect::EffectProbe& probe : probes)
         if (!small || !probe.large) variants.push_back({&effect, probe.columns});
     const std::size_t all = variants.size(), most = std::min(all, policy.most_forms);
+    // In place: the index read is never below the one written.
     for (std::size_t i = 0; i < most; ++i) variants[i] = variants[i * all / most];
     variants.resize(most);
     return variants;
@@ -51,6 +53,7 @@ std::vector<double> effect_sizes(const effect::Effect& effect, int count) {
     std::vector<double> sizes;
     for (int i = 0; i < count; ++i)
         sizes.push_back(draw.lowest * std::pow(draw.highest / draw.lowest, i / std::max(1.0, count - 1.0)));
+    // A large amount of such an effect (a stiffness of the clamp) has little influence.
     if (!draw.grows) std::reverse(sizes.begin(), sizes.end());
     return sizes;
 }
@@ -61,6 +64,7 @@ std::vector<effect::EffectParameters> sized_columns(const EffectVariant& variant
     const std::string& amount = variant.effect->draw.amount;
     for (effect::EffectParameters& column : columns) {
         const auto value = column.find(amount);
+        // Names of markers or trials have no size.
         if (value == column.end() || std::holds_alternative<std::string>(value->second)) return {};
         value->second = sized(value->second, *size, *variant.effect->parameter(amount));
     }

@@ -12,6 +12,7 @@ setup::Setup with_planned_trials(setup::Setup setup) {
     for (setup::PreparedTrial& trial : setup.trials) {
         if (trial.role != experiment::TrialRole::simulate) continue;
         trial.role = experiment::TrialRole::fit;
+        // Probes are no markers: no camera sees them.
         for (std::size_t m = 0; m < markers.size(); ++m)
             if (!markers[m].probe) trial.measured.tracks[m].setZero();
     }
@@ -20,6 +21,7 @@ setup::Setup with_planned_trials(setup::Setup setup) {
 
 setup::Setup with_longer_steps(setup::Setup setup, const prediction::ParameterValues& values, double most_change,
                                const Progress& progress) {
+    // A step that the user states is kept.
     if (setup.settings.h_s) return setup;
     const diagnosis::LongerSteps longer = diagnosis::longer_steps(setup, values, most_change * setup::mean_noise(setup),
                                                                   progress);
@@ -41,6 +43,7 @@ Result<setup::Setup> with_motion(setup::Setup setup, const prediction::Parameter
         setup::PreparedTrial& trial = setup.trials[trials[i]];
         if (!made[i].ok()) return Error{"cannot be run: " + made[i].message, "trial " + trial.name};
         for (std::size_t m = 0; m < trial.measured.tracks.size(); ++m)
+            // The residual is prediction minus measurement: their sum is the prediction, in the frame of the recording.
             trial.measured.tracks[m] += made[i].residual_m[m];
     }
     return setup;

@@ -13,6 +13,7 @@ setup::Setup with_planned_trials(setup::Setup setup);
 
 /// The setup with time steps lengthened as in a diagnosis: while predictions change by at most this many noise levels.
 /// Requested steps are kept.
+/// @param most_change  rms [noise levels]
 setup::Setup with_longer_steps(setup::Setup setup, const prediction::ParameterValues& values, double most_change,
                                const Progress& progress);
 

@@ -37,6 +37,7 @@ struct Reference {
     diagnosis::UnaffectedRuns runs() const { return {setup, data, values, search, predictions}; }
 };
 
+/// Runs the planned trials with the declared values. `failure` is set if one cannot be run or none has a marker.
 Reference reference_of(const setup::Setup& as_declared, const PowerSettings& settings, const Progress& progress) {
     const diagnosis::DiagnoseSettings all;
     Reference r;
@@ -47,8 +48,10 @@ Reference reference_of(const setup::Setup& as_declared, const PowerSettings& set
         return r;
     }
     r.values = prediction::declared_values(r.setup);
+    // With the steps that a diagnosis would use.
     r.setup = with_longer_steps(std::move(r.setup), r.values, all.policy.numerics.max_step_change, progress);
     r.parameters = diagnosis::joint_parameters(r.setup, r.values, all.policy.declared);
+    // With tangents by all parameters that a calibration would fit.
     r.predictions = prediction::predict_trials_with(r.setup, r.values, r.data.trials, progress, r.parameters);
     for (std::size_t i = 0; i < r.predictions.size(); ++i)
         if (!r.predictions[i].ok()) {
@@ -82,12 +85,14 @@ struct SizedVariant {
 void respond(const Reference& r, const statistics::NuisanceSpace& nuisance, const std::vector<EffectVariant>& variants,
              const std::string& task, const Progress& progress, std::vector<SizedVariant>& sized, PowerMap& map) {
     std::vector<effect::EffectDeclaration> effects;
+    // All columns of all variants in one parallel call; `next` below follows the same order.
     for (const SizedVariant& s : sized)
         for (const effect::EffectParameters& column : s.columns)
             effects.push_back({variants[s.variant].effect->id, column, false,
                                effect::find_law(variants[s.variant].effect->id, r.setup.experiment.laws)});
     const std::vector<diagnosis::EffectResponse> responses = diagnosis::effect_responses(r.runs(), effects, task,
                                                                                          progress);
+    // No responses: the user cancelled.
     if (responses.empty()) return;
     map.runs += static_cast<int>(effects.size() * r.data.trials.size());
     std::size_t next = 0;
@@ -101,6 +106,7 @@ void respond(const Reference& r, const statistics::NuisanceSpace& nuisance, cons
         }
         if (!s.failure.empty() || S.cols() == 0) continue;
         s.candidate = statistics::project_candidate(nuisance, S);
+        // What a calibration would absorb is no evidence.
         const MatrixXd outside = nuisance.outside(S);
         for (Index c = 0; c < S.cols(); ++c) {
             s.noncentrality += noncentrality(outside.col(c), r.blocks, r.numerical_error) /
@@ -117,12 +123,14 @@ const SizedVariant* median_variant(const std::vector<SizedVariant>& sized, const
     for (const SizedVariant& s : sized)
         if (variants[s.variant].effect == &effect && s.usable()) own.push_back(&s);
     if (own.empty()) return nullptr;
+    // The lower median of an even number: a place that really exists.
     const auto middle = own.begin() + static_cast<std::ptrdiff_t>((own.size() - 1) / 2);
     std::nth_element(own.begin(), middle, own.end(),
                      [](const SizedVariant* a, const SizedVariant* b) { return a->noncentrality < b->noncentrality; });
     return *middle;
 }
 
+/// Largest share of the response in any direction that recalibration leaves.
 double largest_kept(const statistics::ProjectedCandidate& candidate) {
     return candidate.kept.size() > 0 ? candidate.kept.maxCoeff() : 0.0;
 }
@@ -163,6 +171,7 @@ void sort_sizes(const effect::Effect& effect, std::vector<SizePower>& sizes) {
 /// Weakest detected size: between the sizes that were run by a power law, and below them with squares in proportion.
 std::optional<double> detected_size(const effect::Effect& effect, const std::vector<SizePower>& sizes, double needed) {
     if (sizes.empty() || !std::isfinite(sizes.front().size)) return std::nullopt;
+    // Below the range the response is linear, and the noncentrality quadratic in the size.
     if (sizes.front().noncentrality >= needed) {
         const double ratio = std::sqrt(needed / sizes.front().noncentrality);
         return sizes.front().size * (effect.draw.grows ? ratio : 1.0 / ratio);
@@ -170,6 +179,7 @@ std::optional<double> detected_size(const effect::Effect& effect, const std::vec
     for (std::size_t i = 1; i < sizes.size(); ++i) {
         const SizePower &below = sizes[i - 1], &above = sizes[i];
         if (above.noncentrality < needed) continue;
+        // Straight line in the logarithms of size and noncentrality between two runs.
         const double share = below.noncentrality > 0.0 ? std::log(needed / below.noncentrality) /
                                                              std::log(above.noncentrality / below.noncentrality)
                                                        : 1.0;
@@ -178,6 +188,7 @@ std::optional<double> detected_size(const effect::Effect& effect, const std::vec
     return std::nullopt;
 }
 
+/// Power of a variant at its size. The test has as many degrees of freedom as the response has directions.
 SizePower power_of(const SizedVariant& s, const Reference& r, const DetectionPolicy& policy) {
     const double freedom = std::max(1.0, static_cast<double>(s.candidate.rank()));
     return {s.size.value_or(std::nan("")),
@@ -191,6 +202,7 @@ std::optional<double> middle_size(const effect::Effect& effect, const PowerPolic
     return sizes.empty() ? std::nullopt : std::optional(sizes[sizes.size() / 2]);
 }
 
+/// Variant number v with this size, not run yet.
 SizedVariant sized_variant(const std::vector<EffectVariant>& variants, std::size_t v, std::optional<double> size) {
     std::vector<effect::EffectParameters> columns = sized_columns(variants[v], size);
     // A form without the amount is taken as it is.
@@ -198,6 +210,7 @@ SizedVariant sized_variant(const std::vector<EffectVariant>& variants, std::size
     return {v, size, std::move(columns), {}, 0.0, 0.0, {}};
 }
 
+/// Effects that the settings ask for, laws of the experiment included.
 std::vector<const effect::Effect*> considered_effects(const PowerSettings& settings, const effect::Laws& laws) {
     std::vector<const effect::Effect*> considered;
     for (const effect::Effect* const effect : effect::all_effects(laws))
@@ -227,6 +240,7 @@ EffectPower effect_power(const effect::Effect& effect, const SizedVariant& own, 
         if (other.failure.empty()) power.sizes.push_back(power_of(other, r, policy));
     sort_sizes(effect, power.sizes);
     power.detected = detected_size(effect, power.sizes, needed_by(own, policy));
+    // The weakest size of the range is already detected: the threshold is an extrapolation.
     power.beyond_range = power.detected && power.sizes.front().probability >= policy.wanted;
     const bool any = std::any_of(power.sizes.begin(), power.sizes.end(),
                                  [&](const SizePower& size) { return size.probability >= policy.wanted; });
@@ -245,6 +259,7 @@ PowerMap power_map(const setup::Setup& as_declared, const PowerSettings& setting
     PowerMap map;
     map.alpha = policy.detection.alpha;
     map.wanted = policy.detection.wanted;
+    // Every way out states time and cancellation; a stopped map holds no partial statements.
     const auto ended = [&] {
         map.stopped = progress.cancelled();
         map.seconds = watch.seconds();
@@ -262,8 +277,10 @@ PowerMap power_map(const setup::Setup& as_declared, const PowerSettings& setting
     const statistics::NuisanceSpace nuisance(diagnosis::flat_jacobian(r.data, r.predictions, r.parameters.size()));
 
     const std::vector<const effect::Effect*> considered = considered_effects(settings, r.setup.experiment.laws);
+    // First all forms at one size, to find that of median visibility; only this one is run at the other sizes.
     std::vector<EffectVariant> variants;
     for (const effect::Effect* const effect : considered)
+        // An effect on muscles needs muscles, and so on.
         if (experiment::lacking_for(*effect, r.setup.experiment).empty())
             for (EffectVariant& variant : effect_variants(*effect, r.search, r.setup, r.data.trials, policy.power))
                 variants.push_back(std::move(variant));
@@ -299,6 +316,7 @@ PowerMap power_map(const setup::Setup& as_declared, const PowerSettings& setting
         if (map.effects.back().detected)
             at_threshold.push_back(sized_variant(variants, own->variant, map.effects.back().detected));
     }
+    // Last, a run at the interpolated threshold, which replaces the interpolation by a shorter one.
     respond(r, nuisance, variants, "detected sizes", progress, at_threshold, map);
     for (const SizedVariant& s : at_threshold) {
         const effect::Effect& effect = *variants[s.variant].effect;

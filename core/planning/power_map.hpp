@@ -42,6 +42,7 @@ struct PowerSettings {
 
 /// What an experiment could reveal, before or after its recordings exist.
 struct PowerMap {
+    // False-alarm rate and probability that counts as detected, see DetectionPolicy.
     double alpha = 0.0, wanted = 0.0;
     double noise_m = 0.0, numerical_error_m = 0.0;  // rms
     std::vector<std::string> trials;                // that count
@@ -61,6 +62,7 @@ struct PowerMap {
 /// where its visibility is the median of the places that a diagnosis tries, one with a direction by the mean of its
 /// noncentrality over directions. An effect is taken by itself and its place as known, so that a search, which tests
 /// many, detects a little later. All sizes are run; `detected` is interpolated once more with a run there.
+/// @return  `failure` if the declared model cannot be run or no marker is seen; nothing is thrown
 /// Source: Rao 1948 (score test); noise: DetectionPolicy, noncentrality().
 PowerMap power_map(const setup::Setup& setup, const PowerSettings& settings, const Progress& progress = {});
 

@@ -21,6 +21,7 @@ std::string percent(double probability) {
     return format_number(std::round(hundred)) + " %";
 }
 
+/// Whether the experiment can show the effect at some plausible size.
 bool wholly_seen(const EffectPower& power) { return power.unseen.empty(); }
 
 /// "0.012", with a note where it lies below the plausible range.
@@ -29,6 +30,7 @@ std::string detected_words(const EffectPower& power) {
     return format_number(*power.detected, 2) + (power.beyond_range ? " *" : "");
 }
 
+/// Most similar effect with its cosine; a dash if there is none.
 std::string confusion_words(const EffectPower& power) {
     return power.confused_with.empty() ? "-" : power.confused_with + " (" + format_number(power.cosine, 3) + ")";
 }
@@ -42,6 +44,7 @@ std::string size_words(const EffectPower& power) {
     return join(words, ",  ");
 }
 
+/// What the map assumes: level, noise, numerical error, parameters that are calibrated, trials.
 std::string numbers_line(const PowerMap& map) {
     return "tests of level " + format_number(map.alpha) + "; noise " + report::length_words(map.noise_m) +
            ", numerical error " + report::length_words(map.numerical_error_m) +
@@ -51,6 +54,7 @@ std::string numbers_line(const PowerMap& map) {
 
 constexpr const char* below_range = "* weaker than the plausible range";
 
+/// Whether a note on sizes below the plausible range is needed.
 bool any_beyond(const PowerMap& map) {
     return std::any_of(map.effects.begin(), map.effects.end(), [](const EffectPower& p) { return p.beyond_range; });
 }
@@ -91,6 +95,7 @@ report::Json power_json(const PowerMap& map, const std::string& experiment, cons
         if (!power.example.empty()) entry["example"] = diagnosis::effect_parameters_json(power.example);
         for (const SizePower& size : power.sizes) {
             report::Json one;
+            // An effect without a size has one entry, with its probability only.
             if (std::isfinite(size.size)) one["size"] = size.size;
             one["change_rms_m"] = report::json_number(size.change_m);
             one["noncentrality"] = report::json_number(size.noncentrality);

@@ -10,15 +10,18 @@
 namespace myo::planning {
 namespace {
 
+/// Probability in words, without false precision near 1.
 std::string percent_words(double probability) {
     if (probability > 0.99) return "more than 99 %";
     return format_number(std::round(100.0 * probability)) + " %";
 }
 
+/// The rivals as "a / b".
 std::string both(const Proposal& proposal) {
     return rival_words(proposal.rivals[0]) + " / " + rival_words(proposal.rivals[1]);
 }
 
+/// What to do next and what it would achieve, for text and page.
 std::string best_sentence(const Proposal& proposal) {
     const RatedTrial* const best = proposal.best();
     if (!best) return "No trial of the family can be run with both " + both(proposal) + ".";
@@ -36,6 +39,7 @@ report::Json rival_json(const std::vector<std::string>& ids) {
     return ids.size() == 1 ? report::Json(ids.front()) : report::Json(ids);
 }
 
+/// A trial with its rating, or with the reason why it could not be run.
 report::Json rated_json(const RatedTrial& rated) {
     report::Json json{{"name", rated.trial.name}, {"what", rated.trial.words}};
     if (rated.failure.empty()) {
@@ -56,6 +60,7 @@ std::string proposal_lines(const Proposal& proposal, const ProposalPolicy& polic
     const RatedTrial* const best = proposal.best();
     if (!best) return text;
     text += "\n\n" + trial_text(best->trial) + "\nothers of the " + std::to_string(proposal.trials.size()) + " trials:";
+    // Trial 0 is the best one, shown above.
     for (std::size_t i = 1; i < proposal.trials.size() && i <= static_cast<std::size_t>(policy.runners_up); ++i) {
         const RatedTrial& other = proposal.trials[i];
         text += "\n  " +

@@ -21,6 +21,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// The declared limits, replaced one by one by those of the task.
 experiment::LimitsDeclaration merged(experiment::LimitsDeclaration declared, const experiment::LimitsDeclaration& own) {
     const auto replace = [](std::optional<double>& value, const std::optional<double>& by) {
         if (by) value = by;
@@ -43,6 +44,7 @@ std::vector<PossibleTrial> evenly(std::vector<PossibleTrial> family, std::size_t
     return chosen;
 }
 
+/// File of the signal of a trial while the family is run.
 std::filesystem::path signal_of(const PossibleTrial& trial, const std::filesystem::path& folder) {
     return folder / (trial.name + ".csv");
 }
@@ -72,6 +74,7 @@ private:
 };
 
 /// Shortest step of the moving trials, in whole parts of the sampling interval.
+/// With a step that is a whole part of the interval, every sample is at the end of a step.
 double step_of(const setup::Setup& setup, const setup::PreparedTrial& trial) {
     const double interval = setup::sampling_interval_s(trial);
     double shortest = std::numeric_limits<double>::infinity();
@@ -84,13 +87,16 @@ double step_of(const setup::Setup& setup, const setup::PreparedTrial& trial) {
 /// The setup with the trials of a family behind its own.
 Result<setup::Setup> with_family(const ProposalTask& task, const std::vector<PossibleTrial>& family,
                                  const Progress& progress) {
+    // The reader of experiments reads signals from files: they exist until the trials are prepared.
     const SignalFiles signals(family, task.signal_folder);
     if (!signals.written()) return signals.written().error();
+    // By way of the text, so that a proposed trial is read and checked as the user's own will be.
     std::string text = task.declaration + "\n";
     for (const PossibleTrial& trial : family) text += trial_text(trial, signal_of(trial, task.signal_folder)) + "\n";
     const Result<experiment::Experiment> read = experiment::read_experiment_text(text, task.file);
     if (!read) return read.error();
     experiment::Experiment added = task.setup.experiment;
+    // Only the new trials are prepared; mesh and body of the fits are kept.
     added.trials.assign(read->trials.end() - static_cast<std::ptrdiff_t>(family.size()), read->trials.end());
     Result<setup::Setup> prepared = setup::prepare_setup(added, task.setup.settings, progress, &task.setup.mesh);
     if (!prepared) return prepared.error();
@@ -103,6 +109,7 @@ Result<setup::Setup> with_family(const ProposalTask& task, const std::vector<Pos
         whole.experiment.trials.push_back(added.trials[i]);
         whole.trials.push_back(std::move(trial));
     }
+    // Steps are chosen per trial; the list would be too short for the added ones.
     whole.steps.clear();
     return with_planned_trials(std::move(whole));
 }
@@ -141,6 +148,7 @@ std::vector<std::array<prediction::TrialPrediction, 2>> rival_predictions(const 
     return predictions;
 }
 
+/// Rates a trial by the harder of two questions: whether each rival, if the other one is true, is rejected.
 RatedTrial rated(const setup::Setup& whole, std::size_t trial, const PossibleTrial& possible, const ProposalTask& task,
                  const std::array<prediction::TrialPrediction, 2>& made, double numerical_error) {
     RatedTrial result{possible, 0.0, 0.0, 0.0, {}};
@@ -152,6 +160,7 @@ RatedTrial rated(const setup::Setup& whole, std::size_t trial, const PossibleTri
         const std::vector<prediction::TrialPrediction> of_wrong{made[k]}, of_true{made[1 - k]};
         const diagnosis::FitData data = diagnosis::with_unknown_places(whole, diagnosis::fit_data(whole, {trial}),
                                                                        of_wrong);
+        // Both residuals refer to the same planned recording, which cancels.
         const VectorXd d = diagnosis::flat_residual(data, of_true) - diagnosis::flat_residual(data, of_wrong);
         const MatrixXd J = diagnosis::flat_jacobian(data, of_wrong, wrong.parameters.size());
         double left = 0.0;
@@ -162,6 +171,7 @@ RatedTrial rated(const setup::Setup& whole, std::size_t trial, const PossibleTri
         result.difference_m = diagnosis::mean_noise_m(data) * left /
                               std::sqrt(static_cast<double>(std::max<Index>(1, d.size())));
     }
+    // One degree of freedom: the difference of two given rivals is one direction.
     result.probability = detection_probability(result.noncentrality, 1.0, task.policy.detection.alpha);
     return result;
 }
@@ -174,6 +184,7 @@ double contradiction(const MatrixXd& known, const std::vector<ErrorBlock>& known
     stacked.topRows(known.rows()) = known;
     stacked.bottomRows(J.rows()) = J;
     VectorXd difference = VectorXd::Zero(stacked.rows());
+    // The existing trials show no difference: both rivals are fits to them.
     difference.tail(d.size()) = d;
     const VectorXd outside = statistics::NuisanceSpace(stacked).outside(difference);
     left = outside.tail(d.size()).norm();
@@ -187,6 +198,7 @@ Result<Proposal> propose_trial(const ProposalTask& task, const Progress& progres
     const PlanningPolicy& policy = task.policy;
     std::vector<PossibleTrial> family = trial_family(task.setup, merged(task.setup.experiment.limits, task.limits),
                                                      policy.family);
+    // Within a diagnosis the time is limited.
     if (task.most_trials) family = evenly(std::move(family), *task.most_trials);
     const Result<setup::Setup> whole = with_family(task, family, progress);
     if (!whole) return whole.error();
@@ -197,12 +209,14 @@ Result<Proposal> propose_trial(const ProposalTask& task, const Progress& progres
     const double numerical_error = task.numerical_error_m ? *task.numerical_error_m / proposal.noise_m
                                                           : policy.detection.numerical_error;
     proposal.numerical_error_m = numerical_error * proposal.noise_m;
+    // Tangents included, for the recalibration of each.
     const auto predictions = rival_predictions(*whole, task, family.size(), progress);
     if (progress.cancelled()) return Error{"stopped", ""};
     const std::size_t first = whole->trials.size() - family.size();
     for (std::size_t t = 0; t < family.size(); ++t)
         proposal.trials.push_back(rated(*whole, first + t, family[t], task, predictions[t], numerical_error));
     std::stable_sort(proposal.trials.begin(), proposal.trials.end(), [](const RatedTrial& a, const RatedTrial& b) {
+        // Failed trials stand last; by noncentrality, since probabilities near 1 no longer differ.
         return a.failure.empty() != b.failure.empty() ? a.failure.empty() : a.noncentrality > b.noncentrality;
     });
     proposal.runs = static_cast<int>(2 * family.size());

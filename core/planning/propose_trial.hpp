@@ -23,6 +23,7 @@ struct RatedTrial {
 
 /// Trials of a family, the best first.
 struct Proposal {
+    // Ids of the effects of both; empty: the declared model.
     std::array<std::vector<std::string>, 2> rivals;
     double alpha = 0.0;
     double noise_m = 0.0, numerical_error_m = 0.0;
@@ -44,6 +45,7 @@ struct ProposalTask {
     const std::filesystem::path& file;          // its path
     experiment::LimitsDeclaration limits = {};  // instead of the declared ones, value by value
     std::filesystem::path signal_folder = {};   // where signals of muscles are kept while trials are run
+    // Rms; empty: DetectionPolicy::numerical_error times the noise.
     std::optional<double> numerical_error_m = {};
     std::optional<std::size_t> most_trials = {};  // of the family, evenly chosen
     PlanningPolicy policy = {};

@@ -22,6 +22,7 @@ struct ReportedFit {
 };
 
 /// The value of an effect's parameter as effect_parameters_json() writes it.
+/// Throws Json::exception if the value has another form.
 effect::EffectParameter parameter_in(const Json& json) {
     if (json.is_string()) return json.get<std::string>();
     if (json.is_number()) return json.get<double>();
@@ -47,6 +48,7 @@ ReportedFit fit_in(std::vector<std::string> ids, const Json& json) {
     return fit;
 }
 
+/// All fits of a report, the declared one included, by decreasing weight. Throws Json::exception.
 std::vector<ReportedFit> fits_in(const Json& report) {
     const Json& details = report.at("details");
     std::vector<ReportedFit> fits{fit_in({}, details.at("declared"))};
@@ -67,14 +69,17 @@ RivalStart start_with(const std::vector<ReportedFit>& fits, const std::string& i
     return {{id}};
 }
 
+/// See reported_rivals(). Throws Json::exception if the report has another form.
 Result<std::array<RivalStart, 2>> rivals_in(const Json& report, const std::filesystem::path& file,
                                             const effect::Laws& laws) {
     const std::vector<ReportedFit> fits = fits_in(report);
+    // A report may name a law that the experiment no longer lists.
     for (const ReportedFit& fit : fits)
         for (const std::string& id : fit.start.ids)
             if (!effect::find_effect(id, laws))
                 return Error{"names an effect that is not known: \"" + id + "\"", file.string()};
     const Json& groups = report.at("verdict").at("not_told_apart");
+    // Effects that the diagnosis could not separate come before fits that merely have similar weights.
     if (!groups.empty() && groups.front().size() > 1) {
         const auto first = groups.front().at(0).get<std::string>(), second = groups.front().at(1).get<std::string>();
         for (const std::string& id : {first, second})
@@ -110,6 +115,7 @@ Result<std::array<RivalStart, 2>> reported_rivals(const std::filesystem::path& f
     try {
         return rivals_in(*json, file, laws);
     } catch (const Json::exception&) {
+        // Missing keys and wrong types throw in the library that reads JSON.
         return Error{"is no report of a diagnosis", file.string()};
     }
 }

@@ -18,6 +18,7 @@ using diagnosis::JointFit;
 using prediction::ParameterValues;
 
 /// A typical effect of this experiment.
+/// The id must be that of an effect or a law.
 effect::EffectDeclaration typical_effect(const std::string& id, const setup::Setup& setup) {
     const experiment::NewEffectPlace place{mesh::bounding_box(setup.surface.vertices),
                                            0.5 * setup.trials.front().options.end_s};
@@ -42,6 +43,7 @@ public:
         return diagnosis::joint_fit({setup_, data_, start, policy_, diagnosis::EffectFreedom::all, effort, warm},
                                     progress_);
     }
+    /// Fit of the declared model.
     JointFit declared() const { return fit(prediction::declared_values(setup_), policy_.declared.effort); }
 
     /// The effects of the set one after the other, each from its best score on what the others leave.
@@ -59,6 +61,7 @@ public:
                 prediction::set_value(p, std::clamp(value, p.parameter.lower, p.parameter.upper), start);
             }
             start.effects.push_back({id, scored.effect, false, effect::find_law(id, setup_.experiment.laws)});
+            // All effects found so far are fitted together with the new one.
             best = fit(start, policy_.fits.leader, diagnosis::warm_start_of(best));
         }
         return best;
@@ -73,10 +76,12 @@ public:
         for (const prediction::ModelParameter& p : prediction::free_parameters(setup_))
             if (const auto value = known.parameters.find(p.parameter.name); value != known.parameters.end())
                 prediction::set_value(p, value->second, values);
+        // One evaluation: residual and Jacobian at these values.
         return fit(values, {1});
     }
 
 private:
+    /// Start of an effect by its best small probe; a typical one if no probe explains anything.
     diagnosis::EffectScore::Start best_start(const JointFit& base, const std::string& id) const {
         const std::vector<diagnosis::EffectScore> scores = diagnosis::score_effects(
             setup_, data_, base, base.predictions, [&](const std::string& other) { return other == id; },
@@ -97,6 +102,7 @@ private:
 /// The trials as the first rival with effects would show them.
 Result<setup::Setup> with_typical_motion(setup::Setup setup, const std::array<RivalStart, 2>& starts,
                                          const Progress& progress) {
+    // The declared model would show no difference from what is already assumed.
     const RivalStart& truth = starts[0].ids.empty() ? starts[1] : starts[0];
     ParameterValues values = prediction::declared_values(setup);
     for (const std::string& id : truth.ids) values.effects.push_back(typical_effect(id, setup));
@@ -123,6 +129,7 @@ Result<FittedRivals> fitted_rivals(const setup::Setup& as_declared, const std::a
                                    const Progress& progress) {
     FittedRivals result;
     result.setup = diagnosis::prepared_setup(as_declared, {});
+    // Planning before any measurement: the fits need a motion to be linearised at.
     result.made_motion = !has_fit_recording(result.setup);
     if (result.made_motion) {
         Result<setup::Setup> made = with_typical_motion(std::move(result.setup), starts, progress);
@@ -135,6 +142,7 @@ Result<FittedRivals> fitted_rivals(const setup::Setup& as_declared, const std::a
     const Fits fits(result.setup, progress);
     if (fits.data().layout.size() == 0) return Error{"no marker is seen in the trials to fit", ""};
     const auto is_known = [](const RivalStart& start) { return !start.effects.empty() || !start.parameters.empty(); };
+    // The fit without effects is needed only where a set has to be fitted from it.
     const JointFit declared = is_known(starts[0]) && is_known(starts[1]) ? JointFit() : fits.declared();
     for (std::size_t i = 0; i < starts.size(); ++i) {
         progress.report({"fit of " + rival_words(starts[i].ids), static_cast<double>(i), 2.0, "fits", {}});

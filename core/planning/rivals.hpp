@@ -30,6 +30,8 @@ struct RivalStart {
 std::string rival_words(const std::vector<std::string>& ids);
 
 /// The rival of a fit.
+/// @param fit   usable
+/// @param data  to which it was fitted
 Rival rival_of(const diagnosis::JointFit& fit, const diagnosis::FitData& data);
 
 /// Rivals with the setup that holds the trials of their fits.

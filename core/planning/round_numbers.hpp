@@ -5,6 +5,7 @@
 namespace myo::planning {
 
 /// Two significant digits, as a person sets them: by `to`, a rounding function.
+/// The result is again a double; printed with few digits it is the decimal number.
 template <class Rounding>
 double rounded_by(double value, const Rounding& to) {
     if (!(std::abs(value) > 0.0)) return 0.0;

@@ -52,9 +52,11 @@ BodyShape shape_of(const setup::Setup& setup) {
     shape.kg = setup.experiment.material.density_kg_m3 * setup.body->volume_m3;
     const Eigen::Vector3d size = shape.bounds.size(), middle = 0.5 * (shape.bounds.lowest + shape.bounds.highest);
     size.maxCoeff(&shape.axis);
+    // Without a clamp the longest axis stands for that of the body.
     if (!experiment::has_clamp(setup.experiment)) return shape;
     const Box& clamp = setup.experiment.clamp_box_m;
     const Eigen::Vector3d held = (0.5 * (clamp.lowest + clamp.highest) - middle).cwiseQuotient(size);
+    // The clamp is farthest off-centre along the axis of the body, relative to its size.
     held.cwiseAbs().maxCoeff(&shape.axis);
     shape.ends_high = held(shape.axis) < 0.0;
     return shape;
@@ -92,15 +94,20 @@ std::vector<Direction> directions_across(const BodyShape& shape, const Eigen::Ve
     return {named(vertical, 1.0), named(vertical, -1.0), named(vertical == first ? second : first, 1.0)};
 }
 
+/// Box of a load as a TOML key.
 std::string box_key(const Box& box) {
     return "box_m = [" + toml::toml_vector(box.lowest) + ", " + toml::toml_vector(box.highest) + "]\n";
 }
 
+/// Table of a force on a box.
+/// @param released  the force ends at t = 0, so that the body starts deflected and moves freely
 std::string force_key(const Box& box, const Eigen::Vector3d& force_N, bool released) {
     return "[[trial.load]]\nkind = \"force\"\n" + box_key(box) + "force_N = " + toml::toml_vector(force_N) + "\n" +
            (released ? "until_s = 0.0\n" : "");
 }
 
+/// Keys of a trial with a motion.
+/// @param start  "straight" or "equilibrium"
 std::string moving_keys(double duration_s, const char* start) {
     return "duration_s = " + toml::toml_number(duration_s) + "\nstart = \"" + start + "\"\n";
 }
@@ -112,11 +119,13 @@ void add_loads(const setup::Setup& setup, const BodyShape& shape, const Box& pla
     const experiment::Experiment& experiment = setup.experiment;
     const double seen_N = largest_load(experiment, LoadKind::force), seen_kg = largest_load(experiment, LoadKind::mass);
     const double weight_N = shape.kg * experiment.gravity_m_s2.norm();
+    // A declared limit goes before what the trials had, and that before a share of the body's weight.
     const double most_N = limits.force_N.value_or(seen_N > 0.0 ? policy.beyond_seen * seen_N
                                                                : policy.force_of_weight * weight_N);
     const double most_kg = limits.mass_kg.value_or(seen_kg > 0.0 ? policy.beyond_seen * seen_kg
                                                                  : policy.mass_of_body * shape.kg);
     const std::vector<Direction> directions = directions_across(shape, experiment.gravity_m_s2);
+    // Two sizes, since effects differ in how they grow with the deflection.
     for (const double part : {1.0, policy.smaller}) {
         const double force_N = rounded_down(part * most_N), mass_kg = rounded_down(part * most_kg);
         const std::string size = part < 1.0 ? "_light" : "";
@@ -144,6 +153,7 @@ void add_loads(const setup::Setup& setup, const BodyShape& shape, const Box& pla
 }
 
 /// Names that no trial of the experiment has.
+/// A number is appended where a name is taken.
 void make_unique(const experiment::Experiment& experiment, std::vector<PossibleTrial>& family) {
     for (PossibleTrial& trial : family) {
         const std::string name = trial.name;
@@ -161,6 +171,7 @@ std::vector<PossibleTrial> trial_family(const setup::Setup& setup, const experim
                                         const FamilyPolicy& policy) {
     const experiment::Experiment& experiment = setup.experiment;
     const BodyShape shape = shape_of(setup);
+    // Times of the trials that exist: planned ones have the time stamps that they would be recorded at.
     double longest_s = 0.0, latest_s = 0.0;
     for (const setup::PreparedTrial& trial : setup.trials)
         if (!trial.hold) longest_s = std::max(longest_s, trial.measured.time_s(trial.measured.sample_count() - 1));
@@ -187,6 +198,7 @@ std::vector<PossibleTrial> trial_family(const setup::Setup& setup, const experim
     if (latest_s > 0.0)
         for (PossibleTrial& trial : family)
             trial.keys.insert(0, "session_time_s = " + toml::toml_number(latest_s) + "\n");
+    // Releases and loads come first, so that trials of the last actuators are dropped.
     if (family.size() > policy.max_trials) family.resize(policy.max_trials);
     return family;
 }

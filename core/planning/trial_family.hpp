@@ -19,7 +19,7 @@ struct PossibleTrial {
     std::optional<measurement::ActuationTable> signal = {};  // of muscles, which needs a file
 };
 
-/// File of the signal of a trial that is proposed, beside the experiment.
+/// File of the signal of a trial that is proposed, in the folder of the experiment.
 inline constexpr const char* signal_file = "next_trial_signal.csv";
 
 /// Trials that the loads, muscles, chambers and tendons of an experiment span, within its limits:
@@ -30,8 +30,9 @@ inline constexpr const char* signal_file = "next_trial_signal.csv";
 /// * of each actuator a step, a smaller one, a slow ramp and a faster sine over the range seen in the trials;
 /// * the body at rest under a force or a command.
 ///
-/// Limits that are not declared are FamilyPolicy::beyond_seen times the largest of the trials. Gravity, supports and
-/// markers are those of the experiment. Directions, sizes and times are round numbers.
+/// Limits that are not declared are FamilyPolicy::beyond_seen times the largest of the trials, or a share of the body's
+/// weight or mass where no trial has a load. Gravity, supports and markers are those of the experiment. Directions,
+/// sizes and times are round numbers.
 std::vector<PossibleTrial> trial_family(const setup::Setup& setup, const experiment::LimitsDeclaration& limits,
                                         const FamilyPolicy& policy);
 
