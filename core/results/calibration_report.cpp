@@ -71,6 +71,7 @@ std::vector<report::KeyFigure> key_figures(const setup::Setup& setup, const cali
     std::vector<report::KeyFigure> figures;
     for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
         const auto row = static_cast<Eigen::Index>(i);
+        // Other fitted parameters are in the table; these two are what most readers look for.
         if (calibration.parameters[i].kind == prediction::ModelParameter::Kind::youngs_modulus)
             figures.push_back(modulus_figure(calibration, row));
         if (calibration.parameters[i].kind == prediction::ModelParameter::Kind::damping)
@@ -80,6 +81,7 @@ std::vector<report::KeyFigure> key_figures(const setup::Setup& setup, const cali
                        "was " + report::length_words(calibration.before.fit_rms_m) + " as declared; noise " +
                            report::length_words(setup::mean_noise(setup)) +
                            (setup.experiment.markers.noise_m ? " (declared)" : " (estimated)")});
+    // NaN if no trial was predicted, or none completed.
     if (std::isfinite(calibration.after.validation_rms_m)) {
         const double before = calibration.before.validation_rms_m;
         figures.push_back({"Prediction error (rms)", report::in_mm(calibration.after.validation_rms_m), "mm",
@@ -98,6 +100,7 @@ std::string ending(const calibration::Calibration& calibration) {
     return "The fit did not converge: " + calibration.fit.message;
 }
 
+/// How the fit ended, for the summary sentence.
 std::string fit_words(const calibration::Calibration& calibration) {
     if (calibration.fit.converged()) return "converged";
     return calibration.stopped ? "was stopped" : "did not converge";
@@ -107,6 +110,7 @@ std::string fit_words(const calibration::Calibration& calibration) {
 std::vector<std::string> summary(const setup::Setup& setup, const calibration::Calibration& calibration) {
     int fitted = 0;
     for (const setup::PreparedTrial& trial : setup.trials) fitted += trial.role == experiment::TrialRole::fit ? 1 : 0;
+    // Trials without a recording are counted as predicted, too.
     const int predicted = static_cast<int>(setup.trials.size()) - fitted;
     const auto trials = [](int n) { return std::to_string(n) + (n == 1 ? " trial" : " trials"); };
     std::string text = "Calibrated on " + trials(fitted);
@@ -132,6 +136,7 @@ report::Section parameter_section(const setup::Setup& setup, const calibration::
         if (const std::string reason = calibration.undetermined_reason(i); !reason.empty())
             section.blocks.push_back(report::Paragraph{readable_parameter(calibration.parameters[i], setup).name +
                                                        " is not determined: " + reason + "."});
+    // A fit from one start has nothing to compare.
     if (calibration.starts.size() > 1)
         section.blocks.push_back(report::Details{"Starts", {starts_table(setup, calibration)}});
     // A single parameter has no correlation.
@@ -163,6 +168,7 @@ ReadableEstimate readable_estimate(double value, double deviation) {
     const int meaningful = 1 - static_cast<int>(std::floor(std::log10(deviation)));
     const int readable = value != 0.0 ? 4 - static_cast<int>(std::floor(std::log10(std::abs(value)))) : meaningful;
     const int decimals = std::max(0, std::min(meaningful, readable));
+    // Values far below the unit that is shown are readable only with a power of ten.
     if (decimals > 6) return {readable_number(value, 5), readable_number(deviation, 2)};
     const bool vanishes = deviation < 0.5 * std::pow(10.0, -decimals);
     return {fixed_decimals(value, decimals),

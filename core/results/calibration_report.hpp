@@ -6,6 +6,7 @@
 namespace myo::results {
 
 /// HTML report of a calibration: fitted parameters, fit and prediction of each trial, the model, the checks.
+/// For people; scripts read calibrate.json.
 ///
 /// A trial that did not complete has a section with the reason. calibrate.json is embedded.
 /// Errors: none. Asserts that the calibration is usable.
@@ -19,6 +20,7 @@ struct ReadableEstimate {
     std::string deviation;  // empty if unknown
 };
 /// Formats a value and its standard deviation, both in the unit that is shown.
+/// @param deviation  NaN or 0: unknown
 ReadableEstimate readable_estimate(double value, double deviation);
 
 }  // namespace myo::results

@@ -11,10 +11,13 @@
 namespace myo::results {
 
 /// Fitted values with total standard deviation and its parts by noise, mesh and step.
+/// Numbers are in readable units (kPa, ms, mm); a dash stands for an unknown deviation.
 report::Table parameter_table(const setup::Setup& setup, const calibration::Calibration& calibration);
 /// Outcome of each start of a multi-start fit.
+/// A start that could not be run has dashes.
 report::Table starts_table(const setup::Setup& setup, const calibration::Calibration& calibration);
 /// rms of each trial before and after the fit, and the worst steady-state error.
+/// In mm; a dash for a trial that did not complete.
 report::Table trial_table(const setup::Setup& setup, const calibration::Calibration& calibration);
 
 /// Section of one trial: chart of the worst marker, steady state, charts of the other markers collapsed; the reason if

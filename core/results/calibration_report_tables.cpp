@@ -29,6 +29,7 @@ double worst_steady_mm(const prediction::TrialScore* score) {
     double worst = std::numeric_limits<double>::quiet_NaN();
     if (score == nullptr) return worst;
     for (const prediction::MarkerScore& marker : score->markers)
+        // The negation lets a first value replace NaN; a marker that was never visible is skipped.
         if (!(marker.steady_error_m <= worst))
             worst = std::isfinite(marker.steady_error_m) ? marker.steady_error_m : worst;
     return 1e3 * worst;
@@ -70,6 +71,7 @@ report::Table starts_table(const setup::Setup& setup, const calibration::Calibra
         std::string ended = ending_word(start.status);
         std::replace(ended.begin(), ended.end(), '_', ' ');
         const double none = std::numeric_limits<double>::quiet_NaN();
+        // The cost stays 0 if not even the first values could be run.
         const bool ran = start.cost_before > 0.0;
         table.rows.push_back(
             {s + 1, ended, start.history.size(), ran ? start.cost_before : none, ran ? start.cost_after : none});
@@ -87,6 +89,7 @@ report::Table trial_table(const setup::Setup& setup, const calibration::Calibrat
         {{"Trial"}, {"Role"}, {"Before", "mm", 3}, {"After", "mm", 3}, {"Steady state, worst marker", "mm", 3}},
         {}};
     for (const setup::PreparedTrial& trial : setup.trials) {
+        // Null for a trial that did not complete, which has a row of dashes.
         const prediction::TrialScore* before = find_score(calibration.before, trial.name);
         const prediction::TrialScore* after = find_score(calibration.after, trial.name);
         table.rows.push_back(
@@ -100,6 +103,7 @@ report::Section model_section(const setup::Setup& setup, const calibration::Cali
     const prediction::ParameterValues& values = calibration.after.values;
     report::Table facts{"", {{"Model"}, {""}}, {}};
     const auto add = [&](const std::string& name, const std::string& value) { facts.rows.push_back({name, value}); };
+    // Mass from the volume of the mesh, as in the run.
     add("Body", readable_number(1e6 * quality.volume, 4) + " cm³, " +
                     readable_number(1e3 * setup.experiment.material.density_kg_m3 * quality.volume, 4) + " g");
     add("Mesh",
@@ -125,6 +129,7 @@ report::Section model_section(const setup::Setup& setup, const calibration::Cali
                         {{"Marker"}, {"Noise", "mm", 3}},
                         {}};
     for (std::size_t m = 0; m < setup.marker_names.size(); ++m)
+        // Probes have no noise: no camera sees them.
         if (!setup.experiment.markers.on_body[m].probe)
             noise.rows.push_back({setup.marker_names[m], 1e3 * setup.noise_m(static_cast<Eigen::Index>(m))});
     report::Section section{"Model and data", {facts}};

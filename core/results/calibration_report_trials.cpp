@@ -77,11 +77,13 @@ std::string start_paragraph(const setup::Setup& setup, const calibration::Calibr
     const setup::PreparedTrial& trial = setup.trials[index];
     std::string text = trial.start_message.empty() ? "" : "Start: " + trial.start_message + ".";
     const double shift = calibration.after.values.start_shift_s[index];
+    // Exactly 0 where the start is no parameter of the fit.
     if (shift != 0.0) text += " The fit moved it by " + readable_number(1e3 * shift, 3) + " ms.";
     if (trial.registration_rms_m)
         text += " Registration: the rest positions of the markers fit the recording to " +
                 readable_number(1e3 * *trial.registration_rms_m, 3) + " mm rms.";
     for (std::size_t m = 0; m < trial.occluded_fraction.size(); ++m)
+        // Less than half a percent is not worth a sentence.
         if (trial.occluded_fraction[m] > 0.005 && !setup.experiment.markers.on_body[m].probe)
             text += " " + setup.marker_names[m] + " was hidden in " +
                     readable_number(100.0 * trial.occluded_fraction[m], 2) + " % of the samples.";
@@ -129,6 +131,7 @@ struct ShownOrder {
     std::string reason;
 };
 
+/// @param before  null: the trial could not be run with the declared values
 ShownOrder shown_order(const prediction::TrialScore* before, const prediction::TrialScore& after) {
     ShownOrder shown;
     double least = std::numeric_limits<double>::infinity(), most = 0.0;
@@ -161,6 +164,7 @@ report::Section trial_section(const setup::Setup& setup, const calibration::Cali
     if (before == nullptr)
         section.blocks.push_back(report::Paragraph{
             "Not run with the declared values: " + calibration.before.predictions[index].message + "."});
+    // Without a run after the fit there is nothing to draw.
     if (after == nullptr) {
         section.blocks.push_back(
             report::Paragraph{"Not run with the fitted values: " + calibration.after.predictions[index].message + "."});
@@ -170,6 +174,7 @@ report::Section trial_section(const setup::Setup& setup, const calibration::Cali
     const auto motion = [&](const prediction::SetupRun& run) {
         return compared_motion(setup, index, run.values, run.predictions[index]);
     };
+    // Tracks are compared once per trial, not per marker.
     const MarkerFigure figures{setup, calibration, index,
                                before != nullptr ? std::optional(motion(calibration.before)) : std::nullopt,
                                motion(calibration.after)};

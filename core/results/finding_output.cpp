@@ -9,6 +9,7 @@
 namespace myo::results {
 namespace {
 
+// Order of tables and warnings.
 constexpr std::array<check::CheckLevel, 3> worst_first{check::CheckLevel::wrong, check::CheckLevel::doubtful,
                                                        check::CheckLevel::passed};
 
@@ -34,6 +35,7 @@ report::Json findings_json(const std::vector<check::Finding>& findings) {
         report::Json entry{{"id", finding.check},          {"level", to_string(finding.level)},
                            {"subject", finding.subject},   {"source", finding.source},
                            {"sentence", finding.sentence}, {"way_out", finding.way_out}};
+        // Some checks have no number: their keys are left out.
         if (std::isfinite(finding.figure)) entry["figure"] = finding.figure;
         if (std::isfinite(finding.threshold)) entry["threshold"] = finding.threshold;
         if (!finding.unit.empty()) entry["unit"] = finding.unit;
@@ -74,6 +76,7 @@ std::string findings_line(const std::vector<check::Finding>& findings) {
         if (own.empty()) continue;
         std::vector<std::string> names;
         for (const check::Finding& finding : own)
+            // Only checks that need attention are named, each once.
             if (level != check::CheckLevel::passed &&
                 std::find(names.begin(), names.end(), finding.check) == names.end())
                 names.push_back(finding.check);

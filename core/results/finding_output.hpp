@@ -22,6 +22,7 @@ report::Section findings_section(const std::vector<check::Finding>& findings);
 std::string finding_words(const check::Finding& finding);
 
 /// Sentences of violated and doubtful findings that no other warning states, worst first.
+/// For the list of warnings of a page; findings that were already reported as warnings have `warned` set.
 std::vector<std::string> sentences_to_report(const std::vector<check::Finding>& findings);
 
 /// One-line summary: "checks: 11 green, 1 amber (step), 1 red (start)".

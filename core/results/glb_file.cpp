@@ -31,6 +31,7 @@ constexpr GlbLookPolicy glb_look_policy;
 float linear(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
 
 /// Unit normals of the vertices; a triangle counts by its area.
+/// The length of the cross product is twice the area, so that the plain sum is the weighted one.
 Eigen::Matrix3Xf normals_of(const mesh::SurfaceMesh& surface) {
     Eigen::Matrix3Xd normals = Eigen::Matrix3Xd::Zero(3, surface.vertices.cols());
     for (Index t = 0; t < surface.triangles.cols(); ++t) {
@@ -62,12 +63,14 @@ struct Buffer {
         if (with_bounds) {
             // Bounds of the numbers as stored, so that they hold exactly.
             const Eigen::Vector3f least = vectors.rowwise().minCoeff(), greatest = vectors.rowwise().maxCoeff();
+            // The format demands bounds of positions only.
             accessor["min"] = {least.x(), least.y(), least.z()};
             accessor["max"] = {greatest.x(), greatest.y(), greatest.z()};
         }
         return append(vectors.data(), static_cast<std::size_t>(vectors.size()) * sizeof(float), array_buffer,
                       std::move(accessor));
     }
+    /// Appends three indices per triangle, 32 bits each. Returns the number of its accessor.
     std::size_t add_indices(const Eigen::Matrix3Xi& triangles) {
         const Eigen::Matrix<std::uint32_t, 3, Eigen::Dynamic> indices = triangles.cast<std::uint32_t>();
         return append(indices.data(), static_cast<std::size_t>(indices.size()) * sizeof(std::uint32_t),
@@ -79,6 +82,8 @@ struct Buffer {
     }
 
 private:
+    /// Appends bytes with a view, and an accessor that refers to it. All entries are multiples of four bytes, as the
+    /// alignment of floats and indices demands.
     std::size_t append(const void* data, std::size_t size, BufferTarget target, Json accessor) {
         views.push_back(Json{
             {"buffer", 0}, {"byteOffset", bytes.size()}, {"byteLength", size}, {"target", static_cast<int>(target)}});
@@ -88,6 +93,7 @@ private:
     }
 };
 
+/// Little-endian, whatever the machine.
 void append_number(std::string& content, std::uint32_t value) {
     for (int shift = 0; shift < 32; shift += 8) content += static_cast<char>((value >> shift) & 0xFFu);
 }
@@ -113,6 +119,7 @@ Result<void> write_glb(const std::filesystem::path& path, const mesh::SurfaceMes
     if (colours.cols() > 0) attributes["COLOR_0"] = buffer.add_vectors(colours.unaryExpr(&linear), false);
     const std::size_t indices = buffer.add_indices(surface.triangles);
     const double half = std::sqrt(0.5);  // a quarter turn about x
+    // Colours of vertices are multiplied by the base colour, which is white then.
     const double grey = colours.cols() > 0 ? 1.0 : glb_look_policy.grey;
     Json json;
     json["asset"] = {{"version", "2.0"}, {"generator", "Myoloop"}};
@@ -135,6 +142,7 @@ Result<void> write_glb(const std::filesystem::path& path, const mesh::SurfaceMes
     std::string content;
     append_number(content, magic);
     append_number(content, version);
+    // Length of the whole file: a header of three numbers, and the chunks.
     append_number(content, static_cast<std::uint32_t>(12 + chunks.size()));
     return write_file(path, content + chunks);
 }

@@ -11,6 +11,7 @@ std::string place_lines(const std::vector<prediction::FoundPlace>& places) {
     if (places.empty()) return {};
     std::size_t width = 18;
     for (const prediction::FoundPlace& place : places) width = std::max(width, place.marker.size());
+    // Wide enough for the longest name, but within the line buffer.
     const int column = static_cast<int>(std::min<std::size_t>(width, 120));
     char line[512];
     std::snprintf(line, sizeof line, "\n%-*s  %16s  %16s  %16s", column, "marker off by [mm]", "x", "y", "z");

@@ -17,6 +17,8 @@ std::string place_lines(const std::vector<prediction::FoundPlace>& places);
 /// Per marker: shift_m and std_m, three numbers each, and distance_m.
 report::Json places_json(const std::vector<prediction::FoundPlace>& places);
 
+/// Table of the places in mm with standard deviations.
+///
 /// @param placement_m  1 sigma that the places were given
 report::Section places_section(const std::vector<prediction::FoundPlace>& places, double placement_m);
 

@@ -20,6 +20,7 @@ namespace fs = std::filesystem;
 using Eigen::Index;
 using Eigen::MatrixXd;
 
+/// Word of the schema for how signals run between their knots.
 const char* interpolation(bool hold) { return hold ? "hold" : "linear"; }
 
 /// Actuator that a signal drives; a muscle that follows none, a chamber or a tendon.
@@ -89,6 +90,7 @@ report::Json signals_json(const setup::Setup& setup, const inverse::SoughtSignal
                            {"before", sought.seek_before ? values(static_cast<Index>(s), 0) : sought.signals[s].before},
                            {"before_sought", sought.seek_before},
                            {"values", row(values, s)}});
+        // The reason is stated once for all signals, under "std".
         if (!deviations.found) continue;
         signals.back()["std"] = row(deviations.deviations, s);
         signals.back()["from_markers"] = row(deviations.from_target, s);
@@ -99,6 +101,7 @@ report::Json signals_json(const setup::Setup& setup, const inverse::SoughtSignal
 /// Signal and factor of each muscle, so that followers can be reconstructed.
 report::Json muscles_json(const setup::Setup& setup, const inverse::SoughtSignals& sought) {
     report::Json muscles = report::Json::array();
+    // Without sought signals there are no groups.
     for (std::size_t g = 0; g < setup.experiment.muscles.size() && !sought.signals.empty(); ++g)
         muscles.push_back({{"name", setup.experiment.muscles[g].name},
                            {"signal", sought.signals[sought.groups[g].signal].name},
@@ -126,6 +129,7 @@ report::Json starts_json(const std::vector<calibration::StartEnding>& starts) {
     report::Json list = report::Json::array();
     for (const calibration::StartEnding& start : starts) {
         report::Json entry{{"ended", ending_word(start.status)}, {"evaluations", start.evaluations}};
+        // A loss of exactly 0 is that of a start that was not run.
         if (start.loss_before_m2 > 0.0) {
             entry["loss_before_m2"] = report::json_number(start.loss_before_m2);
             entry["loss_after_m2"] = report::json_number(start.loss_after_m2);
@@ -153,6 +157,7 @@ report::Json miss_json(const calibration::TargetMiss& miss) {
 /// Root mean square of each coordinate over all markers; null if none was visible.
 report::Json rms_of_axes(const prediction::TrialPrediction& prediction) {
     Eigen::Vector3d axes;
+    // prediction::rms() leaves NaN out: the other two coordinates are blanked.
     for (Index axis = 0; axis < 3; ++axis) {
         std::vector<Eigen::Matrix3Xd> rows;
         for (const Eigen::Matrix3Xd& residual : prediction.residual_m) {
@@ -175,6 +180,7 @@ bool put_level_in_front(report::Json& signal, const inverse::SoughtSignals& soug
     return true;
 }
 
+/// Runs with gradients, over all starts.
 int evaluations_of(const std::vector<calibration::StartEnding>& starts) {
     int evaluations = 0;
     for (const calibration::StartEnding& start : starts) evaluations += start.evaluations;
@@ -257,6 +263,7 @@ Result<EarlierOptimization> read_optimization(const fs::path& folder, const setu
         return refuse("has signals with other knots");
     EarlierOptimization earlier;
     earlier.values = inverse::unmoved_values(problem.sought);
+    // Without the key the array check below fails, and the file is refused.
     report::Json signals = json->contains("signals") ? json->at("signals") : *json;
     if (!signals.is_array() || signals.size() != problem.sought.signals.size()) return refuse("has other signals");
     for (std::size_t s = 0; s < signals.size(); ++s) {
@@ -276,6 +283,7 @@ Result<EarlierOptimization> read_optimization(const fs::path& folder, const setu
             earlier.values(static_cast<Index>(s), k) = value.get<double>();
         }
     }
+    // Sized by what is sought now, which the file must match.
     earlier.design = inverse::declared_design(problem.design);
     if (earlier.design.size() > 0) {
         const report::Json* const values = json->contains("design") && json->at("design").contains("values")
@@ -287,6 +295,7 @@ Result<EarlierOptimization> read_optimization(const fs::path& folder, const setu
         for (Index k = 0; k < earlier.design.size(); ++k)
             earlier.design(k) = values->at(static_cast<std::size_t>(k)).get<double>();
     }
+    // Missing in files of earlier versions: the count then begins again.
     if (json->contains("evaluations_in_all") && json->at("evaluations_in_all").is_number_integer())
         earlier.evaluations = json->at("evaluations_in_all").get<int>();
     return earlier;
@@ -324,6 +333,7 @@ fs::path actuation_file_name(const setup::Setup& setup) {
 
 Result<void> write_actuation(const fs::path& folder, const setup::Setup& setup,
                              const calibration::Optimization& optimization) {
+    // A search for the body alone has no signals to write.
     if (optimization.problem.sought.signals.empty()) return write_traces(folder, setup, optimization.after);
     if (const Result<void> written = measurement::write_actuation_csv(
             folder / actuation_file_name(setup),

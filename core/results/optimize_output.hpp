@@ -14,6 +14,7 @@
 namespace myo::results {
 
 /// State of an earlier search, read from its optimize.json.
+/// Values are those of the best run, at which a resumed search begins.
 struct EarlierOptimization {
     Eigen::MatrixXd values;               // signals x knots
     Eigen::VectorXd design = {};          // values of the design; empty: none is sought
@@ -28,6 +29,7 @@ Result<EarlierOptimization> read_optimization(const std::filesystem::path& folde
                                               const inverse::ActuationProblem& problem);
 
 /// Content of optimize.json (schema optimize/1).
+/// Read back by read_optimization(): keys and meanings must stay.
 ///
 /// Errors: none. Asserts that the optimization is usable, as do the functions below.
 report::Json optimize_json(const setup::Setup& setup, const calibration::Optimization& optimization,

@@ -25,6 +25,7 @@ std::string ending(const calibration::Optimization& optimization) {
     return "";
 }
 
+/// Runs with gradients, over all starts.
 int evaluations_of(const calibration::Optimization& optimization) {
     int count = 0;
     for (const calibration::StartEnding& start : optimization.starts) count += start.evaluations;
@@ -53,6 +54,7 @@ std::vector<report::KeyFigure> key_figures(const setup::Setup& setup, const cali
                                        ? "Signal "
                                        : "Signal (" + experiment::quantity_word(actuator.kind) + ") ") +
                                   actuator.name;
+        // A pose has one value per signal.
         if (sought.constant)
             figures.push_back({title, readable_number(row(0), 4), actuator.unit, "held at rest"});
         else
@@ -164,7 +166,9 @@ chart::Chart loss_chart(const calibration::Optimization& optimization) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < optimization.fit.log.size(); ++i) {
         const inverse::ActuationIterate& line = optimization.fit.log[i];
+        // The loss is in m^2: its root is an error in mm, comparable with the key figures.
         const double x = static_cast<double>(i + 1), y = line.ok ? 1e3 * std::sqrt(line.loss_m2) : std::nan("");
+        // Failed evaluations leave a gap in the dots; the best value so far goes on.
         if (line.ok) least = std::min(least, y);
         each.x.push_back(x), each.y.push_back(y);
         best.x.push_back(x), best.y.push_back(least);
@@ -187,6 +191,7 @@ report::Section body_section(const calibration::Optimization& optimization) {
                                report::in_mm(optimization.problem.design_smoothness_m) + " mm."}}};
 }
 
+/// What was sought, how, and at what cost.
 std::string summary_sentence(const setup::Setup& setup, const calibration::Optimization& optimization) {
     const inverse::SoughtSignals& sought = optimization.problem.sought;
     const bool signals = !sought.signals.empty(), body = !optimization.found.empty();
@@ -239,6 +244,7 @@ report::HtmlReport optimize_report(const setup::Setup& setup, const calibration:
                              " mm·s times the mean square rate of the signals" + scale_words(setup, sought) +
                              "; its root is shown."}}});
     report.sections.push_back(model_section(setup, shown));
+    // Before the model, which embeds the JSON and stays last.
     if (!facts.findings.empty()) report.sections.insert(report.sections.end() - 1, findings_section(facts.findings));
     report.sections.back().blocks.push_back(
         report::EmbeddedJson{"optimize", optimize_json(setup, optimization, facts)});

@@ -32,6 +32,7 @@ private:
 
 /// Names of the masks of all muscles.
 std::vector<fs::path> all_mask_files(const experiment::Experiment& experiment) {
+    // Safe file names, made distinct in the order of the muscles: index m belongs to muscle m.
     std::vector<std::string> names;
     for (const experiment::MuscleDeclaration& muscle : experiment.muscles) names.push_back(muscle.name);
     std::vector<fs::path> files;
@@ -39,6 +40,7 @@ std::vector<fs::path> all_mask_files(const experiment::Experiment& experiment) {
     return files;
 }
 
+/// States one quantity of the body that was found.
 void state_item(const experiment::Experiment& experiment, const calibration::FoundItem& found, Edits& edits) {
     if (found.item.kind == calibration::SoughtKind::modulus) {
         // With the digits that people read.
@@ -68,6 +70,7 @@ std::string hindrance(const experiment::Experiment& experiment) {
 void state_signals(const setup::Setup& setup, const calibration::Optimization& optimization, std::size_t trial,
                    Edits& edits) {
     const inverse::SoughtSignals& sought = optimization.problem.sought;
+    // All kinds of commands, since any of them left in the file would conflict with the new ones or add to them.
     for (const char* key : {"actuation_step", "activation", "pressure_Pa", "tension_N", "shortening_m", "actuation"})
         edits.remove({"trial", trial, key});
     if (!sought.constant)
@@ -86,6 +89,7 @@ Result<std::string> optimized_experiment(const fs::path& written, const fs::path
                                          const calibration::Optimization& optimization, std::size_t trial,
                                          std::string* skipped) {
     Edits edits(experiment::experiment_text_for(folder, written));
+    // Edits keep the user's text, comments included, except for the values that are replaced.
     for (const calibration::FoundItem& found : optimization.found) state_item(setup.experiment, found, edits);
     if (!optimization.problem.sought.signals.empty()) {
         const std::string reason = hindrance(setup.experiment);
@@ -103,6 +107,7 @@ std::vector<fs::path> mask_files(const experiment::Experiment& experiment,
     std::vector<fs::path> files;
     for (std::size_t m = 0; m < all.size(); ++m) {
         const experiment::MuscleDeclaration& muscle = experiment.muscles[m];
+        // The single direction of other muscles is a key of the text; painted fibres are a file.
         if (std::holds_alternative<experiment::MuscleMask>(muscle.part) &&
             std::any_of(seek.begin(), seek.end(), [&](const calibration::SoughtItem& item) {
                 return item.of == muscle.name && item.kind != calibration::SoughtKind::modulus;

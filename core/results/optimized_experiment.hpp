@@ -14,7 +14,7 @@ namespace myo::results {
 /// place of what was declared for them.
 ///
 /// @param written  the experiment.toml that was opened
-/// @param folder   where the text will stand, with the files of write_masks() and the found signals beside it
+/// @param folder   where the text will stand, together with the files of write_masks() and of the found signals
 /// @param trial    index of the trial in the file
 /// @param skipped  receives a sentence on signals that cannot be stated in the file; may be null
 /// Errors: the file cannot be read, or a value cannot be set in it.
@@ -23,10 +23,14 @@ Result<std::string> optimized_experiment(const std::filesystem::path& written, c
                                          std::size_t trial, std::string* skipped = nullptr);
 
 /// Names of the files of write_masks().
+/// Known before the search ends, so that a job can refuse to overwrite its input.
+///
+/// @param seek  what is sought; moduli need no mask
 std::vector<std::filesystem::path> mask_files(const experiment::Experiment& experiment,
                                               const std::vector<calibration::SoughtItem>& seek);
 
 /// Writes `<muscle>_mask.csv` for each muscle whose paint was changed.
+/// Errors: a file cannot be written.
 Result<void> write_masks(const std::filesystem::path& folder, const experiment::Experiment& experiment,
                          const std::vector<calibration::FoundItem>& found);
 

@@ -18,6 +18,7 @@ namespace myo::results {
 namespace {
 namespace fs = std::filesystem;
 
+/// File names of the trials of a setup, in their order.
 std::vector<std::string> names_of(const setup::Setup& setup) { return trial_file_names(setup.experiment); }
 
 // Bytes above 127 belong to letters of other alphabets in UTF-8 and are kept.
@@ -28,6 +29,7 @@ std::string safe_name(const std::string& name) {
         safe += std::isalnum(byte) != 0 || byte > 127 || c == '-' || c == '_' || c == '.' ? c : '_';
     }
     if (safe.empty() || safe.front() == '.') safe.insert(safe.begin(), '_');
+    // File systems allow 255 bytes; the rest is for endings and numbers.
     return safe.substr(0, 150);
 }
 
@@ -40,6 +42,7 @@ std::vector<std::size_t> spread(const std::vector<double>& times_s, int count) {
         const auto above = std::lower_bound(times_s.begin(), times_s.end(), wanted - 1e-12);
         auto k = static_cast<std::size_t>(above - times_s.begin());
         if (k == times_s.size()) --k;
+        // The nearer one of the two steps around the wanted time.
         if (k > 0 && wanted - times_s[k - 1] < times_s[k] - wanted) --k;
         if (chosen.empty() || k > chosen.back()) chosen.push_back(k);
     }
@@ -66,11 +69,13 @@ Result<void> write_trial_series(const fs::path& folder, const std::string& name,
                                 const dynamics::Trace& trace, int frames, const Progress& progress) {
     std::vector<double> times;
     std::vector<fs::path> files;
+    // Frames are steps of the run, not interpolated states: the stored velocities belong to them.
     const std::vector<std::size_t> steps = spread(trace.times_s, frames);
     for (std::size_t i = 0; i < steps.size(); ++i) {
         if (progress.cancelled()) return Error{"stopped by the user", ""};
         const std::size_t k = steps[i];
         mesh::VolumeMesh mesh = setup.mesh.mesh;
+        // Written with the mesh in its deformed shape; the rest shape is position minus displacement.
         const Eigen::Matrix3Xd displacement = trace.positions[k] - mesh.nodes;
         mesh.nodes = trace.positions[k];
         const fs::path file = frame_file(name, static_cast<int>(i));
@@ -126,6 +131,7 @@ Result<void> write_series(const fs::path& folder, const setup::Setup& setup, con
         // The earlier series may have more frames than the new one; a failed series is removed as a whole.
         remove_series(folder, names[t]);
         const dynamics::Trace& trace = run.predictions[t].trace;
+        // A body on a moving mount is computed in the frame of its mount and shown in that of the laboratory.
         const std::optional<dynamics::Trace> seen = prediction::laboratory_trace(setup, t, run.values, trace);
         const Result<void> written = write_trial_series(folder, names[t], setup, seen ? *seen : trace, frames,
                                                         progress);
@@ -188,6 +194,7 @@ Result<void> prepare_output_folder(const fs::path& folder) {
     // Only writing shows whether a folder is writable: permissions do not cover read-only or full file systems.
     const fs::path probe = folder / (".write_test." + std::to_string(::getpid()));
     if (!write_file(probe, "")) return Error{"no file can be written there", folder.string()};
+    // The name has the process in it: two jobs may test one folder at once.
     fs::remove(probe, code);
     return {};
 }

@@ -13,7 +13,7 @@ namespace myo::results {
 /// File names without extension, one per trial: the trial's name with unsafe characters replaced by '_', and a number
 /// appended if two would be equal.
 std::vector<std::string> trial_file_names(const std::vector<std::string>& trial_names);
-/// The same for the trials of an experiment.
+/// File names of the trials of an experiment, in their order.
 std::vector<std::string> trial_file_names(const experiment::Experiment& experiment);
 
 /// Writes `<trial>.csv` for each completed trial: simulated markers at the measured sample times, mesh frame [m].
@@ -30,13 +30,15 @@ Result<void> write_traces(const std::filesystem::path& folder, const setup::Setu
 Result<void> write_series(const std::filesystem::path& folder, const setup::Setup& setup,
                           const prediction::SetupRun& run, int frames, const Progress& progress = {});
 
-/// All input files of an experiment: declaration, surface, traces, actuations, signals and masks.
+/// All input files of an experiment: declaration, surface or volume mesh, parts, laws, traces, actuations, sensors,
+/// goals, signals and masks. A job compares them with its outputs.
 ///
 /// @param declared  the experiment folder or its .toml file, as read_experiment() takes it
 std::vector<std::filesystem::path> files_read(const std::filesystem::path& declared,
                                               const experiment::Experiment& experiment);
 
 /// Files that write_traces() may write for this experiment.
+/// Known before the run, for the comparison with files_read(). Trials that fail write none.
 std::vector<std::filesystem::path> trace_files(const std::filesystem::path& folder,
                                                const experiment::Experiment& experiment);
 

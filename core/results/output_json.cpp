@@ -16,6 +16,7 @@
 namespace myo::results {
 namespace {
 
+/// Adds the keys of the time integration, from the check of the integration.
 /// Null if no mode was found; critical_velocity_force_1_s only if the model has a velocity force.
 void add_integration(const setup::Setup& setup, report::Json& json) {
     if (setup.settings.integrator == dynamics::Integrator::generalized_alpha)
@@ -32,6 +33,7 @@ void add_integration(const setup::Setup& setup, report::Json& json) {
 }
 
 /// Mesh, material and integration keys that all result files share.
+/// Degrees of freedom (dofs) are those of all nodes, clamped ones included.
 report::Json size_json(const setup::Setup& setup) {
     // Trials can have different steps; dt_s of the file is that of the first, dt_s of a trial its own.
     const double h = setup.settings.h_s.value_or(setup.trials.front().options.h_s);
@@ -71,11 +73,13 @@ report::Json values_json(const setup::Setup& setup, const prediction::ParameterV
                       {"damping_s", values.damping_s},
                       {"damping_declared", setup.experiment.material.damping_s.has_value()},
                       {"velocity_force_1_s", setup.settings.velocity_force_1_s}};
+    // Parameters of the law have their own names; the law is that of all trials.
     const std::vector<material::LawParameter> law = setup.trials.front().model.material->parameters();
     for (std::size_t k = 0; k < values.law.size(); ++k) json[law[k].name] = values.law[k];
     for (std::size_t k = 0; k < setup.experiment.parts.size(); ++k) {
         const experiment::PartDeclaration& part = setup.experiment.parts[k];
         const double damping_s = values.part_damping_s[k];
+        // NaN: a part without a damping of its own has that of the body.
         json["parts"].push_back({{"name", part.name},
                                  {"youngs_modulus_Pa", values.part_modulus_Pa[k]},
                                  {"poissons_ratio", part.poissons_ratio},
@@ -105,6 +109,7 @@ report::Json trial_facts(const setup::Setup& setup, std::size_t index) {
                       {"start_s", trial.start_s},
                       {"start_found", trial.start_found}};
     if (trial.registration_rms_m) json["registration_rms_m"] = report::json_number(*trial.registration_rms_m);
+    // The step of this trial, which may differ from that of the file.
     json["dt_s"] = trial.options.h_s;
     return json;
 }
@@ -138,6 +143,7 @@ report::Json parameters_json(const calibration::Calibration& calibration) {
     for (std::size_t i = 0; i < calibration.parameters.size(); ++i) {
         const prediction::ModelParameter& p = calibration.parameters[i];
         const auto row = static_cast<Eigen::Index>(i);
+        // "std" is the root of the sum of squares of the parts by noise, mesh and step.
         report::Json& entry = parameters[p.parameter.name];
         entry = {{"value", report::json_number(calibration.fit.values(row))},
                  {"std", report::json_number(calibration.deviation(i))},
@@ -149,6 +155,7 @@ report::Json parameters_json(const calibration::Calibration& calibration) {
         entry["std_mesh"] = numerical.mesh.size() > 0 ? report::json_number(numerical.mesh(row)) : report::Json();
         entry["std_step"] = numerical.step.size() > 0 ? report::json_number(numerical.step(row)) : report::Json();
         if (const std::string reason = calibration.undetermined_reason(i); !reason.empty()) entry["reason"] = reason;
+        // A fit moves angles, which mean nothing without the fitted direction itself.
         if (p.is_angle())
             entry["direction"] = report::json_array(
                 effect::vector(calibration.after.values.effects[p.index].parameters, p.of_effect));
@@ -210,6 +217,7 @@ report::Json fit_json(const setup::Setup& setup, const calibration::Calibration&
                       {"converged", calibration.fit.converged()},
                       {"stopped", calibration.stopped},
                       {"message", calibration.fit.message}};
+    // Null if no predicted trial completed; no key if there is none to predict.
     if (!prediction::trials_with_role(setup, experiment::TrialRole::validate).empty()) {
         json["validation_rms_before_m"] = report::json_number(calibration.before.validation_rms_m);
         json["validation_rms_after_m"] = report::json_number(calibration.after.validation_rms_m);
@@ -229,6 +237,7 @@ report::Json fitted_trials_json(const setup::Setup& setup, const calibration::Ca
         const prediction::TrialScore* after = find_score(calibration.after, setup.trials[t].name);
         trial["rms_before_m"] = rms_json(before);
         trial["rms_after_m"] = rms_json(after);
+        // Under the name that simulate.json uses, too, so that one reader serves both.
         trial["rms_m"] = rms_json(after);
         trial["mean_distance_before_m"] = before != nullptr ? report::json_number(before->distance_m) : report::Json();
         trial["mean_distance_m"] = after != nullptr ? report::json_number(after->distance_m) : report::Json();
@@ -296,6 +305,7 @@ report::Json simulate_json(const setup::Setup& setup, const prediction::SetupRun
         const prediction::TrialScore* score = find_score(run, setup.trials[t].name);
         if (score == nullptr) continue;
         const dynamics::Trace& trace = run.predictions[t].trace;
+        // The first entry is the start.
         steps += trace.times_s.size() - 1;
         iterations += trace.newton_iterations;
         report::Json trial = trial_facts(setup, t);

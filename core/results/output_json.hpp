@@ -13,10 +13,10 @@ namespace myo::results {
 
 /// Facts about a run that only the program knows.
 struct RunFacts {
-    std::string version = {};               // of the program
-    std::vector<std::string> command = {};  // command line, word by word
-    double setup_s = 0.0;                   // wall-clock time of reading, meshing and preparing
-    std::uint64_t peak_memory_bytes = 0;
+    std::string version = {};                   // of the program
+    std::vector<std::string> command = {};      // command line, word by word
+    double setup_s = 0.0;                       // wall-clock time of reading, meshing and preparing
+    std::uint64_t peak_memory_bytes = 0;        // of the process, resident
     std::optional<std::uint64_t> seed = {};     // as requested; only starts of a search are random
     std::vector<check::Finding> findings = {};  // of the checks before and after the job
 };
@@ -34,6 +34,7 @@ report::Json calibrate_json(const setup::Setup& setup, const calibration::Calibr
                             const RunFacts& facts);
 
 /// Mesh, material and time integration; the same keys in every result file.
+/// As a JSON object to be merged into that of the file.
 report::Json setup_size_json(const setup::Setup& setup);
 
 /// rms and steady state [m] of each marker, by name.
@@ -51,6 +52,7 @@ std::string sensor_lines(const prediction::SetupRun& run, const std::string& whe
 const char* ending_word(inverse::FitStatus status);
 
 /// Score of a trial by name, or null if it did not complete.
+/// The pointer is valid as long as the run is.
 const prediction::TrialScore* find_score(const prediction::SetupRun& run, const std::string& trial);
 
 }  // namespace myo::results

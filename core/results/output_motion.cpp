@@ -18,11 +18,13 @@ ComparedMotion compared_motion(const setup::Setup& setup, std::size_t index, con
     ComparedMotion motion{trial.measured.time_s, trial.measured.tracks, prediction.positions_m};
     if (setup.experiment.markers.compare == experiment::Comparison::displacement) {
         for (std::size_t m = 0; m < setup.marker_names.size(); ++m) {
+            // Both from their own start: an offset of the registration drops out.
             motion.measured_m[m].colwise() -= trial.reference_m[m];
             motion.simulated_m[m].colwise() -= prediction.start_m[m];
         }
         return motion;
     }
+    // Camera frame: the fitted correction of the registration is applied to the simulation, as in the residual.
     const Eigen::Matrix3d R = measurement::small_rotation(values.rotation_rad);
     for (Matrix3Xd& track : motion.simulated_m) track = ((R * track).colwise() + values.translation_m).eval();
     return motion;
@@ -39,6 +41,7 @@ double main_frequency(const setup::Setup& setup, std::size_t index, const predic
     assert(prediction.ok());
     const setup::PreparedTrial& trial = setup.trials[index];
     const Eigen::Index samples = trial.measured.sample_count() - trial.first_sample;
+    // Too few to distinguish a vibration from a trend.
     if (samples < 8) return 0.0;
     const Eigen::VectorXd times = trial.measured.time_s.tail(samples);
     const double duration = times(samples - 1) - times(0);
@@ -49,6 +52,7 @@ double main_frequency(const setup::Setup& setup, std::size_t index, const predic
         for (Eigen::Index axis = 0; axis < 3; ++axis) {
             Eigen::VectorXd x = track.row(axis).tail(samples).transpose();
             // The steady state is subtracted; the coordinate with the most energy is analysed.
+            // Mean of the last fifth, as the steady state of the tables.
             const double rest = x.tail(std::max<Eigen::Index>(1, samples / 5)).mean();
             x.array() -= rest;
             // A coordinate at rest leaves the rounding of its mean, which is no vibration.

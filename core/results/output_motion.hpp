@@ -27,6 +27,8 @@ measurement::Recording simulated_recording(const setup::Setup& setup, std::size_
 
 /// Frequency of the largest vibration of a trial's simulated markers [Hz], after subtraction of the steady state; 0 if
 /// nothing vibrates for at least one period.
+/// Samples before the first compared one are left out. Resolved to a quarter of 1 / duration, up to the Nyquist
+/// frequency or 50 Hz. Asserts that the trial completed.
 double main_frequency(const setup::Setup& setup, std::size_t trial, const prediction::TrialPrediction& prediction);
 
 }  // namespace myo::results

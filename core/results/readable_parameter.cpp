@@ -9,10 +9,12 @@ namespace {
 
 /// "effect.point_mass.position_m.x" -> "Point mass, position x" in mm.
 ReadableParameter readable_number_of_effect(const prediction::ModelParameter& p) {
+    // Names of effect parameters are effect.<id>.<parameter>[.<component>].
     std::string id = p.parameter.name;
     if (id.starts_with("effect.")) id = id.substr(7, id.find('.', 7) - 7);
     ReadableParameter shown = readable_quantity(p.of_effect);
     shown.name = effect_name(id) + ", " + shown.name;
+    // Two angles per direction, numbered from 1.
     if (p.is_angle()) return {shown.name + " turned " + std::to_string(p.component + 1), "°", 180.0 / std::numbers::pi};
     if (p.component >= 0) shown.name += std::string(" ") + "xyz"[p.component % 3];
     return shown;
@@ -22,6 +24,7 @@ ReadableParameter readable_number_of_effect(const prediction::ModelParameter& p)
 
 ReadableParameter readable_parameter(const prediction::ModelParameter& p, const setup::Setup& setup) {
     using Kind = prediction::ModelParameter::Kind;
+    // The index of a translation or rotation is its axis; of other kinds the word is not used.
     const std::string axis(1, "xyz"[p.index % 3]);
     switch (p.kind) {
         case Kind::youngs_modulus: return {"Young's modulus E", "kPa", 1e-3};

@@ -13,6 +13,7 @@ using effect::effect_name;
 using effect::readable_quantity;
 
 /// Name, unit and factor of a fitted parameter.
+/// Shown value = factor times the SI value.
 ReadableParameter readable_parameter(const prediction::ModelParameter& parameter, const setup::Setup& setup);
 
 }  // namespace myo::results

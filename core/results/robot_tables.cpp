@@ -34,12 +34,14 @@ double rest_length_m(const setup::Tendon& tendon) {
     return length;
 }
 
+/// Number of guides that move with the body; the others are fixed in space.
 int moving_guides(const setup::Tendon& tendon) {
     int moving = 0;
     for (const model::TendonGuide& guide : tendon.route.guides) moving += guide.on_body ? 1 : 0;
     return moving;
 }
 
+/// One row per chamber, in cm³, cm² and kPa.
 report::Table chamber_table(const setup::Setup& setup) {
     report::Table table{"Chambers: the declared cavities at rest, and their pressures in the trials.",
                         {{"Chamber"}, {"Volume", "cm³"}, {"Wall area", "cm²"}, {"Pressure"}},
@@ -52,6 +54,7 @@ report::Table chamber_table(const setup::Setup& setup) {
     return table;
 }
 
+/// One row per tendon; commands are tensions or shortenings.
 report::Table tendon_table(const setup::Setup& setup) {
     report::Table table{"Tendons: their paths at rest, and their commands in the trials.",
                         {{"Tendon"}, {"Length", "mm"}, {"Guides"}, {"Moving with the body"}, {"Friction"}, {"Command"}},
@@ -66,12 +69,14 @@ report::Table tendon_table(const setup::Setup& setup) {
     return table;
 }
 
+/// One row per part, with fitted moduli and damping where these are parameters.
 report::Table part_table(const setup::Setup& setup, const prediction::ParameterValues& values) {
     report::Table table{"Parts with a material of their own; of parts that overlap the later one counts.",
                         {{"Part"}, {"Modulus", "kPa"}, {"Poisson's ratio"}, {"Density", "kg/m³"}, {"Damping", "ms"}},
                         {}};
     for (std::size_t k = 0; k < setup.experiment.parts.size(); ++k) {
         const experiment::PartDeclaration& part = setup.experiment.parts[k];
+        // NaN: the part has the damping of the body.
         const double own_s = values.part_damping_s[k];
         table.rows.push_back({part.name, 1e-3 * values.part_modulus_Pa[k], part.poissons_ratio, part.density_kg_m3,
                               1e3 * (std::isnan(own_s) ? values.damping_s : own_s)});
@@ -79,6 +84,7 @@ report::Table part_table(const setup::Setup& setup, const prediction::ParameterV
     return table;
 }
 
+/// Shape of an obstacle; only that of a sphere has a single size.
 std::string shape_words(const experiment::ObstacleDeclaration& obstacle) {
     if (std::holds_alternative<experiment::ObstacleDeclaration::Plane>(obstacle.shape)) return "plane";
     if (const auto* sphere = std::get_if<experiment::ObstacleDeclaration::Sphere>(&obstacle.shape))
@@ -86,6 +92,7 @@ std::string shape_words(const experiment::ObstacleDeclaration& obstacle) {
     return "box";
 }
 
+/// One row per obstacle with its coefficient of friction.
 report::Table obstacle_table(const setup::Setup& setup) {
     report::Table table{"Obstacles, which stand still.", {{"Obstacle"}, {"Friction"}}, {}};
     for (const experiment::ObstacleDeclaration& obstacle : setup.experiment.obstacles)
@@ -93,12 +100,14 @@ report::Table obstacle_table(const setup::Setup& setup) {
     return table;
 }
 
+/// Score of sensor `number` of a trial; null if the trial did not complete.
 const prediction::SensorScore* find_sensor(const prediction::SetupRun& run, const std::string& trial,
                                            std::size_t number) {
     const prediction::TrialScore* const score = find_score(run, trial);
     return score != nullptr && number < score->sensors.size() ? &score->sensors[number] : nullptr;
 }
 
+/// [lowest, highest] in the SI unit of the command.
 report::Json range_json(const setup::CommandRange& range) { return {range.lowest, range.highest}; }
 
 }  // namespace
@@ -143,6 +152,7 @@ report::Json robot_json(const setup::Setup& setup) {
     }
     for (std::size_t t = 0; t < setup.tendons.size(); ++t) {
         const setup::Tendon& tendon = setup.tendons[t];
+        // Command ranges are listed for all chambers first, then for the tendons.
         const char* const range = tendon.by_shortening ? "shortening_range_m" : "tension_range_N";
         json["tendons"].push_back({{"name", setup.experiment.tendons[t].name},
                                    {"drive", tendon.by_shortening ? "shortening" : "tension"},

@@ -11,6 +11,7 @@
 namespace myo::results {
 
 /// Tables of the chambers, tendons, parts and obstacles that are declared; empty for a body without them.
+/// In readable units.
 ///
 /// @param values  of the materials of the parts
 std::vector<report::Block> robot_tables(const setup::Setup& setup, const prediction::ParameterValues& values);
