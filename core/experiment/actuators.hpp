@@ -23,9 +23,10 @@ struct Actuator {
 };
 
 /// All actuators: muscles, then chambers, then tendons, each in the order of declaration.
+/// Tables of actuation and rows of signals use this order everywhere.
 std::vector<Actuator> actuators(const Experiment& experiment);
 
-/// Place in actuators() of the actuator with a name; empty if there is none.
+/// Index into actuators() of the actuator with this name, not of that with this column; empty if there is none.
 std::optional<std::size_t> find_actuator(const Experiment& experiment, const std::string& name);
 
 /// Table of a trial for constants of a kind: "activation", "pressure_Pa", "tension_N", "shortening_m".

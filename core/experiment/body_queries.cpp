@@ -33,8 +33,8 @@ bool BodyQueries::holds_material(const Box& box) const {
     return in_material(0.5 * (box.lowest + box.highest));
 }
 
-// The box is shrunk by the tolerance on all sides, so a box that only touches the surface from outside has no
-// common volume with the body.
+// The box is shrunk by twice the tolerance on all sides, as clipping keeps what lies within the tolerance of a side: a
+// box that only touches the surface from outside has no common volume with the body.
 bool BodyQueries::holds_volume(Box box) const {
     box.lowest.array() += 2.0 * tolerance_;
     box.highest.array() -= 2.0 * tolerance_;
@@ -60,6 +60,7 @@ bool BodyQueries::holds_surface(const Box& box) const {
     return area > 4.0 * tolerance_ * mesh::bounding_box(body_.vertices).size().maxCoeff();
 }
 
+// The winding number is 1 in the material and 0 outside it or in a cavity; a half separates them whatever the rounding.
 bool BodyQueries::in_material(const Eigen::Vector3d& point) const { return mesh::winding_number(body_, point) > 0.5; }
 
 // Exhaustive over the triangles: it runs once per marker, so a search tree would not pay.

@@ -11,21 +11,23 @@ public:
     /// @param body  closed, outward; must outlive the queries
     explicit BodyQueries(const mesh::SurfaceMesh& body);
 
-    /// True if the box and the body have a point in common.
+    /// True if the box and the body have a point in common, up to the tolerance.
     bool holds_material(const Box& box) const;
     /// True if the box and the body have a common volume, not only touching faces.
     bool holds_volume(Box box) const;
-    /// True if the body lies in the box.
+    /// True if the body lies in the box, up to the tolerance.
     bool lies_in(const Box& box) const;
-    /// True if the box contains an area of the surface.
+    /// True if the box contains an area of the surface, not only an edge or a point.
     bool holds_surface(const Box& box) const;
     /// True for points in the material, not on the surface.
+    /// Assumes the surface closed and outward; parts that face inward bound cavities, which hold no material.
     bool in_material(const Eigen::Vector3d& point) const;
     /// Distance of a point from the surface, from inside or outside.
     double distance_to_surface(const Eigen::Vector3d& point) const;
 
     const mesh::SurfaceMesh& surface() const { return body_; }
     /// Distance below which two points count as one.
+    /// Lengths shorter than it are rounding of the surface file: 1e-7 of the largest extent [m].
     double tolerance() const { return tolerance_; }
 
 private:

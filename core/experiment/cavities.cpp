@@ -25,6 +25,7 @@ std::vector<mesh::SurfaceMesh> closed_parts(const mesh::SurfaceMesh& surface) {
     return parts;
 }
 
+/// Area of all triangles of a surface [m2].
 double area_of(const mesh::SurfaceMesh& surface) {
     double area = 0.0;
     for (const auto& corners : surface.triangles.colwise()) {
@@ -41,6 +42,7 @@ std::optional<std::size_t> part_around(const std::vector<mesh::SurfaceMesh>& par
     std::optional<std::size_t> found;
     double smallest = 0.0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
+        // A part that faces inward winds -1 times around the points that it encloses.
         if (mesh::winding_number(parts[i], point) > -0.5) continue;
         const double volume = std::abs(mesh::enclosed_volume(parts[i]));
         if (found && volume >= smallest) continue;
@@ -59,14 +61,18 @@ std::string no_cavity(const BodyQueries& body, const Eigen::Vector3d& point) {
                : "lies outside the body";
 }
 
-/// Distance [m] along a ray at which it meets a surface next; empty if it does not.
+/// Distance [m] along a ray at which it meets a surface next, more than `beyond` [m] from its start; empty if it does
+/// not. `direction` is a unit vector.
 std::optional<double> next_wall(const mesh::SurfaceMesh& surface, const Eigen::Vector3d& from,
                                 const Eigen::Vector3d& direction, double beyond) {
     std::optional<double> nearest;
     for (const auto& corners : surface.triangles.colwise()) {
+        // Intersection of a ray with a triangle by Cramer's rule (Möller & Trumbore 1997): `first` and `second` are the
+        // barycentric coordinates of the hit, `along` its distance from the start of the ray.
         const Eigen::Vector3d a = surface.vertices.col(corners(0)), u = surface.vertices.col(corners(1)) - a,
                               v = surface.vertices.col(corners(2)) - a, p = direction.cross(v), s = from - a;
         const double determinant = u.dot(p);
+        // The ray is parallel to the triangle, or the triangle has no area.
         if (determinant == 0.0) continue;
         const Eigen::Vector3d q = s.cross(u);
         const double along = v.dot(q) / determinant, first = s.dot(p) / determinant,
@@ -88,6 +94,7 @@ std::optional<Eigen::Vector3d> point_in(const mesh::SurfaceMesh& wall, const Bod
         const std::optional<double> opposite = next_wall(body.surface(), from, normal.normalized(), body.tolerance());
         if (!opposite) continue;
         const Eigen::Vector3d middle = from + 0.5 * *opposite * normal.normalized();
+        // Another wall may stand between, such as that of a body inside the cavity; then a further triangle is tried.
         if (mesh::winding_number(wall, middle) < -0.5 && !body.in_material(middle) &&
             body.distance_to_surface(middle) > body.tolerance())
             return middle;
@@ -100,6 +107,7 @@ std::optional<Eigen::Vector3d> point_in(const mesh::SurfaceMesh& wall, const Bod
 std::vector<SurfaceCavity> surface_cavities(const BodyQueries& body) {
     std::vector<SurfaceCavity> cavities;
     const std::vector<mesh::SurfaceMesh> parts = closed_parts(body.surface());
+    // A closed surface of one part faces outward and bounds no cavity.
     if (parts.size() < 2) return cavities;
     for (const mesh::SurfaceMesh& part : parts) {
         const double volume = mesh::enclosed_volume(part);

@@ -9,10 +9,11 @@
 namespace myo::experiment {
 
 /// Cavity of a chamber in the declared surface of the body.
+/// Volume and area are those at rest.
 struct Cavity {
     mesh::SurfaceMesh wall;  // the closed inner part that bounds it, with the vertices of the whole surface
-    double volume_m3 = 0.0;
-    double area_m2 = 0.0;
+    double volume_m3 = 0.0;  // enclosed by the wall, > 0
+    double area_m2 = 0.0;    // of the wall
 };
 
 /// Cavities of the declared chambers, in their order: of each the smallest inner part of the surface around its point.

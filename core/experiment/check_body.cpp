@@ -16,6 +16,7 @@ namespace {
 // Key of an array entry in messages: "muscle[2]".
 std::string element(const std::string& table, std::size_t index) { return table + "[" + std::to_string(index) + "]"; }
 
+/// Boundary of the declared volume mesh, scaled and turned to the mesh frame [m].
 Result<mesh::SurfaceMesh> read_volume_surface(const Experiment& experiment, const VolumeGeometry& declared) {
     Result<mesh::VolumeMesh> cells = mesh::read_volume(declared.file, declared.metres_per_unit);
     if (!cells) return Error{"geometry.file: " + cells.error().what, cells.error().where};
@@ -62,6 +63,8 @@ Error holds_whole_body(const Experiment& experiment) {
 }
 
 Result<void> check_on_body(const Experiment& experiment, const mesh::SurfaceMesh& body) {
+    // In the order in which a wrong unit or frame shows best: what holds the body, muscles, other parts, loads,
+    // markers.
     const BodyQueries check(body);
     if (has_clamp(experiment) && !check.holds_material(experiment.clamp_box_m))
         return declaration_error(experiment, "clamp.box_m", "the box contains no material of the body");
@@ -79,6 +82,7 @@ Result<void> check_on_body(const Experiment& experiment, const mesh::SurfaceMesh
     }
     for (std::size_t i = 0; i < experiment.muscles.size(); ++i) {
         const auto* box = std::get_if<MuscleBox>(&experiment.muscles[i].part);
+        // A muscle needs volume to contract; a box that touches a face from outside has none.
         if (box != nullptr && !check.holds_volume(box->box_m))
             return declaration_error(experiment, element("muscle", i) + ".box_m",
                                      "the box contains no material of the body");

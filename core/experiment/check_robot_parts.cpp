@@ -6,15 +6,18 @@
 namespace myo::experiment {
 namespace {
 
+/// Key of an entry in messages: "tendon[1].path_m".
 std::string robot_key(const char* table, std::size_t index, const char* key) {
     return std::string(table) + "[" + std::to_string(index) + "]." + key;
 }
 
+/// Cavities are searched again where chambers are put on the mesh; here they are searched to report errors early.
 Result<void> check_chambers(const Experiment& experiment, const BodyQueries& body) {
     const Result<std::vector<Cavity>> cavities = chamber_cavities(experiment, body);
     return cavities ? Result<void>() : cavities.error();
 }
 
+/// A tendon between guides that all stand still has a constant length and does no work on the body.
 Result<void> check_tendons(const Experiment& experiment, const BodyQueries& body) {
     for (std::size_t i = 0; i < experiment.tendons.size(); ++i) {
         bool any = false;
@@ -27,6 +30,7 @@ Result<void> check_tendons(const Experiment& experiment, const BodyQueries& body
     return {};
 }
 
+/// Parts without volume would get no cell. Files and regions are checked on the mesh.
 Result<void> check_parts(const Experiment& experiment, const BodyQueries& body) {
     for (std::size_t i = 0; i < experiment.parts.size(); ++i) {
         const Box* box = std::get_if<Box>(&experiment.parts[i].place);
@@ -41,6 +45,7 @@ Result<void> check_parts(const Experiment& experiment, const BodyQueries& body) 
 bool reaches_into(const BodyQueries& body, const ObstacleDeclaration& obstacle) {
     if (const auto* plane = std::get_if<ObstacleDeclaration::Plane>(&obstacle.shape)) {
         const Eigen::Matrix3Xd from_plane = body.surface().vertices.colwise() - plane->point_m;
+        // A half-space reaches the body first at a vertex.
         return (plane->normal.transpose() * from_plane).minCoeff() < -2.0 * body.tolerance();
     }
     if (const auto* sphere = std::get_if<ObstacleDeclaration::Sphere>(&obstacle.shape))
@@ -49,6 +54,7 @@ bool reaches_into(const BodyQueries& body, const ObstacleDeclaration& obstacle) 
     return body.holds_volume(std::get<Box>(obstacle.shape));
 }
 
+/// Contact would start with a force that has no cause if the body reached into an obstacle at rest.
 Result<void> check_obstacles(const Experiment& experiment, const BodyQueries& body) {
     for (std::size_t i = 0; i < experiment.obstacles.size(); ++i)
         if (reaches_into(body, experiment.obstacles[i]))
@@ -61,6 +67,7 @@ Result<void> check_obstacles(const Experiment& experiment, const BodyQueries& bo
 }  // namespace
 
 bool guide_moves(const Experiment& experiment, const BodyQueries& body, const Eigen::Vector3d& guide_m) {
+    // The clamped region stands still, so a guide in it does as well, even though it lies in the material.
     for (const Box& held : clamped_boxes(experiment))
         if (held.contains(guide_m)) return false;
     return body.in_material(guide_m) ||

@@ -136,6 +136,7 @@ struct MarkersDeclaration {
 enum class LoadKind { mass, force };
 
 /// Load spread over the part of the surface inside a box, in proportion to area.
+/// Forces keep their direction and their material points; area is that of the undeformed surface.
 struct LoadDeclaration {
     LoadKind kind = LoadKind::force;
     Box box_m;

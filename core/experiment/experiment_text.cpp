@@ -12,11 +12,14 @@ namespace {
 /// Path relative to `folder` of a file that is given relative to `home`.
 std::string seen_from(const std::filesystem::path& file, const std::filesystem::path& home,
                       const std::filesystem::path& folder) {
+    // An absolute name is valid from any folder.
     if (file.is_absolute()) return file.string();
     std::error_code error;
     const std::filesystem::path there = std::filesystem::weakly_canonical(home / file, error),
                                 from = std::filesystem::weakly_canonical(folder, error);
     const std::filesystem::path relative = there.lexically_relative(from);
+    // Without a relative path, as between two drives, the absolute name is the only valid one.
+    // Keys of the document itself stand before its first table; `laws` in a table would be another key.
     return relative.empty() ? there.string() : relative.string();
 }
 
@@ -59,6 +62,7 @@ Result<std::string> experiment_text_for(const std::filesystem::path& folder, con
 
 std::string experiment_text_for(const std::filesystem::path& folder, const std::string& text,
                                 const std::filesystem::path& home) {
+    // The text is edited in place rather than parsed and written: comments, order and layout of the author remain.
     static const std::regex named(
         R"(\b(file|trace|actuation|mask|signal|sensors|path)(\s*=\s*)(\"[^\"\n]*\"|'[^'\n]*'))");
     std::string result;

@@ -8,7 +8,7 @@
 namespace myo::experiment {
 
 /// Text of an experiment.toml as it must read in another folder: names of files that it holds are made relative to
-/// `folder`; everything else stays.
+/// `folder`; everything else stays. Absolute names stay absolute. No file is copied and none needs to exist.
 ///
 /// Errors: `written` cannot be read.
 Result<std::string> experiment_text_for(const std::filesystem::path& folder, const std::filesystem::path& written);

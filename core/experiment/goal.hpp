@@ -20,7 +20,8 @@ struct GoalDeclaration {
     std::optional<std::filesystem::path> file;   // of a path, resolved
 };
 
-/// Place of a goal at a time within its span [m]. Outside of the span it is that of the nearest end.
+/// Place of a goal at a trial time [s] within its span, in the mesh frame [m]. Outside of the span it is that of the
+/// nearest end. Asserts at least one time, and one place per time.
 Eigen::Vector3d place_at(const GoalDeclaration& goal, double time_s);
 
 }  // namespace myo::experiment

@@ -19,10 +19,12 @@ using law::LawError;
 
 const std::string law_file_schema = "law/1";
 
+// Words of the key `acts_on`.
 const std::vector<std::pair<std::string, law::Place>> law_place_words = {
     {"surface", law::Place::surface}, {"point", law::Place::point},   {"volume", law::Place::volume},
     {"clamp", law::Place::clamp},     {"signal", law::Place::signal}, {"camera", law::Place::camera}};
 
+// Keys of a law wherever it acts; the keys of its result depend on the place.
 const std::vector<std::string> head_keys = {"schema",     "id",  "sentence", "acts_on",  "amount",
                                             "conditions", "let", "state",    "parameter"};
 
@@ -33,16 +35,17 @@ std::vector<std::string> keys_of(law::Place place) {
     return keys;
 }
 
+/// Key of an entry of a list or an array of tables in messages: "let[1]".
 std::string list_element(const char* table, std::size_t index) {
     return std::string(table) + "[" + std::to_string(index) + "]";
 }
 
 /// What the tables [[parameter]] say besides names and units.
 struct DeclaredParameters {
-    std::vector<law::LawText::Parameter> texts;
-    std::vector<EffectParameterEntry> entries;
+    std::vector<law::LawText::Parameter> texts;                // name, shape and unit
+    std::vector<EffectParameterEntry> entries;                 // kind, range and scale, in the same order
     std::vector<std::vector<effect::EffectParameter>> starts;  // one or more per parameter
-    std::vector<bool> absent_at_infinity;
+    std::vector<bool> absent_at_infinity;                      // per parameter
 };
 
 /// Start values of a number: one, or several of which each is tried.
@@ -59,7 +62,7 @@ std::vector<effect::EffectParameter> read_starts(const toml::TomlReader& table, 
     return starts;
 }
 
-/// Bounds of a number; "inf" leaves a side open.
+/// Bounds of a number, both finite; without the key a number is unbounded and a direction lies within -pi ... pi.
 void read_range(const toml::TomlReader& table, EffectParameterEntry& entry) {
     if (!table.has("range")) return;
     const Eigen::VectorXd range = table.vector("range", 2);
@@ -68,17 +71,20 @@ void read_range(const toml::TomlReader& table, EffectParameterEntry& entry) {
     entry.highest = range(1);
 }
 
+/// Number of start values that a table [[parameter]] gives: that of an array, or one.
 std::size_t starts_in(const toml::TomlValue& table) {
     const toml::TomlValue* const start = table.find("start");
     return start != nullptr && start->kind == toml::TomlValue::Kind::array ? start->items.size() : 1;
 }
 
+/// Reads one table [[parameter]] and appends its name, entry, start values and absent value to `declared`.
 void read_law_parameter(const toml::TomlReader& table, const toml::TomlValue& value, law::Place place,
                         DeclaredParameters& declared) {
     using Kind = EffectParameterKind;
     law::LawText::Parameter text{table.name("name"), law::Shape::number, {}};
     EffectParameterEntry entry;
     entry.name = text.name;
+    // An [[effect]] of the law holds its parameters under these names, next to the keys that every effect may have.
     for (const char* const taken : {"id", "calibrate", "position_m", "signal"})
         if (entry.name == taken) table.fail("name", "\"" + entry.name + "\" is a key that every effect may have");
     if (table.has("unit")) text.unit = table.text("unit");
@@ -88,14 +94,20 @@ void read_law_parameter(const toml::TomlReader& table, const toml::TomlValue& va
     if (table.has("kind"))
         entry.kind = table.choice<Kind>(
             "kind", {{"number", Kind::number}, {"vector", Kind::vector3}, {"direction", Kind::direction}});
+    // Only numbers have several starts, an absent value and decades; vectors and directions are one start of 3
+    // components.
     const bool is_number = entry.kind == Kind::number;
     if (!is_number) text.shape = law::Shape::vector;
+    // A fit moves the two angles of a direction, so its range is that of an angle [rad].
     if (entry.kind == Kind::direction) entry.lowest = -std::numbers::pi, entry.highest = std::numbers::pi;
     read_range(table, entry);
     entry.scale = table.number_or("scale", 0.0, toml::not_negative());
     entry.over_decades = table.boolean_or("over_decades", false);
+    // ln(1 + value / scale) is fitted over decades, which needs value >= 0 and scale > 0.
     if (entry.over_decades && (!is_number || !(entry.scale > 0.0) || entry.lowest < 0.0))
         table.fail("over_decades", "needs a number that is never negative, with a scale above 0");
+    // Most laws do nothing at an amount of zero; the stiffness of a support that is otherwise rigid does nothing at
+    // infinity.
     const double absent = table.number_or("absent", 0.0, toml::any_or_infinite());
     if (absent != 0.0 && !(std::isinf(absent) && absent > 0.0)) table.fail("absent", "must be 0 or inf");
     if (!is_number && table.has("absent")) table.fail("absent", "only numbers have it");
@@ -136,11 +148,13 @@ std::string amount_of(const toml::TomlReader& document, const DeclaredParameters
     return name;
 }
 
+/// Reads the document of a law file. Its members throw toml::TomlFailure at the first error.
 class LawReader {
 public:
     LawReader(const toml::TomlValue& root, const std::string& source) : root_(root), source_(source) {}
 
     effect::LawPointer read() const {
+        // Which keys are known depends on the place where the law acts, so `acts_on` is read before keys are checked.
         const toml::TomlReader open(root_, "", root_.keys);
         if (!open.has_entry("schema") || open.text("schema") != law_file_schema)
             open.fail("schema", "must be \"" + law_file_schema + "\"");
@@ -158,6 +172,7 @@ public:
             read_law_parameter(tables[p], root_.find("parameter")->items[p], place, declared);
         statement.starts = all_starts(declared);
         statement.amount = amount_of(document, declared);
+        // A search multiplies the amount, and a multiple of zero remains zero.
         if (!statement.amount.empty() && std::get<double>(statement.starts.front().at(statement.amount)) == 0.0)
             document.fail("parameter", "\"" + statement.amount + "\" starts at 0, where the law does nothing");
         for (std::size_t p = 0; p < declared.entries.size(); ++p)
@@ -166,12 +181,14 @@ public:
                 if (!(declared.entries[p].lowest > 0.0))
                     tables[p].fail("range", "a number whose law is absent at infinity needs a lowest value above 0");
             }
+        // Last: errors in expressions are easier to understand once names, units and ranges are known to be right.
         statement.law = made(law_text(document, place, declared.texts), document);
         statement.parameters = std::move(declared.entries);
         return std::make_shared<const effect::Effect>(effect::law_effect(std::move(statement)));
     }
 
 private:
+    /// Results name effects by id, so a law must not take that of an effect of the catalogue or of a verdict.
     static std::string read_id(const toml::TomlReader& document) {
         const std::string id = document.name("id");
         if (id.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") != std::string::npos)
@@ -185,6 +202,7 @@ private:
         return document.has(key) ? document.texts(key) : std::vector<std::string>();
     }
 
+    /// The expressions as they are written, not yet parsed.
     static law::LawText law_text(const toml::TomlReader& document, law::Place place,
                                  const std::vector<law::LawText::Parameter>& parameters) {
         law::LawText text;
@@ -215,6 +233,7 @@ private:
         return text;
     }
 
+    /// Parses the expressions; an error is thrown with file, line and column.
     law::Law made(const law::LawText& text, const toml::TomlReader& document) const {
         std::variant<law::Law, LawError> result = law::make_law(text);
         if (const auto* const error = std::get_if<LawError>(&result)) throw toml::TomlFailure{located(*error, text)};
@@ -225,6 +244,7 @@ private:
     /// The error with the place of the text in which it is.
     Error located(const LawError& error, const law::LawText& text) const {
         using Part = LawError::Part;
+        // The parser knows the column within an expression; the TOML value knows the line of the file.
         const auto in_list = [&](const char* key) {
             return error_in_expression(root_.find(key)->items[error.index], list_element(key, error.index), source_,
                                        error.error);
@@ -237,6 +257,7 @@ private:
         };
         switch (error.part) {
             case Part::parameter: {
+                // The parser reports both for a parameter: a name that is no identifier, or a unit that it cannot read.
                 const bool of_unit = text.parameters[error.index].unit &&
                                      error.error.sentence.find("unit") != std::string::npos;
                 return in_table("parameter", of_unit ? "unit" : "name");

@@ -7,7 +7,8 @@
 
 namespace myo::experiment {
 
-/// Reads a file of schema law/1: a law of one's own, which becomes an entry beside those of the effect catalogue.
+/// Reads a file of schema law/1: a law of the user, which becomes an effect in addition to those of the catalogue. Keys
+/// and expressions: manual, laws.md.
 ///
 /// Errors: unreadable file, unknown or missing key, a name or unit without meaning, an error in an expression, with
 /// file, line and column.
@@ -16,6 +17,7 @@ Result<effect::LawPointer> read_law_file(const std::filesystem::path& path);
 /// Reads the text of such a file.
 ///
 /// @param name  stands in locations in place of the path
+/// Errors: those of read_law_file(), but for an unreadable file.
 Result<effect::LawPointer> read_law_text(const std::string& text, const std::string& name);
 
 }  // namespace myo::experiment

@@ -6,7 +6,7 @@
 namespace myo::experiment {
 namespace {
 
-/// Place of the first character of a line, counted from 1.
+/// Offset of the first character of a line in the text; lines are counted from 1. npos if there are fewer lines.
 std::size_t start_of_line(const std::string& text, std::size_t line) {
     std::size_t at = 0;
     for (std::size_t i = 1; i < line && at != std::string::npos; ++i) {
@@ -20,10 +20,13 @@ std::size_t start_of_line(const std::string& text, std::size_t line) {
 
 Error error_in_expression(const toml::TomlValue& expression, const std::string& key, const std::string& source,
                           const law::ExpressionError& error) {
+    // `where` is "file:line", and the file's name may hold further colons.
     const std::size_t colon = expression.where.rfind(':');
     const std::string number = colon == std::string::npos ? "" : expression.where.substr(colon + 1);
     const std::size_t line = std::strtoul(number.c_str(), nullptr, 10);
     const std::size_t from = line > 0 ? start_of_line(source, line) : std::string::npos;
+    // The value is searched from the start of its line: the key before it has any length. A string with escapes differs
+    // from the source, so it is not found, and the error gets a column of the expression instead.
     const std::size_t found = from == std::string::npos ? from : source.find(expression.text, from);
     if (found == std::string::npos || expression.text.empty())
         return {key + ": " + error.sentence + " (column " + std::to_string(error.column + 1) + " of the expression)",

@@ -8,9 +8,14 @@
 
 namespace myo::experiment {
 
-/// Where the text of an expression stands in a file, with the column of its error: "laws/drag.toml:7:25".
+/// Error "key: sentence" with the place in the file at which an expression is wrong: "laws/drag.toml:7:25".
 ///
-/// @param source  text of the whole file
+/// @param expression  the TOML string, with the place at which it begins
+/// @param key         of the expression, such as "force_N" or "let[1]"
+/// @param source      text of the whole file
+/// @return            without a column in the file if the string contains escapes, so that its text is not in the
+/// source;
+///                    the sentence then states the column of the expression
 Error error_in_expression(const toml::TomlValue& expression, const std::string& key, const std::string& source,
                           const law::ExpressionError& error);
 

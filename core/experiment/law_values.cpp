@@ -13,6 +13,8 @@ std::vector<double> read_law_values(const toml::TomlReader& table, const materia
     const std::vector<material::LawParameter> parameters = law.parameters();
     for (const material::LawParameter& p : parameters)
         values.push_back(table.number(p.name, toml::between(p.lower, p.upper)));
+    // Keys of all laws are known to the reader, so a key of another law must be refused here, or it would have no
+    // effect.
     for (const material::LawParameter& any : material::all_law_parameters()) {
         const auto is_it = [&](const material::LawParameter& p) { return p.name == any.name; };
         if (table.has(any.name) && std::none_of(parameters.begin(), parameters.end(), is_it))

@@ -14,6 +14,8 @@ Result<std::vector<std::string>> leave_out(Experiment& experiment, int count, st
         return Error{"of " + std::to_string(open.size()) + " trials to fit, at most " +
                          std::to_string(open.size() - 1) + " can be left out",
                      "--leave-out"};
+    // A trial that is drawn twice is drawn again. The set is sorted, hence the names are in the order of the
+    // experiment.
     RandomStream random({seed});
     std::set<std::size_t> drawn;
     while (static_cast<int>(drawn.size()) < count)

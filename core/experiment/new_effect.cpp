@@ -16,12 +16,13 @@ using effect::EffectParameterKind;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Axis along which the body reaches from its support, and its free end.
+/// Axis along which the body reaches from its support, and the middle of its end face opposite the clamp [m].
 struct FreeEnd {
     int axis = 0;
     Vector3d point_m;
 };
 
+/// Estimate from the bounding box of the body alone; supports besides the clamp do not count.
 FreeEnd free_end(const Experiment& experiment, const Box& body) {
     const Vector3d middle = 0.5 * (body.lowest + body.highest), size = body.size();
     FreeEnd end;
@@ -32,6 +33,7 @@ FreeEnd free_end(const Experiment& experiment, const Box& body) {
     // A body that only an obstacle bears has an empty box.
     if ((clamp.lowest.array() <= clamp.highest.array()).all()) {
         held = 0.5 * (clamp.lowest + clamp.highest) - middle;
+        // The axis along which the clamp is farthest off the middle, relative to the extent.
         held.cwiseAbs().cwiseQuotient(size).maxCoeff(&end.axis);
     }
     end.point_m(end.axis) = held(end.axis) > 0.0 ? body.lowest(end.axis) : body.highest(end.axis);
@@ -50,6 +52,7 @@ double rounded(double value) {
 /// A plausible amount: the geometric mean of its range.
 double plausible(const effect::EffectDraw& draw) { return rounded(std::sqrt(draw.lowest * draw.highest)); }
 
+/// Names that a parameter of this kind may have in this experiment; empty for kinds that are no names.
 std::vector<std::string> names_for(EffectParameterKind kind, const Experiment& experiment) {
     std::vector<std::string> names;
     if (kind == EffectParameterKind::trial)
@@ -79,6 +82,8 @@ public:
             case EffectParameterKind::direction: return VectorXd(direction(entry));
             case EffectParameterKind::axis: return axis();
             case EffectParameterKind::marker_pair: {
+                // Two markers that exist, as far as there are two; otherwise the reader refuses the name of the
+                // parameter.
                 std::vector<std::string> pair{entry.name, entry.name};
                 const std::vector<std::string> names = names_for(entry.kind, experiment_);
                 for (std::size_t k = 0; k < std::min(pair.size(), names.size()); ++k) pair[k] = names[k];
@@ -95,6 +100,7 @@ public:
 private:
     bool is_amount(const EffectParameterEntry& entry) const { return entry.name == effect_.draw.amount; }
 
+    /// The order matters: an amount takes precedence over the scale, an event's time over both.
     double number(const EffectParameterEntry& entry) const {
         double value = entry.scale;  // a change of this size matters
         if (is_amount(entry)) value = plausible(effect_.draw);
@@ -154,6 +160,7 @@ std::string lacking_for(const effect::Effect& effect, const Experiment& experime
     if (effect.draw.needs.tendon && experiment.tendons.empty()) return "a tendon";
     if (effect.kind == effect::EffectKind::actuation && actuators(experiment).empty())
         return "a muscle, chamber or tendon";
+    // The effect acts by a weight that hangs on the body, which an experiment declares as a force.
     const auto has_force = [](const TrialDeclaration& trial) {
         return std::any_of(trial.loads.begin(), trial.loads.end(),
                            [](const LoadDeclaration& load) { return load.kind == LoadKind::force; });

@@ -20,7 +20,7 @@ struct NewEffectPlace {
 effect::EffectDeclaration new_effect(const effect::Effect& effect, const Experiment& experiment,
                                      const NewEffectPlace& place);
 
-/// What the experiment lacks for the effect to act at all, as "a tendon"; empty: nothing.
+/// What the experiment lacks for the effect to act at all, as "a tendon", for messages; empty: nothing.
 std::string lacking_for(const effect::Effect& effect, const Experiment& experiment);
 
 }  // namespace myo::experiment

@@ -46,6 +46,7 @@ Result<void> put(const fs::path& folder, const std::string& text, const NewTrial
         return Error{"there is a file of this name already; choose another name for the trial", trace.string()};
     if (const Result<void> written = measurement::write_trace_csv(trace, trial.recording); !written)
         return written.error();
+    // The trace must exist before the declaration is read, as the reader opens it; every failure removes it again.
     const auto take_back = [&](const Error& error) {
         fs::remove(trace, code);
         fs::remove(tried, code);
@@ -69,6 +70,7 @@ bool is_file_name(const std::string& name) {
 Result<void> add_trial(const fs::path& folder, const NewTrial& trial, const std::string* declaration) {
     if (!is_file_name(trial.name))
         return Error{"names the trial's file, so it must be a file's name without a slash", "\"" + trial.name + "\""};
+    // The text as it is must be valid: otherwise its own errors would look like errors of the new trial.
     const fs::path file = folder / declaration_file;
     const Result<std::string> text = declaration ? Result<std::string>(*declaration) : read_file(file);
     if (!text) return text.error();
@@ -117,6 +119,7 @@ Result<void> write_folder(const fs::path& folder, const mesh::SurfaceMesh& surfa
     if (written) written = put_text();
     if (written) return {};
     std::error_code code;
+    // Errors of the clean-up are ignored: the first error is the one to report.
     fs::remove(folder / "body.stl", code);
     // A folder that existed before stays, even if it was empty.
     if (made) fs::remove(folder, code);
@@ -159,6 +162,7 @@ Result<void> copy_experiment(const fs::path& from, const fs::path& to) {
     if (!code) fs::copy(from, to, fs::copy_options::recursive, code);
     if (!code) return {};
     std::error_code ignored;
+    // A half copy would look like an experiment.
     fs::remove_all(to, ignored);
     return Error{"the experiment cannot be copied there: " + code.message(), to.string()};
 }

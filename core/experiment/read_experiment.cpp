@@ -22,6 +22,7 @@ Box read_clamp(const toml::TomlReader& document) {
     return {Eigen::Vector3d::Ones(), -Eigen::Vector3d::Ones()};
 }
 
+/// Reads all tables and checks them against each other. Throws toml::TomlFailure at the first error.
 Experiment read_document(const toml::TomlValue& root, const fs::path& folder) {
     // A file of another schema version has other keys, so the version is reported before unknown keys.
     if (const toml::TomlValue* schema = root.find("schema");
@@ -40,6 +41,7 @@ Experiment read_document(const toml::TomlValue& root, const fs::path& folder) {
     Experiment experiment;
     experiment.folder = folder;
     experiment.key_locations = toml::locations(root);
+    // The empty key is the document: location_of() ends there if no table encloses a key.
     experiment.key_locations.emplace("", root.where);
     experiment.name = document.text("name");
     if (experiment.name.find_first_not_of(" \t\r\n") == std::string::npos) document.fail("name", "must not be empty");
@@ -55,6 +57,7 @@ Experiment read_document(const toml::TomlValue& root, const fs::path& folder) {
     experiment.muscles = read_muscles(document, folder);
     experiment.chambers = read_chambers(document);
     experiment.tendons = read_tendons(document);
+    // After the material, whose values fill the keys that a part leaves out.
     experiment.parts = read_parts(document, folder, experiment.material);
     experiment.mount = read_mount(document);
     experiment.obstacles = read_obstacles(document);
@@ -63,10 +66,13 @@ Experiment read_document(const toml::TomlValue& root, const fs::path& folder) {
     experiment.registration = read_registration(document, experiment.warnings);
     experiment.unknowns = read_unknowns(document);
     experiment.trials = read_trials(document, folder);
+    // After the trials: only recordings need markers.
     experiment.markers = read_markers(document, has_recordings(experiment));
     experiment.law_files = law_files(document, folder);
     experiment.laws = read_laws(document, experiment.law_files);
+    // After the laws, which are effects that the catalogue does not have.
     experiment.effects = read_effects(document, experiment.laws);
+    // Once all tables are read, so that each can name entries of any other.
     check_declarations(experiment);
     check_unknowns(experiment);
     // A box is complete without further files; an STL is checked when its triangles are read.
@@ -94,6 +100,7 @@ Result<Experiment> read_experiment(const fs::path& folder,
     const bool names_the_file = fs::is_regular_file(folder, code);
     if (!fs::exists(folder, code)) return Error{"experiment folder not found", folder.string()};
     const fs::path file = names_the_file ? folder : folder / "experiment.toml";
+    // Overrides change the document before it is read, so that they pass the same checks as the file.
     Result<toml::TomlValue> document = toml::read_toml(file);
     if (!document) return document.error();
     for (const auto& [key, value] : overrides)

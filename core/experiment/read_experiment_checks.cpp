@@ -52,6 +52,7 @@ void check_marker_names(const Experiment& experiment) {
     check_unique(experiment, labels, label_paths);
 }
 
+/// Registration by the rest pose fits a rigid motion to the markers of a recording; too few leave a rotation free.
 void check_rest_pose_fit(const Experiment& experiment) {
     if (experiment.registration.known || experiment.registration.method != RegistrationMethod::rest_pose) return;
     std::vector<Eigen::Vector3d> points;
@@ -60,6 +61,7 @@ void check_rest_pose_fit(const Experiment& experiment) {
         fail(experiment, "registration.method", "a rigid fit needs at least three markers that are not in one line");
 }
 
+/// Names are unique, leaders exist, and no chain of followers returns to its beginning.
 void check_muscles(const Experiment& experiment) {
     const auto& muscles = experiment.muscles;
     std::vector<std::string> names, paths;
@@ -107,6 +109,7 @@ void check_columns(const Experiment& experiment, const std::string& trial_path, 
     if (unique.size() != columns.labels.size()) fail(experiment, key, "names a marker twice");
 }
 
+/// Steps of a trial name actuators that can have a signal of their own, with levels that these can have.
 void check_actuation(const Experiment& experiment, const std::string& trial_path, const TrialDeclaration& trial) {
     const std::vector<Actuator> all = actuators(experiment);
     std::vector<std::string> names;
@@ -128,6 +131,7 @@ void check_actuation(const Experiment& experiment, const std::string& trial_path
                      "\" and has no actuation of its own");
         if (actuator.kind == ActuatorKind::tendon_tension && step.level && *step.level < 0.0)
             fail(experiment, key, "a tension must not be negative: a tendon never pushes");
+        // A free level that no fit determines would have no value.
         if (!step.level && !contains(experiment.material.calibrate, "actuation_level"))
             fail(experiment, key, "\"free\" needs \"actuation_level\" in material.calibrate");
     }
@@ -174,6 +178,7 @@ void check_predicted_levels(const Experiment& experiment, const std::string& tri
     }
 }
 
+/// Everything in [[trial]] that refers to other tables. Labels of columns are replaced by names; may add a warning.
 void check_trials(Experiment& experiment) {
     std::vector<std::string> names, paths;
     bool any_free = false;
@@ -230,12 +235,14 @@ void check_effects(const Experiment& experiment) {
     for (const TendonDeclaration& tendon : experiment.tendons) driven.push_back(tendon.name);
     for (std::size_t i = 0; i < experiment.effects.size(); ++i) {
         const effect::EffectDeclaration& effect = experiment.effects[i];
+        // A word that names nothing is reported at its parameter, with the closest known name.
         const auto check = [&](const std::string& parameter, const std::string& word,
                                const std::vector<std::string>& known, const char* what) {
             if (!contains(known, word))
                 fail(experiment, element("effect", i) + "." + parameter,
                      std::string("unknown ") + what + " \"" + word + "\"; " + toml::suggest(word, known));
         };
+        // The kind of a parameter says which table its word names; an optional parameter may be absent.
         for (const effect::EffectParameterEntry& entry : effect::find_effect(effect)->parameters) {
             const auto found = effect.parameters.find(entry.name);
             if (found == effect.parameters.end()) continue;
@@ -255,6 +262,7 @@ void check_effects(const Experiment& experiment) {
 }  // namespace
 
 bool fix_a_rigid_motion(const std::vector<Eigen::Vector3d>& points) {
+    // The cross product vanishes for points in one line with the first; 1e-6 of the squared extent is an angle of 1e-6.
     double extent = 0.0, area = 0.0;
     for (const auto& p : points)
         for (const auto& q : points) {

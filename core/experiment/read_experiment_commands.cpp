@@ -24,6 +24,10 @@ std::vector<ActuationStep> read_steps(const toml::TomlReader& trial) {
 }
 
 /// Constants and curves of one unit; a name stands in one table only.
+///
+/// @param key    table of the trial: "activation", "pressure_Pa", "tension_N" or "shortening_m"
+/// @param range  of constants, in the unit of the key
+/// @param hold   the trial is one pose, in which nothing varies over time
 void read_constants(const toml::TomlReader& trial, const std::string& key, const toml::NumberRange& range, bool hold,
                     std::vector<ConstantCommand>& commands) {
     if (!trial.has(key)) return;
@@ -41,6 +45,7 @@ void read_constants(const toml::TomlReader& trial, const std::string& key, const
         fibre::Signal curve = read_curve(table, name);
         if (key == "tension_N" && *std::min_element(curve.values.begin(), curve.values.end()) < 0.0)
             table.fail(name, "holds a negative tension; a tendon never pushes");
+        // Equilibrium at the start is computed from the values at t = 0.
         const double at_start = curve.value(0.0);
         commands.push_back({name, at_start, key, std::move(curve)});
     }
@@ -65,6 +70,7 @@ std::vector<std::string> command_keys() {
 
 void read_commands(const toml::TomlReader& trial, const std::filesystem::path& folder, TrialDeclaration& declared) {
     declared.hold = trial.boolean_or("hold", false);
+    // The start is not chosen in a hold: all of its samples are the equilibrium under constant commands.
     if (declared.hold) {
         trial.reject("start", "cannot be combined with hold: the body is at rest all along");
         for (const char* key : {"actuation", "actuation_step"})

@@ -12,6 +12,7 @@ fibre::Signal read_curve(const toml::TomlReader& table, const std::string& key) 
         if (count > 0 && row(0) < curve.times_s.back())
             table.fail(key, "its times must ascend, but " + format_number(row(0)) + " s follows " +
                                 format_number(curve.times_s.back()) + " s");
+        // The middle one of three values at one time would never act.
         if (count > 1 && row(0) == curve.times_s[count - 2])
             table.fail(key, "has the time " + format_number(row(0)) + " s three times; a jump has two rows");
         curve.times_s.push_back(row(0));

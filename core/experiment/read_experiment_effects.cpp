@@ -27,6 +27,8 @@ effect::EffectParameter read_parameter(const toml::TomlReader& effect, const eff
     switch (entry.kind) {
         case effect::EffectParameterKind::number: {
             effect::EffectParameterEntry allowed = entry;
+            // Upper bounds of the catalogue are those of activations, about 1; pressures are larger by orders of
+            // magnitude.
             if (entry.of_signal && !muscles_only) allowed.highest = std::numeric_limits<double>::max();
             return effect.number(key, range_of(allowed));
         }
@@ -65,6 +67,7 @@ effect::EffectParameter read_parameter(const toml::TomlReader& effect, const eff
 // The keys of an [[effect]] table depend on its id, so the id is read before the keys are checked.
 std::vector<effect::EffectDeclaration> read_effects(const toml::TomlReader& document, const effect::Laws& laws) {
     std::vector<effect::EffectDeclaration> effects;
+    // The unit of a signal is not known here, only whether any signal has another unit than that of muscles, 1.
     const bool muscles_only = !document.has_entry("chamber") && !document.has_entry("tendon");
     const auto trials = static_cast<Eigen::Index>(document.tables_of_names("trial").size());
     for (const toml::TomlReader& table : document.tables_of_names("effect")) {
@@ -80,6 +83,7 @@ std::vector<effect::EffectDeclaration> read_effects(const toml::TomlReader& docu
             table.fail("id",
                        "unknown effect \"" + effect.id + "\"; " + toml::suggest(effect.id, effect::effect_ids(laws)));
 
+        // A parameter that another effect has is an unknown key here.
         std::vector<std::string> known = {"id", "calibrate"};
         for (const effect::EffectParameterEntry& parameter : entry->parameters) known.push_back(parameter.name);
         const toml::TomlReader checked = table.with_known_keys(known);

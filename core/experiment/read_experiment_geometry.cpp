@@ -8,6 +8,7 @@
 namespace myo::experiment {
 namespace {
 
+/// Block of kind = "box", whose lengths are in m already.
 BoxGeometry read_box(const toml::TomlReader& geometry) {
     for (const char* key : {"file", "unit", "rotation"})
         geometry.reject(key, "belongs to kind = \"stl\" or \"volume\", not to \"box\"");
@@ -28,6 +29,7 @@ BoxGeometry read_box(const toml::TomlReader& geometry) {
 // orthogonality is an error.
 Eigen::Matrix3d read_rotation(const toml::TomlReader& geometry) {
     const Eigen::Matrix3d R = geometry.matrix3("rotation");
+    // Largest entry of R'R - I: three digits per entry give about 1e-3.
     const double deviation = (R.transpose() * R - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
     if (!(deviation < 1e-3)) geometry.fail("rotation", "is not a rotation: its rows are not orthogonal unit vectors");
     // A reflection satisfies the orthogonality check but would turn the triangles inward.

@@ -7,6 +7,7 @@ LimitsDeclaration read_limits(const toml::TomlReader& document) {
     if (!document.has("limits")) return limits;
     const toml::TomlReader table = document.table(
         "limits", {"force_N", "mass_kg", "pressure_Pa", "tension_N", "shortening_m", "activation", "duration_s"});
+    // An absent key leaves its quantity without a limit.
     const auto read = [&](const char* key, const toml::NumberRange& range, std::optional<double>& value) {
         if (table.has(key)) value = table.number(key, range);
     };

@@ -25,6 +25,7 @@ std::vector<LoadDeclaration> read_loads(const toml::TomlReader& trial) {
                 load.curve = read_curve(table, "curve");
             }
         }
+        // Without these keys a force acts for all time. Infinite numbers state the same.
         load.from_s = table.number_or("from_s", load.from_s, toml::any_or_infinite());
         load.until_s = table.number_or("until_s", load.until_s, toml::any_or_infinite());
         if (load.from_s >= load.until_s)

@@ -50,12 +50,14 @@ MarkersDeclaration read_markers(const toml::TomlReader& document, bool recorded)
             "compare", {{"position", Comparison::position}, {"displacement", Comparison::displacement}});
     if (recorded || markers.has("rest_m")) declared.on_body = read_positions(markers, "rest_m");
     if (recorded && declared.on_body.empty()) markers.fail("rest_m", "at least one marker is needed");
+    // Behind the recorded markers: read_trial() keeps this order, and appends the probes' empty tracks.
     if (markers.has("probe_m"))
         for (MarkerDeclaration& probe : read_positions(markers, "probe_m")) {
             probe.probe = true;
             declared.on_body.push_back(std::move(probe));
         }
     if (markers.has("fixed_m")) declared.fixed = read_positions(markers, "fixed_m");
+    // Last, since labels refer to markers of both groups.
     if (markers.has("labels")) read_labels(markers, declared);
     return declared;
 }

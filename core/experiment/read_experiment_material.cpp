@@ -7,6 +7,7 @@
 namespace myo::experiment {
 namespace {
 
+/// Parameters to fit: of youngs_modulus, damping, actuation_level and the law's own, each at most once.
 std::vector<std::string> read_calibrate(const toml::TomlReader& material, const material::Material& law) {
     std::vector<std::string> calibratable = {"youngs_modulus", "damping", "actuation_level"};
     for (const material::LawParameter& parameter : law.parameters()) calibratable.push_back(parameter.name);
@@ -19,7 +20,8 @@ std::vector<std::string> read_calibrate(const toml::TomlReader& material, const 
     return names;
 }
 
-/// Keys of [material] for any law.
+/// Keys of [material] for any law. read_law_values() then refuses those of laws other than the declared one, with a
+/// better message than that of an unknown key.
 std::vector<std::string> material_keys() {
     std::vector<std::string> keys = {"model",          "youngs_modulus_Pa", "youngs_modulus_tolerance",
                                      "poissons_ratio", "density_kg_m3",     "damping_s",

@@ -19,6 +19,7 @@ const std::vector<ObstacleKeys>& obstacle_keys() {
     return all;
 }
 
+/// Shape of an obstacle; keys of another kind are refused, as they would have no effect.
 std::variant<ObstacleDeclaration::Plane, ObstacleDeclaration::Sphere, Box> read_shape(const toml::TomlReader& table) {
     std::vector<std::pair<std::string, ObstacleKind>> words;
     for (const ObstacleKeys& known : obstacle_keys()) words.emplace_back(known.word, known.kind);

@@ -25,6 +25,7 @@ std::string read_actuator_name(const toml::TomlReader& table) {
 
 namespace {
 
+/// Polyline and radius of a muscle that follows a line [m].
 MuscleLine read_line(const toml::TomlReader& table) {
     table.reject("fibre", "the fibres of a line run along it; leave this key out");
     MuscleLine muscle{{table.points("line_m")}, table.number("radius_m", toml::positive())};
@@ -63,6 +64,7 @@ fibre::Signal read_signal(const toml::TomlReader& table, const std::filesystem::
     const auto column = std::find(read->muscles.begin(), read->muscles.end(), name);
     if (column == read->muscles.end())
         table.fail("signal", file.filename().string() + " has no column \"" + name + "\"");
+    // The table has one row per muscle and one column per time; other columns of the file belong to other muscles.
     const Eigen::VectorXd row = read->values.row(column - read->muscles.begin());
     return {{read->time_s.begin(), read->time_s.end()}, {row.begin(), row.end()}};
 }
@@ -81,10 +83,12 @@ std::vector<MuscleDeclaration> read_muscles(const toml::TomlReader& document, co
             const toml::TomlReader follows = table.table("follows", {"muscle", "ratio"});
             muscle.follows = FollowsDeclaration{follows.text("muscle"), follows.number("ratio")};
         }
+        // A follower takes its activation from the leader, so a signal of its own would contradict it.
         if (table.has("signal") && muscle.follows)
             table.fail("signal", "cannot be combined with follows; a muscle has one of the two");
         if (table.has("signal")) {
             muscle.signal = read_signal(table, folder, muscle.name);
+            // The name of the file is kept for messages and for the list of input files in results.
             muscle.signal_file = table.file("signal", folder);
         }
         muscles.push_back(muscle);

@@ -25,6 +25,7 @@ std::variant<Box, std::filesystem::path, PartDeclaration::Region> read_place(con
     return PartDeclaration::Region{static_cast<int>(number)};
 }
 
+/// Parameters of a part to fit, each at most once; laws and their own parameters belong to the whole body.
 std::vector<std::string> read_part_calibrate(const toml::TomlReader& table) {
     const std::vector<std::string> known{"youngs_modulus", "damping"};
     std::vector<std::string> names = table.texts("calibrate");
@@ -56,6 +57,7 @@ std::vector<PartDeclaration> read_parts(const toml::TomlReader& document, const 
         part.poissons_ratio = table.number_or("poissons_ratio", material.poissons_ratio,
                                               toml::strictly_between(0.0, 0.5));
         part.density_kg_m3 = table.number_or("density_kg_m3", material.density_kg_m3, toml::positive());
+        // Damping is not copied from the material: an absent value follows that of the material in a fit as well.
         part.damping_s = table.optional_number("damping_s", toml::not_negative());
         if (table.has("calibrate")) part.calibrate = read_part_calibrate(table);
         parts.push_back(std::move(part));

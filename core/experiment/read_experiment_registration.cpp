@@ -10,6 +10,7 @@ RegistrationDeclaration read_registration(const toml::TomlReader& document, std:
     declared.known = registration.boolean_or("known", true);
     if (declared.known)
         registration.reject("method", "has no meaning while the registration is known; write known = false");
+    // `limited` has no word: it is what a registration without a method means.
     if (registration.has("method"))
         declared.method = registration.choice<RegistrationMethod>("method",
                                                                   {{"rest_pose", RegistrationMethod::rest_pose}});

@@ -14,6 +14,7 @@ std::vector<measurement::TraceRepair> read_repairs(const toml::TomlReader& trial
                                                         {to_string(RepairKind::fill), RepairKind::fill},
                                                         {to_string(RepairKind::smooth), RepairKind::smooth}});
         repair.marker = table.text("marker");
+        // Keys of another kind are refused: they would have no effect.
         if (repair.kind == RepairKind::swap)
             repair.with = table.text("with");
         else

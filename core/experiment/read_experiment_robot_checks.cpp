@@ -7,10 +7,12 @@
 namespace myo::experiment {
 namespace {
 
+/// Ends the reading with an error at the location of a key.
 [[noreturn]] void robot_fail(const Experiment& experiment, const std::string& key, const std::string& sentence) {
     throw toml::TomlFailure{declaration_error(experiment, key, sentence)};
 }
 
+/// Key of an entry of an array of tables in messages: "sensor[1]".
 std::string robot_element(const char* table, std::size_t index) {
     return std::string(table) + "[" + std::to_string(index) + "]";
 }
@@ -21,7 +23,7 @@ std::string actuator_key(const Actuator& actuator) {
     return robot_element(actuator.kind == ActuatorKind::chamber ? "chamber" : "tendon", actuator.index);
 }
 
-// Names that differ may still head one column: a muscle "left_N" beside a tendon "left".
+// Names that differ may still head one column: a muscle "left_N" and a tendon "left".
 void check_actuator_names(const Experiment& experiment) {
     std::vector<std::string> names, columns, paths;
     for (const Actuator& actuator : actuators(experiment)) {
@@ -33,6 +35,7 @@ void check_actuator_names(const Experiment& experiment) {
     check_unique(experiment, columns, paths);
 }
 
+/// Chambers and parts suit the kind of geometry: a box has no cavity, no file's unit and no numbered cells.
 void check_geometry(const Experiment& experiment) {
     const bool is_box = std::holds_alternative<BoxGeometry>(experiment.geometry);
     if (is_box && !experiment.chambers.empty())
@@ -52,6 +55,7 @@ void check_geometry(const Experiment& experiment) {
     check_unique(experiment, names, paths);
 }
 
+/// A mount that moves with the fixed markers needs enough of them for a rigid motion, and a body that it holds.
 void check_mount(const Experiment& experiment) {
     if (experiment.mount != MountMotion::markers) return;
     std::vector<Eigen::Vector3d> points;
@@ -66,7 +70,7 @@ void check_mount(const Experiment& experiment) {
         robot_fail(experiment, "mount.motion", "needs a [clamp] or a [[support]], which moves with the mount");
 }
 
-/// Columns of a sensor.
+/// Columns of a sensor in files of readings, with their unit. A reaction is a force and has three.
 std::vector<std::string> sensor_columns(const SensorDeclaration& sensor) {
     switch (sensor.kind) {
         case SensorKind::reaction: return {sensor.name + "_x_N", sensor.name + "_y_N", sensor.name + "_z_N"};
@@ -77,6 +81,7 @@ std::vector<std::string> sensor_columns(const SensorDeclaration& sensor) {
     return {};
 }
 
+/// Names are unique, and `of` names a declared chamber or tendon.
 void check_sensors(const Experiment& experiment) {
     std::vector<std::string> names, paths, chambers, tendons;
     for (const ChamberDeclaration& chamber : experiment.chambers) chambers.push_back(chamber.name);
@@ -106,6 +111,7 @@ void check_readings(const Experiment& experiment, const std::string& path, Trial
     for (const SensorDeclaration& sensor : experiment.sensors)
         for (const std::string& column : sensor_columns(sensor)) known.push_back(column);
     std::map<std::string, double> by_column;
+    // The name of a sensor and that of its column may both occur, which gives one reading twice.
     for (const auto& [name, value] : trial.sensor_values) {
         std::string column = name;
         for (const SensorDeclaration& sensor : experiment.sensors)
@@ -119,6 +125,7 @@ void check_readings(const Experiment& experiment, const std::string& path, Trial
     trial.sensor_values = std::move(by_column);
 }
 
+/// A constant or curve names an actuator of the unit of its table that has no other command.
 void check_constant(const Experiment& experiment, const std::string& path, const TrialDeclaration& trial,
                     const ConstantCommand& command) {
     const std::string key = path + "." + command.key + "." + command.actuator;
@@ -131,6 +138,7 @@ void check_constant(const Experiment& experiment, const std::string& path, const
         robot_fail(experiment, key, "unknown muscle, chamber or tendon; " + toml::suggest(command.actuator, names));
     }
     const Actuator& actuator = all[*found];
+    // A value in the table of another unit would be wrong by orders of magnitude.
     if (const std::string wanted = constant_key(actuator.kind); wanted != command.key) {
         const bool tendon = actuator.kind == ActuatorKind::tendon_tension ||
                             actuator.kind == ActuatorKind::tendon_shortening;

@@ -53,11 +53,13 @@ MarkersDeclaration read_markers(const toml::TomlReader& document, bool recorded)
 std::vector<TrialDeclaration> read_trials(const toml::TomlReader& document, const std::filesystem::path& folder);
 /// Start and commands of a trial: hold, start, actuation, actuation_step, constants per actuator, sensors.
 void read_commands(const toml::TomlReader& trial, const std::filesystem::path& folder, TrialDeclaration& declared);
-/// Keys of a trial that read_commands() reads.
+/// Keys of a trial that read_commands() reads, for the list of keys that a [[trial]] may hold.
 std::vector<std::string> command_keys();
-/// [trial.columns]: layout of a text file without a header.
+/// [trial.columns]: layout of a text file without a header. Whether its markers are declared is checked by
+/// check_declarations().
 measurement::ColumnLayout read_columns_declaration(const toml::TomlReader& trial);
-/// Rows [t_s, value] that are linear in between and constant outside; two equal times are a jump.
+/// Rows [t_s, value] that are linear in between and constant outside; two equal times are a jump. At least two rows
+/// with ascending times [s]; the unit of the values is that of the key.
 fibre::Signal read_curve(const toml::TomlReader& table, const std::string& key);
 /// [[unknown]]: bounds of fitted values; names are checked by check_unknowns().
 std::vector<UnknownDeclaration> read_unknowns(const toml::TomlReader& document);
@@ -72,9 +74,9 @@ std::vector<GoalDeclaration> read_goals(const toml::TomlReader& trial, const std
                                         const TrialDeclaration& declared);
 /// [[trial.repair]]: what is done to the recording by hand; names are checked on reading the recording.
 std::vector<measurement::TraceRepair> read_repairs(const toml::TomlReader& trial);
-/// `laws`: files of laws of one's own.
+/// `laws`: files of the user's laws, resolved against `folder`; each must exist.
 std::vector<std::filesystem::path> law_files(const toml::TomlReader& document, const std::filesystem::path& folder);
-/// The laws in these files, each an entry beside the catalogue.
+/// The laws in these files, each an effect in addition to those of the catalogue. Two laws with one id are an error.
 effect::Laws read_laws(const toml::TomlReader& document, const std::vector<std::filesystem::path>& files);
 /// [[effect]]: parameters as the laws and the effect catalogue declare them.
 std::vector<effect::EffectDeclaration> read_effects(const toml::TomlReader& document, const effect::Laws& laws);
@@ -97,7 +99,8 @@ bool fix_a_rigid_motion(const std::vector<Eigen::Vector3d>& points);
 void check_unique(const Experiment& experiment, const std::vector<std::string>& names,
                   const std::vector<std::string>& paths);
 
-/// Vector normalised to unit length. A length within 1 % of 1 is accepted as rounded input; anything else fails.
+/// Vector normalised to unit length. A length within 1 % of 1 is accepted as rounded input; anything else fails, since
+/// a longer one is likely to be a force or a place.
 Eigen::Vector3d unit_direction(const toml::TomlReader& table, const std::string& key);
 
 }  // namespace myo::experiment

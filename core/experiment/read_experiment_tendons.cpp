@@ -3,6 +3,7 @@
 namespace myo::experiment {
 namespace {
 
+/// Guides of a tendon at rest, 3 x n [m], from the motor to the anchor.
 Eigen::Matrix3Xd read_path(const toml::TomlReader& table) {
     Eigen::Matrix3Xd path = table.points("path_m");
     if (path.cols() < 2) table.fail("path_m", "a tendon needs at least two guides, not " + std::to_string(path.cols()));

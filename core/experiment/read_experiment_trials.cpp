@@ -11,6 +11,7 @@
 namespace myo::experiment {
 namespace {
 
+/// Name of a trial that is valid as a file name without a folder.
 std::string read_trial_name(const toml::TomlReader& table) {
     std::string name = table.name("name");
     // Results are written to <trial>.csv.
@@ -46,6 +47,7 @@ Eigen::Matrix3d read_axes(const toml::TomlReader& table) {
             table.fail("axes", "must be three axes of the recording such as [\"x\", \"-z\", \"y\"]");
         rotation(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(axis)) = axes[i].starts_with('-') ? -1.0 : 1.0;
     }
+    // A signed permutation has the determinant 1 or -1; an axis that is named twice makes it 0.
     const double determinant = rotation.determinant();
     if (std::abs(determinant) < 0.5) table.fail("axes", "must name each of x, y and z once");
     if (determinant < 0.0)
@@ -53,7 +55,7 @@ Eigen::Matrix3d read_axes(const toml::TomlReader& table) {
     return rotation;
 }
 
-/// A unit by its word.
+/// A unit by its word, in m or s; empty if the key is absent.
 template <std::size_t size>
 std::optional<double> read_unit(const toml::TomlReader& table, const std::string& key,
                                 const std::array<std::pair<const char*, double>, size>& units) {
@@ -86,6 +88,7 @@ void read_trace_keys(const toml::TomlReader& table, const std::filesystem::path&
         table.reject("columns", "belongs to format = \"columns\" only");
     }
     trial.metres_per_unit = read_unit(table, "unit", measurement::length_units);
+    // Both keys may state the unit of a columns file; they must then agree.
     if (trial.columns && trial.metres_per_unit && *trial.metres_per_unit != trial.columns->metres_per_unit)
         table.fail("unit", "contradicts columns.unit");
     trial.seconds_per_unit = read_unit(table, "time_unit", measurement::time_units);
@@ -95,12 +98,14 @@ void read_trace_keys(const toml::TomlReader& table, const std::filesystem::path&
     trial.repairs = read_repairs(table);
 }
 
+/// One [[trial]], without references to other tables.
 TrialDeclaration read_trial(const toml::TomlReader& table, const std::filesystem::path& folder) {
     TrialDeclaration trial;
     trial.name = read_trial_name(table);
     trial.role = table.choice<TrialRole>("role", {{to_string(TrialRole::fit), TrialRole::fit},
                                                   {to_string(TrialRole::validate), TrialRole::validate},
                                                   {to_string(TrialRole::simulate), TrialRole::simulate}});
+    // Commands before the duration, which a hold must not have; goals last, which must lie within both.
     if (trial.role != TrialRole::simulate) read_trace_keys(table, folder, trial);
     read_commands(table, folder, trial);
     if (trial.role == TrialRole::simulate) read_duration(table, trial);

@@ -54,6 +54,7 @@ std::vector<UnknownDeclaration> read_unknowns(const toml::TomlReader& document) 
         if (unknown.lowest && unknown.highest && !(*unknown.lowest < *unknown.highest))
             table.fail("lowest", "is not below highest (" + format_number(*unknown.lowest) + ", " +
                                      format_number(*unknown.highest) + ")");
+        // Moduli are fitted by their logarithm, which no bound at or below zero has.
         if (unknown.name.ends_with("youngs_modulus_Pa"))
             for (const auto& [key, bound] :
                  {std::pair{"lowest", unknown.lowest}, std::pair{"highest", unknown.highest}})
@@ -75,6 +76,7 @@ void check_unknowns(const Experiment& experiment) {
     const std::vector<std::string> names = names_of_unknowns(experiment);
     for (std::size_t i = 0; i < experiment.unknowns.size(); ++i) {
         const UnknownDeclaration& unknown = experiment.unknowns[i];
+        // The lower bound is the declared modulus less the tolerance.
         const std::optional<double> modulus = declared_modulus_Pa(experiment, unknown.name);
         if (modulus && unknown.tolerance && !(*unknown.tolerance < *modulus))
             throw toml::TomlFailure{declaration_error(

@@ -16,6 +16,7 @@ namespace {
 
 /// Tracks that a marker may mean, by label or, if the label does not occur, by name.
 std::vector<std::size_t> find_tracks(const std::vector<std::string>& labels, const MarkerDeclaration& marker) {
+    // The label has precedence: a declared name may occur in the file as the label of another marker.
     const std::vector<std::size_t> found = measurement::find_labels(labels, marker.label);
     return found.empty() ? measurement::find_labels(labels, marker.name) : found;
 }
@@ -37,6 +38,7 @@ Result<measurement::Recording> rename_tracks(const Experiment& experiment, const
     renamed.rate_Hz = raw.rate_Hz;
     renamed.metres_per_unit = raw.metres_per_unit;
     std::vector<bool> used(raw.labels.size(), false);
+    // Every declared marker needs one track of its own, by a name that fits no other.
     for (const MarkerDeclaration& marker : recorded_markers(experiment.markers)) {
         const std::vector<std::size_t> tracks = find_tracks(raw.labels, marker);
         if (tracks.empty())
@@ -55,6 +57,7 @@ Result<measurement::Recording> rename_tracks(const Experiment& experiment, const
         used[track] = true;
         renamed.labels.push_back(marker.name);
         renamed.tracks.push_back(std::move(raw.tracks[track]));
+        // Residuals of reconstruction are per track, if the format has them.
         if (!raw.residual_m.empty()) renamed.residual_m.push_back(std::move(raw.residual_m[track]));
     }
     for (std::size_t i = 0; i < used.size(); ++i)
@@ -66,6 +69,7 @@ Result<measurement::Recording> rename_tracks(const Experiment& experiment, const
 void add_probes(const Experiment& experiment, measurement::Recording& recording) {
     constexpr double unseen = std::numeric_limits<double>::quiet_NaN();
     const Eigen::Index count = recording.sample_count();
+    // Tracks end with the fixed markers, so a probe goes before them: the order of declaration is kept.
     const auto at = [&](auto& list) {
         return list.end() - static_cast<std::ptrdiff_t>(experiment.markers.fixed.size());
     };
@@ -78,7 +82,8 @@ void add_probes(const Experiment& experiment, measurement::Recording& recording)
     }
 }
 
-// At least one sample must lie between start_s and end_s.
+// The window must meet the recording: start_s lies in it, before its last sample, and end_s after its first. A window
+// between two neighbouring samples passes.
 Result<void> check_window(const Experiment& experiment, const TrialDeclaration& trial,
                           const measurement::Recording& recording) {
     const std::string path = trial_key(experiment, trial);
@@ -126,6 +131,7 @@ std::string unturned_axes(const Experiment& experiment, const TrialDeclaration& 
 measurement::Recording planned_times(const Experiment& experiment, const TrialDeclaration& trial) {
     measurement::Recording planned;
     planned.rate_Hz = planned_trial_policy.rate_Hz;
+    // The last time is at or after the end; 1e-9 keeps rounding of a whole number of intervals from adding one.
     const auto count = static_cast<Eigen::Index>(std::ceil(trial.duration_s * planned.rate_Hz - 1e-9)) + 1;
     planned.time_s = Eigen::VectorXd::LinSpaced(count, 0.0, static_cast<double>(count - 1) / planned.rate_Hz);
     for (const MarkerDeclaration& marker : experiment.markers.on_body) {
@@ -135,7 +141,7 @@ measurement::Recording planned_times(const Experiment& experiment, const TrialDe
     return planned;
 }
 
-/// The repairs that the trial declares, in their order. Each is told, as a correction is.
+/// The repairs that the trial declares, in their order. Each adds a warning, as a correction does.
 Result<void> make_repairs(const Experiment& experiment, const TrialDeclaration& trial, TrialRecording& read) {
     for (std::size_t r = 0; r < trial.repairs.size(); ++r) {
         const std::string key = trial_key(experiment, trial) + ".repair[" + std::to_string(r) + "]";
@@ -179,6 +185,7 @@ Result<TrialRecording> read_trial(const Experiment& experiment, const TrialDecla
         read.warnings.push_back(key + ": " + sentence + "; they are ignored");
     }
     if (Result<void> window = check_window(experiment, trial, read.recording); !window) return window.error();
+    // On the whole recording, not its window: samples outside show what the motion and the noise of a track are.
     correct_faults(experiment, key, read);
     // Last: a person repairs what the corrections leave, and sees the corrected traces.
     if (Result<void> repaired = make_repairs(experiment, trial, read); !repaired) return repaired.error();
@@ -190,6 +197,7 @@ Result<TrialRecording> read_trial(const Experiment& experiment, const TrialDecla
                                     std::to_string(occluded) + " of " + std::to_string(read.recording.sample_count()) +
                                     " samples");
     }
+    // After the corrections, which would take a track without samples for a hidden marker.
     add_probes(experiment, read.recording);
     if (const std::string turned = unturned_axes(experiment, trial); !turned.empty())
         read.warnings.push_back(key + ": " + turned);

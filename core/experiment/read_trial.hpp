@@ -25,11 +25,13 @@ struct TrialRecording {
 /// unique. Undeclared markers are an error, except in files of camera systems, which contain everything in view: there
 /// they are dropped with a warning. Faults are corrected, see correct_faults(); each correction gives a warning, as
 /// does a marker occluded in more than half of the samples. Then the trial's repairs are made, see repair_trace(), and
-/// told. Positions are turned by the trial's `axes`. Errors: those of the readers (place: line of the trace), content
-/// of another format than the declared one, a declared marker missing or ambiguous, an undeclared one, start_s or end_s
-/// outside the recording, a repair that cannot be made (place: line of the key).
-/// A trial of role simulate has output times from 0 to its duration, at which only the markers on the body are listed
-/// and none is seen.
+/// reported. Positions are turned by the trial's `axes`.
+///
+/// A trial of role simulate has output times from 0 to the first multiple of the policy's interval at or after its
+/// duration, at which only the markers on the body are listed and none is seen.
+/// Errors: those of the readers (place: line of the trace), content of another format than the declared one, a declared
+/// marker missing or ambiguous, an undeclared one, start_s or end_s outside the recording, a repair that cannot be made
+/// (place: line of the key).
 Result<TrialRecording> read_trial(const Experiment& experiment, const TrialDeclaration& trial);
 
 /// read_trial() without the warnings. Errors: those of read_trial().

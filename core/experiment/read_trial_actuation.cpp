@@ -7,7 +7,7 @@
 namespace myo::experiment {
 namespace {
 
-/// Actuation of one trial while it is put together.
+/// Questions about the commands of one trial, by actuator.
 struct TrialCommands {
     const Experiment& experiment;
     const TrialDeclaration& trial;
@@ -19,6 +19,7 @@ struct TrialCommands {
     bool has_signal(const Actuator& actuator) const {
         return muscle(actuator) != nullptr && muscle(actuator)->signal.has_value();
     }
+    /// Levels of steps may be fitted, so prepare_setup() adds them.
     bool stepped(const Actuator& actuator) const {
         return std::any_of(trial.actuation_steps.begin(), trial.actuation_steps.end(),
                            [&](const ActuationStep& step) { return step.muscle == actuator.name; });
@@ -83,7 +84,7 @@ Result<void> fill_recorded(const TrialCommands& commands, const std::string& key
     return {};
 }
 
-/// Values without a recording: constants, and rest for all others.
+/// Values without a recording: constants (of a curve that at t = 0), and rest for all others.
 void fill_constants(const TrialCommands& commands, measurement::ActuationTable& table) {
     table.values.resize(static_cast<Eigen::Index>(commands.all.size()), table.time_s.size());
     for (std::size_t i = 0; i < commands.all.size(); ++i) {
@@ -124,6 +125,7 @@ Result<measurement::ActuationTable> read_trial_actuation(const Experiment& exper
         if (const std::string fault = column_fault(commands, column); !fault.empty())
             return declaration_error(
                 experiment, key, trial.actuation->filename().string() + " has a column \"" + column + "\", " + fault);
+    // Constants and rest first: rows of the recording then replace those that it contains.
     table.time_s = recorded->time_s;
     table.lines = recorded->lines;
     fill_constants(commands, table);

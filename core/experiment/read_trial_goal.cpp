@@ -21,7 +21,7 @@ std::array<bool, 3> read_goal_axes(const toml::TomlReader& table) {
     return axes;
 }
 
-/// One place, at a time or until another.
+/// One place, at a time or until another [s]. A hold has no times: its goal is at t = 0.
 void read_goal_place(const toml::TomlReader& table, bool hold, GoalDeclaration& goal) {
     for (const char* key : {"times_s", "places_m"})
         table.reject(key, "belongs to a path, and place_m is a single place");
@@ -32,6 +32,7 @@ void read_goal_place(const toml::TomlReader& table, bool hold, GoalDeclaration& 
     const std::optional<double> until_s = table.optional_number("until_s", toml::not_negative());
     if (until_s && !(*until_s > time_s))
         table.fail("until_s", "must lie after time_s (" + format_number(time_s) + " s)");
+    // A span is a path of two equal places, so that place_at() serves both.
     goal.times_s = Eigen::VectorXd::Constant(until_s ? 2 : 1, time_s);
     if (until_s) goal.times_s(1) = *until_s;
     goal.places_m = place.replicate(1, goal.times_s.size());
@@ -47,6 +48,7 @@ void read_goal_file(const toml::TomlReader& table, const std::filesystem::path& 
         table.fail("path", goal.file->filename().string() + " has no marker \"" + goal.marker + "\"");
     goal.times_s = read->time_s;
     goal.places_m = read->tracks[static_cast<std::size_t>(found - read->labels.begin())];
+    // A gap in a goal leaves open what is asked for, unlike one in a recording.
     if (!goal.places_m.allFinite())
         table.fail("path", "has samples of \"" + goal.marker + "\" that are not numbers; leave their rows out");
 }
@@ -72,8 +74,9 @@ void read_goal_path(const toml::TomlReader& table, const std::filesystem::path& 
         table.fail(times, "must not begin before the trial (" + format_number(goal.times_s(0)) + " s)");
 }
 
-/// Whether two goals ask for one coordinate of a marker at one time.
+/// Whether two goals ask for one coordinate of a marker at one time. Spans that touch at an end do.
 bool contradict(const GoalDeclaration& a, const GoalDeclaration& b) {
+    // Closed spans meet unless one ends before the other begins.
     const bool meet = a.times_s(0) <= b.times_s(b.times_s.size() - 1) &&
                       b.times_s(0) <= a.times_s(a.times_s.size() - 1);
     bool share = false;
@@ -81,6 +84,7 @@ bool contradict(const GoalDeclaration& a, const GoalDeclaration& b) {
     return a.marker == b.marker && meet && share;
 }
 
+/// One [[trial.goal]]; the keys that are present decide between a place and a path.
 GoalDeclaration read_goal(const toml::TomlReader& table, const std::filesystem::path& folder,
                           const TrialDeclaration& trial) {
     GoalDeclaration goal;
@@ -95,6 +99,7 @@ GoalDeclaration read_goal(const toml::TomlReader& table, const std::filesystem::
     } else {
         table.fail("place_m", "required key is missing: a goal has place_m, or path, or times_s and places_m");
     }
+    // A simulated trial has no positions after its end. How long a recording lasts is not known yet.
     const double last_s = goal.times_s(goal.times_s.size() - 1);
     if (trial.role == TrialRole::simulate && !trial.hold && last_s > trial.duration_s)
         table.fail(goal.is_path ? (goal.file ? "path" : "times_s") : (goal.times_s.size() > 1 ? "until_s" : "time_s"),

@@ -63,6 +63,7 @@ double noise_of(const Experiment& experiment, const TrialRecording& read, const 
                     measurement::rounding_deviation(read.rounding_m));
 }
 
+/// noise_of() for each track [m]. Estimated again before each correction, since the corrections before lower it.
 Eigen::VectorXd noise_of_tracks(const Experiment& experiment, const TrialRecording& read) {
     const std::vector<Eigen::Matrix3Xd>& tracks = read.recording.tracks;
     Eigen::VectorXd sigma_m(static_cast<Index>(tracks.size()));
@@ -74,6 +75,9 @@ Eigen::VectorXd noise_of_tracks(const Experiment& experiment, const TrialRecordi
 // Undoes label swaps: intervals in which the camera software exchanged the names of markers.
 void put_names_back(const Experiment& experiment, const std::string& key, TrialRecording& read) {
     const measurement::Recording& recording = read.recording;
+    // First the exchanges that positions alone show: the search for the others predicts each marker from the rest,
+    // whose
+    // names must be right by then.
     std::vector<measurement::Exchange> exchanges = measurement::put_back_exchanges(read.recording.tracks);
     const std::vector<measurement::Exchange> hidden = measurement::put_back_hidden_exchanges(
         read.recording.tracks, noise_of_tracks(experiment, read));
@@ -126,6 +130,7 @@ void leave_out_excursions(const Experiment& experiment, const std::string& key, 
     for (std::size_t i = 0; i < recording.tracks.size(); ++i) {
         Eigen::Index times = 0, samples = 0, first = 0;
         double jump_m = 0.0;
+        // One warning per marker: a marker that is mistaken often would fill the list otherwise.
         for (const measurement::Excursion& excursion : found) {
             if (excursion.marker != i) continue;
             if (times++ == 0) first = excursion.first;

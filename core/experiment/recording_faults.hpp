@@ -13,7 +13,7 @@ namespace myo::experiment {
 /// and stretches in which the cameras followed something else become gaps; names that were exchanged are restored.
 /// Sets `rounding_m`.
 ///
-/// @param key   of the trace, for the warnings
+/// @param key   of the trace, for the warnings: "trial[1].trace"
 /// @param read  in/out: tracks under their declared names
 void correct_faults(const Experiment& experiment, const std::string& key, TrialRecording& read);
 

@@ -75,7 +75,7 @@ struct ObstacleDeclaration {
     double friction = 0.0;  // Coulomb coefficient, >= 0
 };
 
-/// What a sensor beside the markers measures.
+/// What a sensor measures in addition to the markers. A reaction is the force of the support on the body.
 enum class SensorKind { reaction, chamber_volume, tendon_tension, tendon_shortening };
 
 /// Sensor that is compared, weighed and fitted like the markers.

@@ -8,7 +8,7 @@
 namespace myo::experiment {
 namespace {
 
-// Open time windows extend to infinity; windows that only share an end point have no sample in common.
+// Open time windows extend to infinity; windows that only share an end point have at most one sample in common.
 bool windows_meet(const TrialDeclaration& a, const TrialDeclaration& b) {
     constexpr double ever = std::numeric_limits<double>::infinity();
     const auto start = [&](const TrialDeclaration& t) { return t.start_s.value_or(-ever); };
@@ -19,6 +19,7 @@ bool windows_meet(const TrialDeclaration& a, const TrialDeclaration& b) {
 // Sizes are compared before contents, as traces can be large.
 bool is_same_content(const std::filesystem::path& a, const std::filesystem::path& b) {
     std::error_code code;
+    // Links and different spellings of one path need no comparison of contents.
     if (std::filesystem::equivalent(a, b, code)) return true;
     const auto size_a = std::filesystem::file_size(a, code);
     if (code) return false;

@@ -15,7 +15,8 @@ struct SharedRecording {
 /// All such pairs, with the first matching fit trial for each validation trial.
 ///
 /// A pair has the same file, or two files of equal content, and overlapping windows start_s ... end_s. Disjoint parts
-/// of one recording are independent recordings. A file that cannot be read is in no pair.
+/// of one recording are independent recordings. A file that cannot be read is in no pair. Files are read in full only
+/// if their sizes agree.
 std::vector<SharedRecording> shared_recordings(const Experiment& experiment);
 
 /// Readable warning "trial[1].trace: ..." for one pair.
