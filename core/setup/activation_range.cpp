@@ -12,6 +12,7 @@
 namespace myo::setup {
 namespace {
 
+/// Sentence on an activation that no fibre can have.
 std::string out_of_range(const std::string& muscle, double a) {
     return "muscle " + muscle + " has the activation " + format_number(a) +
            ", which must be above 0: it is the stretch that the fibres seek, 1 is passive and below 1 they contract";

@@ -10,6 +10,7 @@
 namespace myo::setup {
 namespace {
 
+/// Lowest and highest level, then the change that matters to a fit, in the unit of the signal.
 struct LevelPolicy {
     LevelBounds muscle{0.05, 10.0, 0.1};
     double vacuum_Pa = -101325.0;  // lowest gauge pressure
@@ -52,6 +53,7 @@ std::string signal_unit(const experiment::Experiment& experiment, std::size_t ac
 void set_level(const experiment::Experiment& experiment, std::size_t actuator, double level, model::Model& model) {
     if (const std::optional<std::size_t> element = actuator_element(experiment, actuator)) {
         model::ForceElementPointer& driven = model.force_elements[*element];
+        // Elements are constant and shared between models, so the model gets a new one.
         driven = driven->with_command(fibre::Signal::step(0.0, 0.0, level));
     } else {
         model.activation = with_level(experiment, std::move(model.activation), actuator, level);

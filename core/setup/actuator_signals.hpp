@@ -21,7 +21,8 @@ std::vector<std::string> actuator_names(const experiment::Experiment& experiment
 /// Index into Model::force_elements of an actuator; empty for a muscle.
 std::optional<std::size_t> actuator_element(const experiment::Experiment& experiment, std::size_t actuator);
 
-/// Signal of an actuator in a model of a trial.
+/// Signal of an actuator in a model of a trial: activation [-], pressure [Pa], tension [N] or shortening [m] over trial
+/// time. Refers to the model.
 const fibre::Signal& actuator_signal(const experiment::Experiment& experiment, const model::Model& model,
                                      std::size_t actuator);
 
@@ -43,7 +44,7 @@ struct LevelBounds {
     double lower = 0.0, upper = 0.0, scale = 1.0;  // in the unit of the signal
 };
 /// Bounds of the level of an actuator: physical limits of a chamber's pressure or a tendon's command, wide ones of a
-/// muscle's activation.
+/// muscle's activation. A chamber's depend on the modulus of the material.
 LevelBounds level_bounds(const experiment::Experiment& experiment, std::size_t actuator);
 
 }  // namespace myo::setup

@@ -4,7 +4,10 @@
 
 namespace myo::setup {
 
-/// Keeps the first samples of a trial's recording, and of its run what they need. Unchanged if it has no more.
+/// Shortens a trial to the first samples of its recording; its run then ends one sampling interval after the last of
+/// them. Unchanged if the recording has no more samples. Weights of goals are not shortened.
+///
+/// @param samples  number to keep, counted from the first recorded sample, those before t = 0 included; at least 1
 void keep_beginning(PreparedTrial& trial, Eigen::Index samples);
 
 }  // namespace myo::setup

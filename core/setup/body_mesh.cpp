@@ -35,8 +35,8 @@ std::string size_in_mm(const Box& box) {
     return format_number(mm(0), 4) + " x " + format_number(mm(1), 4) + " x " + format_number(mm(2), 4);
 }
 
-// Grid planes at the faces of clamp boxes. Planes within 0.1 edges of an existing one or of the bounds are skipped:
-// they would create slivers.
+// Grid planes at the faces of regions: clamp, supports and parts. Planes within 0.1 edges of an existing one or of the
+// bounds are skipped: they would create slivers.
 void add_region_planes(const std::vector<Box>& regions, const Box& bounds, double edge, mesh::GridPlanes& planes) {
     for (const Box& region : regions)
         for (int axis = 0; axis < 3; ++axis)
@@ -58,6 +58,7 @@ std::array<bool, 3> held_at_highest(const std::vector<Box>& regions, const Box& 
                                       [&](const Box& r) { return r.highest(i) >= bounds.highest(i); });
         const bool low = std::any_of(regions.begin(), regions.end(),
                                      [&](const Box& r) { return r.lowest(i) <= bounds.lowest(i); });
+        // A region at both ends fixes neither: the grid then starts at the lowest face.
         result[a] = high && !low;
     }
     return result;
@@ -76,6 +77,7 @@ Result<mesh::VolumeMesh> truncated_mesh(const mesh::SurfaceMesh& surface, double
     return mesh::voxelize(surface, options, progress);
 }
 
+/// Warning about tetrahedra that cut through the faces of regions; `edge` in m.
 std::string not_conforming(const std::string& reason, double edge) {
     return "the tetrahedra do not meet the faces of the declared boxes (" + reason +
            "): a clamp may hold up to a cell, " + format_number(1e3 * edge, 3) +
@@ -98,6 +100,7 @@ Result<mesh::VolumeMesh> tetrahedral_mesh(const mesh::SurfaceMesh& declared, mes
     Result<mesh::VolumeMesh> mesh = mesh::tetrahedralize(surface, options, progress);
     // Without inner faces there is nothing that a plain mesh would do better.
     if (options.regions.empty() || progress.cancelled()) return mesh;
+    // The estimate is cheap and usually shows that the regions cost little; only then is the second mesh saved.
     const auto count = [](const mesh::VolumeMesh& m) { return static_cast<double>(m.cell_count()); };
     if (mesh && count(*mesh) < body_mesh_policy.doubtful_growth * mesh::estimate_counts(surface, type, edge).cells)
         return mesh;
@@ -119,6 +122,7 @@ Result<mesh::VolumeMesh> fitted_mesh(const mesh::SurfaceMesh& surface, double ed
     mesh::GridPlanes planes;
     if (is_rectilinear(surface)) planes = face_planes(surface, edge);
     add_region_planes(regions, bounds, edge, planes);
+    // A block needs no test of which cells lie inside.
     const std::optional<Box> box = mesh::is_box(surface);
     Result<mesh::GridLines> grid = mesh::limited_grid_lines(box.value_or(bounds), edge_at, planes);
     if (!grid) return grid.error();
@@ -196,6 +200,7 @@ Result<BodyMesh> mesh_body(const mesh::SurfaceMesh& surface, const MeshRequest& 
                                   size_in_mm(mesh::bounding_box(result.mesh.nodes)) + " mm instead of " +
                                   size_in_mm(*result.shrunk_from));
     }
+    // Against the declared surface, so that volume that the mesh lacks is reported as well.
     for (const std::string& message : mesh::mesh_quality(result.mesh, &surface).messages)
         result.warnings.push_back(message);
     return result;

@@ -23,7 +23,7 @@ enum class Voxels {
 std::string to_string(Voxels voxels);
 /// All ids.
 std::vector<std::string> voxels_ids();
-/// Scheme of an id; false if there is none.
+/// Sets `voxels` to the scheme of an id; false, and unchanged, if there is none.
 bool parse_voxels(const std::string& id, Voxels& voxels);
 
 /// Requested mesh. Empty options are chosen from the shape of the body.
@@ -54,7 +54,7 @@ Box box_on_mesh(const BodyMesh& mesh, const Box& declared);
 /// Part of the body that a clamp box holds.
 ///
 /// A box that penetrates less than a hundredth of the body's extent from one side is meant to select that side's face.
-/// It is cut back to the face: otherwise a finer mesh would clamp more of the body than a coarse one.
+/// Such a box is cut back to the face: otherwise a finer mesh would clamp more of the body than a coarse one.
 ///
 /// @param clamp, body  declared box and bounds of the body [m], mesh frame
 Box held_part(const Box& clamp, const Box& body);

@@ -17,6 +17,7 @@ namespace {
 
 using Eigen::Index;
 
+/// Whether a closed surface encloses a point, whichever way its triangles face.
 bool encloses(const mesh::SurfaceMesh& surface, const Eigen::Vector3d& point) {
     return std::abs(mesh::winding_number(surface, point)) > 0.5;
 }
@@ -61,6 +62,7 @@ double keeping_edge_m(const mesh::SurfaceMesh& surface, mesh::SurfaceMesh cavity
     return std::min(local_thickness(surface), local_thickness(cavity)) / chamber_policy.edges_per_width;
 }
 
+/// Sentence on a cavity that the cells of the mesh have filled, or opened to the outside.
 std::string lost_cavity(const mesh::SurfaceMesh& surface, const mesh::SurfaceMesh& cavity, const BodyMesh& mesh) {
     return "the mesh with edges of " + format_number(1e3 * mesh.resolution_m, 3) +
            " mm has lost the closed cavity; choose edges of " + format_number(keeping_edge_m(surface, cavity), 2) +
@@ -82,10 +84,12 @@ Result<std::vector<Chamber>> find_chambers(const experiment::Experiment& experim
         const experiment::ChamberDeclaration& chamber_of = experiment.chambers[i];
         const std::optional<std::size_t> found = cavity_on_mesh(body, cavities, cavity.wall,
                                                                 point_on_mesh(mesh, chamber_of.inside_m));
+        // Voxels fill a cavity or break its wall if they are as large as either.
         if (!found)
             return experiment::declaration_error(experiment, "chamber[" + std::to_string(i) + "].inside_m",
                                                  lost_cavity(surface, cavity.wall, mesh));
         Chamber chamber{chamber_of.name, cavities[*found]};
+        // Volumes and areas are those of the declaration; the mesh's are kept to correct and to judge them.
         chamber.volume_m3 = cavity.volume_m3;
         chamber.wall_area_m2 = cavity.area_m2;
         chamber.mesh_area_m2 = model::wall_area(body, chamber.walls, body.mesh.nodes);

@@ -39,7 +39,7 @@ inline constexpr ChamberPolicy chamber_policy;
 Result<std::vector<Chamber>> find_chambers(const experiment::Experiment& experiment, const mesh::SurfaceMesh& surface,
                                            const BodyMesh& mesh, const model::Body& body);
 
-/// The pressure of a chamber as force element.
+/// The pressure of a chamber as force element, normal to the deformed walls.
 model::ForceElementPointer chamber_pressure(const model::Body& body, const Chamber& chamber, fibre::Signal pressure_Pa);
 
 /// Volume of a chamber [m3] at node positions x (3 x n [m]); at rest that of the declared cavity.

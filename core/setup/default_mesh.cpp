@@ -40,6 +40,7 @@ public:
             Eigen::Vector3i at;
             for (int a = 0; a < 3; ++a) {
                 const std::vector<double>& lines = grid_.axis[static_cast<std::size_t>(a)];
+                // A middle lies strictly between two lines, so the line above it numbers the block.
                 at[a] = static_cast<int>(std::lower_bound(lines.begin(), lines.end(), middle[a]) - lines.begin()) - 1;
             }
             filled_[index(at)] = true;
@@ -119,6 +120,7 @@ void add_block(const Blocks& blocks, const Eigen::Vector3i& at, double edge, dou
                                      along ? std::min(blocks.length(b, at[b]), blocks.length(c, at[c])) : 0.0);
 }
 
+/// Area of a triangle [m2].
 double area(const mesh::SurfaceMesh& surface, Eigen::Index t) {
     const Eigen::Vector3d a = surface.vertices.col(surface.triangles(0, t));
     return 0.5 * (surface.vertices.col(surface.triangles(1, t)) - a)
@@ -126,6 +128,7 @@ double area(const mesh::SurfaceMesh& surface, Eigen::Index t) {
                      .norm();
 }
 
+/// Area of the whole surface [m2].
 double whole_area(const mesh::SurfaceMesh& surface) {
     double sum = 0.0;
     for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) sum += area(surface, t);
@@ -133,6 +136,7 @@ double whole_area(const mesh::SurfaceMesh& surface) {
 }
 
 // The number of unknowns grows at most with the cube of the inverse edge length, so steps of 5 % end soon.
+/// Edge length of tetrahedra [m]: short enough for the local thickness, unless that takes too many unknowns.
 double tetrahedra_resolution(double edge, const mesh::SurfaceMesh& surface) {
     double shortest = std::min(edge, longest_edge(surface, local_thickness(surface)));
     const auto unknowns = [&](double e) { return mesh::estimate_counts(surface, mesh::CellType::tet10, e).dofs; };
@@ -223,6 +227,7 @@ double local_thickness(const mesh::SurfaceMesh& surface) {
     std::vector<double> lengths;
     double passed = 0.0;
     for (Eigen::Index t = 0; t < count; ++t) {
+        // The cumulated area in units of area per ray; each whole unit that the triangle passes is one ray.
         const double before = std::floor(passed / whole * mesh_policy.thickness_rays);
         passed += area(surface, t);
         const int rays = static_cast<int>(std::floor(passed / whole * mesh_policy.thickness_rays) - before);

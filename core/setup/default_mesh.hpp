@@ -60,7 +60,8 @@ std::vector<BodySlice> body_slices(const mesh::SurfaceMesh& surface, double edge
 /// hits.
 double local_thickness(const mesh::SurfaceMesh& surface);
 
-/// Longest edge [m] of tetrahedra that bend and twist within a few percent if the body is `thickness_m` thick.
+/// Longest edge [m] of tetrahedra that bend and twist within a few percent if the body is `thickness_m` thick, see
+/// local_thickness(). Rods get shorter edges than plates, see MeshPolicy.
 double longest_edge(const mesh::SurfaceMesh& surface, double thickness_m);
 
 /// Default element: hex8 for rectilinear bodies, tet10 for all others.

@@ -8,7 +8,7 @@
 namespace myo::setup {
 namespace {
 
-/// The cells of a declared volume mesh.
+/// The cells of a declared volume mesh, in m and turned to the mesh frame.
 Result<BodyMesh> own_cells(const experiment::Experiment& experiment, const experiment::VolumeGeometry& declared,
                            const MeshRequest& request) {
     Result<mesh::VolumeMesh> cells = mesh::read_volume(declared.file, declared.metres_per_unit);
@@ -18,6 +18,7 @@ Result<BodyMesh> own_cells(const experiment::Experiment& experiment, const exper
             experiment, "geometry.kind", "a volume mesh is used as it is: leave the edge length (--resolution) out");
     BodyMesh made;
     cells->nodes = declared.rotation * cells->nodes;
+    // Linear tetrahedra lock in bending of nearly incompressible material, so they become quadratic unless asked for.
     const mesh::CellType wanted = request.element                       ? fem::cell_type(*request.element)
                                   : cells->type == mesh::CellType::tet4 ? mesh::CellType::tet10
                                                                         : cells->type;
@@ -43,6 +44,7 @@ Result<BodyMesh> mesh_of(const experiment::Experiment& experiment, const mesh::S
         return own_cells(experiment, *volume, request);
     std::vector<Box> regions = part_boxes(experiment);
     const Box bounds = mesh::bounding_box(surface.vertices);
+    // The clamp first: planes too close to an existing one are left out, and the length of the clamp matters most.
     if (experiment::has_clamp(experiment)) regions.insert(regions.begin(), held_part(experiment.clamp_box_m, bounds));
     for (const experiment::SupportDeclaration& support : experiment.supports)
         regions.push_back(held_part(support.box_m, bounds));

@@ -32,6 +32,7 @@ Result<HeldNodes> held_nodes(const experiment::Experiment& experiment, const Bod
             else
                 held.guided.push_back({node, support.held});
     }
+    // Boxes may overlap, so nodes are counted once.
     const std::set<int> distinct(held.clamped.begin(), held.clamped.end());
     if (static_cast<Eigen::Index>(distinct.size()) == mesh.mesh.node_count())
         return experiment::holds_whole_body(experiment);

@@ -45,6 +45,7 @@ VectorXd spread_of_pose(const measurement::Recording& recording) {
                 squares += (sample - mean).squaredNorm();
                 ++count;
             }
+        // Three coordinates per sample, less one degree of freedom each for the mean.
         if (count > 1.0) spread(m) = std::sqrt(squares / (3.0 * (count - 1.0)));
     }
     return spread;

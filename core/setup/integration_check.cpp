@@ -42,6 +42,7 @@ IntegrationCheck check_integration(const model::Model& model, const dynamics::Ti
     const dynamics::NaturalModes modes = dynamics::natural_modes(solver, model.body->mesh.nodes, 1);
     // A body without modes (not held) has no time scale to judge the step by.
     if (!modes.ok()) return check;
+    // The slowest mode decides: markers show it best.
     const double omega = modes.modes.front().omega_rad_s, lambda = model.velocity_force_1_s;
     check.frequency_Hz = omega / (2.0 * std::numbers::pi);
     check.damping_factor = dynamics::damping_factor(model, model.body->mesh.nodes, modes.modes.front());

@@ -13,12 +13,13 @@
 namespace myo::setup {
 namespace {
 
-/// Noise of a track, or how far the samples of a pose lie from their mean [m]; empty if it is not to be seen.
+/// Noise of a track per coordinate [m]; empty if the track is too short or too regular to show it.
 std::optional<double> noise(const measurement::Recording& recording, Eigen::Index marker) {
     const measurement::NoiseEstimate estimate = measurement::estimate_track_noise(
         recording.tracks[static_cast<std::size_t>(marker)]);
     return estimate.found && estimate.sigma_m > 0.0 ? std::optional(estimate.sigma_m) : std::nullopt;
 }
+/// How far the samples of a pose lie from their mean, per coordinate [m]; empty with fewer than two samples.
 std::optional<double> spread(const measurement::Recording& recording, Eigen::Index marker) {
     const double sigma_m = spread_of_pose(recording)(marker);
     return sigma_m > 0.0 ? std::optional(sigma_m) : std::nullopt;
@@ -44,8 +45,8 @@ void set_estimated_noise(const std::vector<measurement::Recording>& recordings, 
         setup.warnings.push_back(
             "markers.noise_m: not declared and not to be estimated from the traces; 0.1 mm is assumed");
     setup.noise_m.resize(count);
-    // A pose at rest still sways, most where the body is free; the cameras see all markers alike. Weights by the sway
-    // of each marker would let those near the support dominate the fit.
+    // A pose at rest still sways, most where the body is free; the cameras see all markers equally well. Weights by the
+    // sway of each marker would let those near the support dominate the fit.
     if (poses) {
         setup.noise_m.setConstant(std::max(typical, rounded_m));
         return;
@@ -64,6 +65,7 @@ measurement::Recording without_made_samples(const experiment::TrialDeclaration& 
     for (const measurement::TraceRepair& repair : declaration.repairs) {
         const std::optional<std::size_t> marker = measurement::label_index(recording, repair.marker);
         if (!makes_samples(repair.kind) || !marker) continue;
+        // Repairs are declared in file time, the prepared recording is in trial time.
         const auto [first, end] = measurement::samples_within(recording.time_s, repair.from_s - trial.start_s,
                                                               repair.to_s - trial.start_s);
         recording.tracks[*marker].middleCols(first, end - first).setConstant(std::numeric_limits<double>::quiet_NaN());
@@ -73,6 +75,7 @@ measurement::Recording without_made_samples(const experiment::TrialDeclaration& 
 
 void set_noise(const std::vector<measurement::Recording>& recordings, Setup& setup) {
     const auto count = static_cast<Eigen::Index>(setup.marker_names.size());
+    // One value for all trials: markers have one noise in the whole experiment, and the coarsest file limits it.
     const auto coarsest = std::max_element(
         setup.trials.begin(), setup.trials.end(),
         [](const PreparedTrial& a, const PreparedTrial& b) { return a.rounding_m < b.rounding_m; });

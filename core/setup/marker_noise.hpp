@@ -24,7 +24,7 @@ measurement::Recording without_made_samples(const experiment::TrialDeclaration& 
 /// produces.
 ///
 /// @param recordings  traces of the trials as measured; trials of `setup` with their rounding
-/// @param setup  gets the noise, and warnings about it
+/// @param setup  gets the noise, and warnings about it; must have a trial
 void set_noise(const std::vector<measurement::Recording>& recordings, Setup& setup);
 
 }  // namespace myo::setup

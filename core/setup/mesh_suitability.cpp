@@ -24,6 +24,7 @@ constexpr std::string_view unit_ending = "_m";
 
 constexpr const char* axis_names[] = {"x", "y", "z"};
 
+/// Length with three digits, in mm as messages state lengths.
 std::string in_mm(double metres) { return format_number(1e3 * metres, 3) + " mm"; }
 
 bool has_hexahedra(const MeshFacts& facts) { return facts.mesh.mesh.type == mesh::CellType::hex8; }
@@ -56,11 +57,13 @@ std::optional<Layers> fewest_layers(const MeshFacts& facts, bool rods) {
     return fewest;
 }
 
+/// "1 layer of hexahedra across 2 mm along z".
 std::string layers_text(const Layers& layers) {
     return std::to_string(layers.count) + (layers.count == 1 ? " layer" : " layers") + " of hexahedra across " +
            in_mm(layers.slice.thickness_m()) + " along " + axis_names[layers.slice.axis];
 }
 
+/// Advice with the option of the command line and the place in the window; in m, as the option takes it.
 std::string edges_up_to(double metres) {
     return "choose edges of " + format_number(metres, 3) + " m or less (" + edge_setting + ")";
 }
@@ -149,6 +152,7 @@ std::optional<std::string> effect_too_small(const MeshFacts& facts) {
     const double edge = mesh::mean_edge_length(facts.mesh.mesh);
     for (const effect::EffectDeclaration& effect : facts.effects) {
         const effect::Effect* const entry = effect::find_effect(effect);
+        // Most effects declare no length: has() is false for an empty name.
         if (entry == nullptr || !effect::has(effect.parameters, entry->resolved_length)) continue;
         const double length = effect::number(effect.parameters, entry->resolved_length);
         if (length >= suitability_policy.min_cells_per_length * edge) continue;

@@ -62,7 +62,7 @@ WallLayers wall_layers(const MeshFacts& body);
 inline constexpr std::array<MeshCheck, 5> mesh_checks{too_few_layers, too_few_cells_to_twist, cells_too_flat,
                                                       effect_too_small, chamber_of_stairs};
 
-/// Messages of all checks that fail.
+/// Messages of all checks that fail; empty for a mesh without cells.
 std::vector<std::string> unsuitable(const MeshFacts& body);
 
 }  // namespace myo::setup

@@ -11,6 +11,7 @@ namespace myo::setup {
 
 std::string mesh_words(const Setup& setup) {
     const WallLayers layers = wall_layers({setup.surface, setup.mesh, setup.experiment.effects});
+    // A whole number comes from counted layers; an estimate is one only by chance.
     const bool counted = layers.count == std::round(layers.count);
     return std::to_string(setup.mesh.mesh.cell_count()) + " " + to_string(setup.body->kind) + " elements of " +
            format_number(1e3 * setup.mesh.resolution_m, 3) + " mm, " + (counted ? "" : "about ") +

@@ -38,6 +38,7 @@ struct GroupOf {
             doubts.push_back(std::to_string(off) + " of " + std::to_string(painted) +
                              " painted elements lie where the body has none; is the mask of this body, in its rest "
                              "frame, in metres, with its axes in order?");
+        // One declared direction replaces the painted ones.
         if (part.fibre) mask->directions.colwise() = *part.fibre;
         return fibre::fibres_of_mask(mesh.mesh, *mask, muscle.stiffness_Pa, muscle.name);
     }

@@ -18,7 +18,7 @@ struct ContactPolicy {
 };
 inline constexpr ContactPolicy contact_policy;
 
-/// Declared obstacles as force elements on all free faces of the body.
+/// Declared obstacles as force elements on all free faces of the body, one each, in the order of declaration.
 std::vector<model::ForceElementPointer> obstacle_contacts(const experiment::Experiment& experiment,
                                                           const model::Body& body);
 

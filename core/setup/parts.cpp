@@ -21,6 +21,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
+/// Key of a part in messages: "part[1].box_m".
 std::string part_key(std::size_t part, const std::string& key) { return "part[" + std::to_string(part) + "]." + key; }
 
 /// Points in a cell that stand for equal parts of its volume, to first order: the middles of a grid of the reference
@@ -73,6 +74,7 @@ VectorXd shares_in_surface(const mesh::VolumeMesh& mesh, const mesh::SurfaceMesh
     VectorXd shares = VectorXd::Zero(mesh.cell_count());
     for (Index c = 0; c < mesh.cell_count(); ++c) {
         const Matrix3Xd x = mesh.nodes(Eigen::all, mesh.cells.col(c));
+        // Winding numbers cost a pass over the surface per point; most cells are outside its bounds.
         if ((x.rowwise().maxCoeff().array() <= bounds.lowest.array()).any() ||
             (x.rowwise().minCoeff().array() >= bounds.highest.array()).any())
             continue;
@@ -158,6 +160,7 @@ Result<MatrixXd> part_shares(const experiment::Experiment& experiment, const Bod
         for (Index column = 0; column < shares.cols(); ++column) shares.col(column).array() *= 1.0 - own->array();
         shares.col(1 + static_cast<Index>(k)) += *own;
     }
+    // Cells of which no material holds all; rounding of exact cuts does not count.
     const VectorXd mixed = (shares.rowwise().maxCoeff().array() < 1.0 - 1e-9).cast<double>();
     if (const double share = mixed.dot(volumes) / volumes.sum(); share > part_policy.told_mixed)
         warnings.push_back(format_number(100.0 * share, 2) +
@@ -207,6 +210,7 @@ std::vector<double> damping_excess(const experiment::Experiment& experiment, con
             if (k > 0 && !std::isnan(values.part_damping_s[k - 1]))
                 viscosity += own * (values.part_damping_s[k - 1] - values.damping_s);
         }
+        // Viscous moduli are damping time times shear modulus, and only these are averaged.
         excess[c] = viscosity / stiffness;
     }
     return excess;
@@ -215,6 +219,7 @@ std::vector<double> damping_excess(const experiment::Experiment& experiment, con
 std::vector<double> density_factors(const experiment::Experiment& experiment, const MatrixXd& shares) {
     VectorXd factors = VectorXd::Ones(shares.rows());
     for (std::size_t k = 0; k < experiment.parts.size(); ++k)
+        // Shares sum to 1, so only the difference from the body's density counts.
         factors += (experiment.parts[k].density_kg_m3 / experiment.material.density_kg_m3 - 1.0) *
                    shares.col(1 + static_cast<Index>(k));
     if (shares.rows() == 0 || (factors.array() == 1.0).all()) return {};

@@ -18,7 +18,7 @@ struct PartPolicy {
     /// error of the share of 4 % at most for a flat interface along the cell, less for an oblique one.
     int first_points = 3, points = 12;
     double least_share = 1e-6;  // of the body's volume; below it a part holds no material
-    /// Share of the cells' volume that lies in cells of mixed material, above which the error is told.
+    /// Share of the cells' volume that lies in cells of mixed material, above which a warning is given.
     double told_mixed = 0.02;
 };
 inline constexpr PartPolicy part_policy;
@@ -37,10 +37,10 @@ Result<Eigen::MatrixXd> part_shares(const experiment::Experiment& experiment, co
 
 /// Values of the materials that a fit may change.
 struct MaterialValues {
-    double youngs_modulus_Pa = 0.0;  // of the body
-    double damping_s = 0.0;          // of the body
-    std::vector<double> part_modulus_Pa{};
-    std::vector<double> part_damping_s{};  // NaN: the body's
+    double youngs_modulus_Pa = 0.0;         // of the body
+    double damping_s = 0.0;                 // of the body
+    std::vector<double> part_modulus_Pa{};  // per part, in the order of declaration
+    std::vector<double> part_damping_s{};   // NaN: the body's
 };
 /// Declared values; `damping_s` for the body, whose declaration may lack it.
 MaterialValues declared_materials(const experiment::Experiment& experiment, double damping_s);

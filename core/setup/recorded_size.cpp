@@ -38,6 +38,7 @@ std::optional<double> median(std::vector<double> values) {
 /// Recorded over declared distances between the markers; empty if no two of them are far enough apart.
 std::optional<double> distance_ratio(const std::vector<Vector3d>& rest_m, const measurement::Recording& recording,
                                      double body_m) {
+    // Medians over time and over pairs: a few exchanged names or stretched pairs do not decide.
     const Index stride = 1 + recording.sample_count() / recorded_size_policy.max_samples;
     std::vector<double> ratios;
     for (std::size_t i = 0; i < rest_m.size(); ++i)
@@ -80,11 +81,13 @@ Result<void> check_recorded_size(const experiment::Experiment& experiment,
     const double body_m = mesh::bounding_box(surface.vertices).size().norm();
     const std::optional<double> distances = distance_ratio(rest_m, recording, body_m);
     const double ratio = distances.value_or(motion_ratio(recording, body_m, experiment.markers.max_standoff_m));
+    // A motion may be arbitrarily small, so only distances can be too small.
     const bool too_small = distances && ratio < recorded_size_policy.min_ratio;
     if (ratio <= recorded_size_policy.max_ratio && !too_small) return {};
     const std::string size = distances
                                  ? "has its markers " + format_number(ratio, 4) + " times as far apart as declared"
                                  : "has a motion of " + format_number(ratio, 4) + " times what the body's size allows";
+    // The unit whose length over the stated one is the ratio.
     const std::string likely = measurement::unit_word(recording.metres_per_unit / ratio,
                                                       recorded_size_policy.same_unit),
                       stated = measurement::unit_word(recording.metres_per_unit);

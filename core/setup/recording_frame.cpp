@@ -66,6 +66,7 @@ Result<void> find_start(const experiment::Experiment& experiment, const experime
     trial.start_s = start.time_s;
     // The start remains uncertain by a few frames; the fit may shift it, see free_parameters().
     trial.start_found = start.found;
+    // A body that moves all along, or never, still gives a time to start from; nothing at all is an error.
     if (!start.found && start.last_still < 0 && start.movers.empty())
         return experiment::declaration_error(
             experiment, experiment::trial_key(experiment, declaration) + ".start_s",
@@ -154,6 +155,8 @@ Result<void> find_mount(const experiment::Experiment& experiment, const experime
     seen.tracks.assign(placed.tracks.end() - static_cast<std::ptrdiff_t>(fixed.size()), placed.tracks.end());
     Eigen::Matrix3Xd rest(3, static_cast<Eigen::Index>(fixed.size()));
     for (Eigen::Index i = 0; i < rest.cols(); ++i) rest.col(i) = fixed[static_cast<std::size_t>(i)].rest_m;
+    // The fit finds the frame later, so the motion is taken against the mean place before t = 0, not the declared
+    // places.
     const bool limited = !experiment.registration.known &&
                          experiment.registration.method == experiment::RegistrationMethod::limited;
     const Result<measurement::RecordedMount> mount = measurement::recorded_mount(seen, rest, limited);
@@ -162,7 +165,7 @@ Result<void> find_mount(const experiment::Experiment& experiment, const experime
                                              declaration.trace.filename().string() + ": " + mount.error().what);
     trial.mount = mount->motion;
     trial.mount_gap_s = mount->gap_s;
-    // The mount moves by the clock of the recording: a start beside it would be another motion.
+    // The mount moves by the clock of the recording: with another start the motion would be another one.
     trial.start_found = false;
     return {};
 }
@@ -202,6 +205,7 @@ Result<void> place_recording(const experiment::Experiment& experiment, const exp
     // Time first, then space; both maps are recorded in `trial` for the report.
     measurement::Recording placed = measurement::transform(measurement::shift_time(recording, -trial.start_s),
                                                            camera_to_mesh);
+    // On the whole recording: the motion of the mount is needed before the first and after the last compared sample.
     if (const Result<void> found = find_mount(experiment, declaration, placed, trial); !found) return found.error();
     placed = measurement::slice_time(placed, placed.time_s(0), end_of(declaration, placed, trial.start_s));
     return take_samples(experiment, key, std::move(placed), trial);

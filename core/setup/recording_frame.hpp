@@ -11,8 +11,8 @@ struct RecordingFramePolicy {
     int clock_digits = 12;
     /// Registration residual over the longest extent of the body, above which a wrong label or pose is likely.
     double far_of_body = 0.03;
-    /// Time without sight of the mount that is told [s]: machines and hands change their motion within a tenth of a
-    /// second.
+    /// Time without sight of the mount above which a warning is given [s]: machines and hands change their motion
+    /// within a tenth of a second.
     double mount_gap_s = 0.1;
 };
 inline constexpr RecordingFramePolicy recording_frame_policy;
@@ -28,8 +28,8 @@ bool is_foreign_recording(const experiment::Experiment& experiment, const experi
 /// @param trial      receives measured, first_sample, start_s, start_found, start_message, reference_m,
 ///                   registration_rms_m, occluded_fraction, mount and mount_gap_s
 /// Errors: times far from t = 0 that should be trial times, no start of motion, no rest pose before it, no rigid fit,
-/// a mount whose markers are not seen,
-/// no sample between start_s and end_s.
+/// a mount whose markers are not seen, a marker not seen before the start where displacements are compared, no sample
+/// between start_s and end_s.
 Result<void> place_recording(const experiment::Experiment& experiment, const experiment::TrialDeclaration& declaration,
                              const measurement::Recording& recording, PreparedTrial& trial);
 

@@ -42,6 +42,9 @@ VectorXd interpolated(const std::vector<double>& time_s, const std::vector<doubl
     VectorXd result = VectorXd::Constant(at_s.size(), std::numeric_limits<double>::quiet_NaN());
     for (Index i = 0; i < at_s.size(); ++i) {
         const double t = at_s[i];
+        // The ends of the run count, whatever the rounding of sampled times. Up to them the first and last value
+        // extend:
+        // reactions are known in the middle of steps only.
         if (!(t >= first_s - 1e-12 && t <= last_s + 1e-12)) continue;
         const auto above = static_cast<std::size_t>(std::upper_bound(time_s.begin(), time_s.end(), t) - time_s.begin());
         if (above == 0 || above == time_s.size()) {
@@ -63,6 +66,7 @@ Vector3d external_force(const model::Model& model, const model::MassMatrix& mass
         if (model::is_elastic_bed(*element)) continue;  // it is the support
         model::InternalEnergy out;
         out.gradient = Matrix3Xd::Zero(3, x.cols());
+        // Gradient of the potential, or of what stands for it: the force is its negative.
         element->add(*model.body, {x, &v, 0.0, t, false}, model::HessianKind::none, out);
         sum -= out.gradient.rowwise().sum();
     }
@@ -83,6 +87,7 @@ void reaction(const model::Model& model, const dynamics::Trace& trace, int axis,
     }
     for (std::size_t k = 0; k + 1 < trace.times_s.size(); ++k) {
         const double h = trace.times_s[k + 1] - trace.times_s[k];
+        // Two states at one time have no rate of momentum.
         if (!(h > 0.0)) continue;
         const double middle = 0.5 * (trace.times_s[k] + trace.times_s[k + 1]);
         const Matrix3Xd x = 0.5 * (trace.positions[k] + trace.positions[k + 1]);

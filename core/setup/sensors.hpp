@@ -27,6 +27,7 @@ struct SensorSeries {
 /// Readings of a trial. Times of a file are in the clock of the recording.
 ///
 /// @param start_s  time of t = 0 in that clock
+/// @return         one series per column that has readings; of a hold one sample each, the mean of a file's rows
 /// Errors: those of measurement::read_actuation_csv(); a column of no sensor.
 Result<std::vector<SensorSeries>> read_sensor_series(const experiment::Experiment& experiment,
                                                      const experiment::TrialDeclaration& trial, double start_s);

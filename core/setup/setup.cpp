@@ -233,10 +233,10 @@ Result<void> add_body(Setup& setup, const BodyMesh* meshed, const Progress& prog
     setup.warnings.insert(setup.warnings.end(), setup.mesh.warnings.begin(), setup.mesh.warnings.end());
     const Result<HeldNodes> held = held_nodes(experiment, setup.mesh, mesh::bounding_box(setup.surface.vertices));
     if (!held) return held.error();
-    // Effects that vary within a cell need an element that resolves them.
     Result<Eigen::MatrixXd> shares = part_shares(experiment, setup.mesh, setup.warnings);
     if (!shares) return shares.error();
     setup.part_shares = std::move(*shares);
+    // Effects that vary within a cell need an element that resolves them.
     const bool fine = setup.settings.fine_element || effect::any_varies_within_cells(experiment.effects);
     setup.tendons = find_tendons(experiment, setup.surface, setup.mesh);
     // The tables of a large body take seconds each: a cancelled caller leaves them to end by themselves.
@@ -289,7 +289,6 @@ Result<model::Model> shared_model(Setup& setup, const material::MaterialPointer&
     return model;
 }
 
-/// The trials with their traces, and the noise of the markers, which is estimated from all of them.
 /// Ranges of the recorded and constant commands over the trials.
 std::vector<CommandRange> command_ranges(const std::vector<PreparedTrial>& trials) {
     std::vector<CommandRange> ranges;
@@ -304,6 +303,7 @@ std::vector<CommandRange> command_ranges(const std::vector<PreparedTrial>& trial
     return ranges;
 }
 
+/// The trials with their traces, and the noise of the markers, which is estimated from all of them.
 Result<void> add_trials(Setup& setup, const model::Model& model, const Progress& progress) {
     const experiment::Experiment& experiment = setup.experiment;
     std::vector<measurement::Recording> recordings;
@@ -367,7 +367,7 @@ Setup with_fine_element(Setup setup) {
     setup.settings.fine_element = true;
     const fem::ElementKind fine = fem::fine_element(setup.body->kind);
     if (fine == setup.body->kind) return setup;
-    // The same mesh with another element: clamp, markers and loads remain valid.
+    // Only the element changes, not the mesh: clamp, markers and loads remain valid.
     setup.body = effect::of_kind(*setup.body, fine);
     for (PreparedTrial& trial : setup.trials) trial.model.body = setup.body;
     return setup;

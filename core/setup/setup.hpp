@@ -74,7 +74,7 @@ struct PreparedTrial {
     Eigen::MatrixXd registration_by_places;
     std::vector<std::size_t> free_levels;   // actuators with an unknown step level, see actuator_signals.hpp
     std::vector<double> occluded_fraction;  // per marker, 0 ... 1
-    std::vector<SensorSeries> sensors;      // readings beside the markers
+    std::vector<SensorSeries> sensors;      // readings in addition to the markers
     double rounding_m = 0.0;                // increment of the numbers in the file [m], 0 if none is detected
     /// Weights of the coordinates of `measured` where that holds goals, per marker 3 x samples; empty: a recording, 1
     /// each.
@@ -102,19 +102,19 @@ struct Setup {
     std::optional<IntegrationCheck> integration;  // result of check_integration(), if it was called
 };
 
-/// Gives the cells of a model moduli [Pa] and damping times [s].
+/// Gives the cells of a model moduli [Pa] and damping times [s]; density stays.
 ///
 /// @param factor  on all moduli
 void set_materials(const Setup& setup, const MaterialValues& values, double factor, model::Model& model);
 
-/// Sampling interval of the recording [s]; 0.01 s if it has a single sample.
+/// Sampling interval of the recording [s], from its nominal rate; 0.01 s if that is unknown, as with a single sample.
 double sampling_interval_s(const PreparedTrial& trial);
 
 /// Sets the time step of a trial [s] and turns switches of the actuation within one step into jumps, see
 /// with_switches_as_jumps().
 void set_step(PreparedTrial& trial, double h_s);
 
-/// Root mean square of the markers' noise [m].
+/// Root mean square of the markers' noise per coordinate [m]; the assumed noise if there is no marker.
 double mean_noise(const Setup& setup);
 
 /// Checks the shortest step of the trials, which tolerates the smallest velocity force, with the declared constants.
@@ -128,7 +128,8 @@ void check_integration(Setup& setup);
 Result<Setup> prepare_setup(const experiment::Experiment& experiment, const SetupSettings& settings,
                             const Progress& progress = {}, const BodyMesh* meshed = nullptr);
 
-/// The same setup with elements that resolve variation within cells, see fine_element(); needed to try such effects.
+/// A setup with elements that resolve variation within cells, see fine_element(); needed to try such effects. Only the
+/// element changes; models keep their constants.
 Setup with_fine_element(Setup setup);
 
 /// Replaces the signals of `leader` and its followers by a step at t = 0 from passive (1) to `level`; followers scale

@@ -11,6 +11,7 @@
 namespace myo::setup {
 namespace {
 
+/// Largest less smallest value, in the unit of the signal.
 double range_of(const std::vector<double>& values) {
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     return *most - *least;
@@ -26,6 +27,7 @@ bool meets(const fibre::Signal& signal, double end_s, const SignalSpanPolicy& po
     return std::abs(signal.value(end_s) - signal.value_before(0.0)) > policy.min_change * range;
 }
 
+/// The signal as it would be with its times in another clock or unit: factor * (t - shift_s).
 fibre::Signal with_times(fibre::Signal signal, double shift_s, double factor) {
     for (double& t : signal.times_s) t = factor * (t - shift_s);
     return signal;
@@ -40,6 +42,7 @@ SignalClock clock_of(const fibre::Signal& signal, const PreparedTrial& trial, do
     return SignalClock::unknown;
 }
 
+/// Remedy for the clock that explains the times.
 std::string advice(const PreparedTrial& trial, const MissedSignal& missed) {
     switch (missed.clock) {
         case SignalClock::of_the_recording:
@@ -63,6 +66,7 @@ std::vector<MissedSignal> missed_signals(const Setup& setup, const SignalSpanPol
         const std::size_t first_of_trial = found.size();
         for (std::size_t m = 0; m < names.size(); ++m) {
             const fibre::Signal& signal = actuator_signal(setup.experiment, trial.model, m);
+            // A follower has no rows of its own: its leader is reported.
             const bool muscle = m < muscles.size();
             if ((muscle && muscles[m].follows) || meets(signal, end_s, policy)) continue;
             const double first = signal.times_s.front(), last = signal.times_s.back();

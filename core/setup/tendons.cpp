@@ -26,6 +26,8 @@ std::vector<Tendon> find_tendons(const experiment::Experiment& experiment, const
             if (experiment::guide_moves(experiment, body, guide))
                 placed.on_body = fem::material_point(mesh.mesh, boundary, placed.rest_m);
         }
+        // Length of the thread at rest [m], and the axial stiffness E V / L^2 of a bar of the body's volume and that
+        // length.
         const double length = (declared.path_m.rightCols(declared.path_m.cols() - 1) -
                                declared.path_m.leftCols(declared.path_m.cols() - 1))
                                   .colwise()
@@ -35,6 +37,7 @@ std::vector<Tendon> find_tendons(const experiment::Experiment& experiment, const
                                (length * length);
         tendon.stiffness_N_m = declared.stiffness_N_m.value_or(tendon_policy.rigid_stiffness * of_body);
         tendon.slack_m = tendon_policy.smoothed_strain * length * of_body / tendon.stiffness_N_m;
+        // Couplings of a tendon follow those of the tendons before it, in the order of couplings().
         coupling += model::tendon_couplings(tendon.route.guides, tendon.by_shortening).size();
         tendons.push_back(std::move(tendon));
     }

@@ -12,7 +12,7 @@ namespace myo::setup {
 
 /// A tendon on the mesh of its body.
 struct Tendon {
-    model::TendonRoute route;
+    model::TendonRoute route;  // guides on the mesh or in space, friction, and the first coupling of the body
     bool by_shortening = false;
     double stiffness_N_m = 0.0;  // driven by shortening only
     double slack_m = 0.0;        // see model::tendon_of_shortening()

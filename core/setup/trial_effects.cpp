@@ -38,6 +38,7 @@ effect::Affected with_effects(const Setup& setup, std::size_t trial, model::Mode
     affected.recorded_mount = setup.trials[trial].mount;
     if (effects.empty() && !affected.recorded_mount) return affected;
     effect::apply_effects(trial_context(setup, trial), effects, affected);
+    // A hold is an equilibrium and has no times.
     if (setup.trials[trial].hold) return affected;
     // Effects on the clock can shift the last sample beyond the simulated end.
     const double last = measurement::true_times(affected.observation_error,
@@ -90,6 +91,7 @@ std::vector<EffectNumber> effect_numbers(const effect::EffectDeclaration& effect
 }
 
 double signal_size(const Setup& setup, const effect::EffectDeclaration& effect) {
+    // Commands of muscles are not among recorded_commands, so an effect on muscles alone has the size 1.
     const std::string only = effect::has(effect.parameters, "signal") ? effect::text(effect.parameters, "signal") : "";
     const std::vector<std::string> names = actuator_names(setup.experiment);
     double largest = 0.0;
@@ -121,6 +123,7 @@ void set_effect_number(effect::EffectDeclaration& effect, const std::string& par
         v(component) = value;
         return;
     }
+    // A direction is stored as a unit vector; its two angles are taken from it, changed, and put back.
     Eigen::Vector2d angles = effect::direction_angles(base, v);
     angles(component) = value;
     v = effect::direction_at(base, angles);

@@ -41,12 +41,12 @@ std::vector<EffectNumber> effect_numbers(const effect::EffectDeclaration& effect
 /// Size of the signals that an effect on the actuation acts on, in their unit: 1 if they are all muscles', otherwise
 /// the largest pressure, tension or shortening of the trials.
 double signal_size(const Setup& setup, const effect::EffectDeclaration& effect);
-/// Current value of one degree of freedom.
+/// Current value of one degree of freedom, in the unit of the parameter; angles in rad.
 ///
 /// @param component, base  as in EffectNumber
 double effect_number(const effect::EffectDeclaration& effect, const std::string& parameter, int component,
                      const Eigen::Vector3d& base = Eigen::Vector3d::Zero());
-/// Sets one degree of freedom; the arguments are those of effect_number().
+/// Sets one degree of freedom; the arguments are those of effect_number(). Bounds are not checked.
 void set_effect_number(effect::EffectDeclaration& effect, const std::string& parameter, int component, double value,
                        const Eigen::Vector3d& base = Eigen::Vector3d::Zero());
 

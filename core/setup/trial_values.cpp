@@ -10,6 +10,7 @@ namespace myo::setup {
 void set_materials(const Setup& setup, const MaterialValues& values, double factor, model::Model& model) {
     const experiment::Experiment& experiment = setup.experiment;
     model.damping_s = values.damping_s;
+    // Without parts all cells have one material.
     if (setup.part_shares.size() == 0) {
         model.moduli = model::uniform_moduli(setup.body->cell_count(), factor * values.youngs_modulus_Pa,
                                              experiment.material.poissons_ratio);
