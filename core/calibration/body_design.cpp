@@ -18,6 +18,7 @@ using Eigen::Index;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
+/// Whether a quantity of the muscle or part with this name is sought.
 bool seeks(const std::vector<SoughtItem>& items, SoughtKind kind, const std::string& of) {
     return std::find(items.begin(), items.end(), SoughtItem{kind, of}) != items.end();
 }
@@ -44,6 +45,7 @@ fibre::FibreGroup group_of_paint(const mesh::VolumeMesh& mesh, const fibre::Cell
     return group;
 }
 
+/// Gives the models of all trials these fibres of a muscle; the fibres of prepared models are shared and constant.
 void replace_group(setup::Setup& setup, std::size_t muscle, const fibre::FibreGroup& group) {
     for (setup::PreparedTrial& trial : setup.trials) {
         auto fibres = std::make_shared<std::vector<fibre::FibreGroup>>(*trial.model.fibres);
@@ -60,12 +62,16 @@ void add_muscle(setup::Setup& setup, const std::vector<SoughtItem>& seek, std::s
     const bool turns = seeks(seek, SoughtKind::direction, declared.name),
                amounts = seeks(seek, SoughtKind::weights, declared.name);
     const auto* const mask = std::get_if<experiment::MuscleMask>(&declared.part);
+    // Painted directions may differ from cell to cell and then turn as a smooth field; one direction turns as a whole.
     const bool field = mask && !mask->fibre;
     fibre::CellPaint paint;
+    // Weights of whole cells, as a mask painted on this mesh has them, so that the result can be written as such a
+    // mask.
     if (amounts || (turns && field)) {
         paint = fibre::paint_of_group(mesh, group);
         fibre::CellPaint reach = paint;
         if (amounts) {
+            // Cells next to the paint take part with weight 0, so that the muscle may grow into them.
             reach = fibre::grown(paint, mesh::neighbouring_cells(mesh));
             paint.directions = reach.directions;
         }
@@ -93,6 +99,7 @@ void add_moduli(const setup::Setup& setup, const std::vector<SoughtItem>& seek, 
     const auto cells = static_cast<std::size_t>(setup.body->cell_count());
     const setup::MaterialValues all = setup::declared_materials(experiment, model.damping_s);
     std::vector<inverse::SoughtModulus> sought;
+    // Moduli of what is not sought, per cell; sought shares are added to them times their factor.
     std::vector<material::Moduli> rest(cells, material::Moduli{0.0, 0.0});
     for (std::size_t k = 0; k <= experiment.parts.size(); ++k) {
         const std::string name = k == 0 ? "" : experiment.parts[k - 1].name;
@@ -101,6 +108,7 @@ void add_moduli(const setup::Setup& setup, const std::vector<SoughtItem>& seek, 
         const material::Moduli own = material::moduli_from_young(modulus, ratio);
         std::vector<material::Moduli> share(cells);
         for (std::size_t c = 0; c < cells; ++c) {
+            // Without parts the body's material fills every cell.
             const double part = setup.part_shares.size() == 0
                                     ? 1.0
                                     : setup.part_shares(static_cast<Index>(c), static_cast<Index>(k));
@@ -137,12 +145,14 @@ void state_change(double before, double after, const std::string& unit, FoundIte
     found.change = "from " + format_number(before, 4) + " to " + format_number(after, 4) + " " + unit;
 }
 
+/// States a turn [degrees]; `everywhere`: all fibres turn by it, otherwise it is the largest of them.
 void state_turn(double degrees, bool everywhere, FoundItem& found) {
     found.after = degrees;
     found.unit = "°";
     found.change = std::string(everywhere ? "turned by " : "turned by up to ") + format_number(degrees, 3) + "°";
 }
 
+/// Volume of a muscle, cells weighted by their paint [cm3].
 double volume_cm3(const mesh::VolumeMesh& mesh, const fibre::CellPaint& paint) {
     return 1e6 * fibre::amount_of(paint, mesh::cell_volumes(mesh)).volume_m3;
 }
@@ -161,7 +171,7 @@ FoundItem found_muscle(const setup::Setup& setup, const DesignedItem& designed, 
     if (designed.item.kind == SoughtKind::weights) {
         state_change(volume_cm3(mesh, designed.paint), volume_cm3(mesh, now), "cm³", found);
     } else if (one) {
-        // All fibres turn alike: the direction of any cell with muscle, on the side of the declared one.
+        // All fibres turn by one rotation: the direction of any cell with muscle, on the side of the declared one.
         Index cell = 0;
         now.weights.maxCoeff(&cell);
         const Vector3d direction = now.directions.col(cell);
@@ -174,6 +184,7 @@ FoundItem found_muscle(const setup::Setup& setup, const DesignedItem& designed, 
     return found;
 }
 
+/// Modulus of a part or the body. `value`: ln of the found modulus over the declared one.
 FoundItem found_modulus(const setup::Setup& setup, const DesignedItem& designed, double value) {
     const double declared = designed.item.of.empty() ? setup.experiment.material.youngs_modulus_Pa
                                                      : setup.experiment.parts[designed.index].youngs_modulus_Pa;

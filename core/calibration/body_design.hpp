@@ -24,7 +24,7 @@ struct DesignedItem {
 /// What a search may change of a body; empty if it seeks signals only.
 struct BodyDesign {
     inverse::Design variables;
-    std::vector<DesignedItem> items;
+    std::vector<DesignedItem> items;  // what the values of the variables mean, in the order of muscles, then moduli
 };
 
 /// Design variables of a setup for the sought items other than signals. In the models of all trials, fibres of painted
@@ -34,7 +34,9 @@ struct BodyDesign {
 /// Errors: a mesh of truncated voxels, on which paint has no place of its own; a muscle without material on the mesh.
 Result<BodyDesign> body_design(setup::Setup& setup, const std::vector<SoughtItem>& seek);
 
-/// The setup with these values of the design in the models of all trials; they must have the declared ones.
+/// The setup with these values of the design in the models of all trials; the models must have the declared ones.
+///
+/// @param values  of all variables, one after another; dimensionless, see inverse::DesignVariable
 setup::Setup with_design(setup::Setup setup, const inverse::Design& design, const Eigen::VectorXd& values);
 
 /// A value of the experiment that a search changed.
@@ -50,8 +52,8 @@ struct FoundItem {
     std::string change = {};  // for people: "turned by up to 23°", "from 270 to 310 kPa"
 };
 
-/// What the values mean for the experiment. A muscle whose direction and weights were sought has both in one mask, in
-/// each of its items.
+/// What the values mean for the experiment, in the order of BodyDesign::items. A muscle whose direction and weights
+/// were sought has both in one mask, in each of its items.
 std::vector<FoundItem> found_items(const setup::Setup& setup, const BodyDesign& design, const Eigen::VectorXd& values);
 
 }  // namespace myo::calibration

@@ -41,6 +41,7 @@ struct KeptPredictions {
     }
 };
 
+/// Root mean square of all compared marker coordinates [m]; occluded ones do not count.
 double rms_of(const std::vector<prediction::TrialPrediction>& predictions) {
     std::vector<Matrix3Xd> all;
     for (const prediction::TrialPrediction& prediction : predictions)
@@ -73,12 +74,15 @@ public:
         prediction::ParameterValues values = values_at(p);
         std::vector<prediction::TrialPrediction> predictions = run(values, {}, progress);
         if (prediction::all_ok(predictions)) {
+            // Before the markers are moved to their probable places: the report shows the declared model as it is
+            // declared.
             if (is_declared(p)) kept_.keep_declared(predictions);
             predictions = prediction::at_probable_places(setup_, trials_, values, std::move(predictions));
             evaluated_at_ = p;
             places_m_ = values.places_m;
         }
         inverse::ResidualEvaluation evaluation = prediction::weighted_residuals(setup_, trials_, predictions, 0);
+        // Computed for the listener only, as it passes over all residuals.
         const double rms_m = settings_.evaluated && evaluation.ok ? rms_of(predictions) : 0.0;
         const bool best = evaluation.ok && kept_.offer(std::move(predictions), evaluation.residuals.squaredNorm());
         tell(values, evaluation, rms_m, best);
@@ -88,6 +92,7 @@ public:
     /// Jacobian at p, from the tangents of a new run with the markers at their most probable places.
     Eigen::MatrixXd jacobian(const Eigen::VectorXd& p, const Progress& progress) {
         prediction::ParameterValues values = values_at(p);
+        // Places belong to the residuals at p; at any other p they are unknown and left at the declared ones.
         if (p == evaluated_at_) values.places_m = places_m_;
         jacobian_ = prediction::weighted_residuals(setup_, trials_, run(values, parameters_, progress),
                                                    parameters_.size())
@@ -138,6 +143,7 @@ private:
 
     // Gradient in scaled parameters, with the last Jacobian: the solver does not compute one for every evaluation.
     double gradient(const Eigen::VectorXd& residuals) const {
+        // No Jacobian yet.
         if (jacobian_.rows() != residuals.size()) return std::numeric_limits<double>::quiet_NaN();
         Eigen::VectorXd gradient = jacobian_.transpose() * residuals;
         for (std::size_t p = 0; p < parameters_.size(); ++p)
@@ -172,6 +178,7 @@ void set_runs(const setup::Setup& setup, const prediction::ParameterValues& decl
         places.push_back(&place);
     };
     for (std::size_t i = 0; i < fit.size(); ++i) {
+        // Runs with the declared values are missing if the search began from other values.
         after[fit[i]] = std::move(kept.best[i]);
         if (kept.first.empty())
             run(fit[i], declared, before[fit[i]]);
@@ -217,6 +224,8 @@ std::vector<std::string> undetermined_sentences(const Calibration& calibration) 
     return sentences;
 }
 
+/// What a reader of the result should know: undetermined and correlated parameters, bounds, several minima, failed
+/// runs.
 std::vector<std::string> calibration_warnings(const setup::Setup& setup, const Calibration& calibration) {
     std::vector<std::string> warnings = undetermined_sentences(calibration);
     const inverse::LeastSquaresReport& fit = calibration.fit;
@@ -307,6 +316,7 @@ Calibration calibrate(const setup::Setup& setup, const CalibrationSettings& sett
     const auto jacobian = [&](const Eigen::VectorXd& p, const inverse::ResidualEvaluation&, const Progress& inner) {
         return runs.jacobian(p, inner);
     };
+    // One generator for all starts: more starts leave the first ones as they are.
     std::mt19937_64 random(settings.seed);
     // Parameters without influence, as found by the first start.
     std::vector<bool> unmoved(result.parameters.size(), false);
@@ -315,6 +325,8 @@ Calibration calibrate(const setup::Setup& setup, const CalibrationSettings& sett
         std::vector<inverse::Parameter> parameters;
         for (const prediction::ModelParameter& p : result.parameters) parameters.push_back(p.parameter);
         for (std::size_t i = 0; i < parameters.size(); ++i) {
+            // Drawn for every parameter, used or not, so that the other values of a start do not depend on which ones
+            // are fixed.
             const double drawn = s == 0 ? 0.0 : random_start(parameters[i], random);
             parameters[i].value = s == 0 || unmoved[i] ? given_start(parameters[i], settings) : drawn;
         }
@@ -329,6 +341,8 @@ Calibration calibrate(const setup::Setup& setup, const CalibrationSettings& sett
         inverse::LeastSquaresOptions options;
         options.max_evaluations = settings.max_evaluations;
         inverse::LeastSquaresReport fit = inverse::fit_least_squares(parameters, residuals, jacobian, options, inner);
+        // A body that is declared too soft may have no equilibrium under its commands; with stiffer moduli it can be
+        // run.
         if (s == 0 && fit.status == inverse::FitStatus::failed)
             if (const auto start = prediction::runnable_start(setup, runs.values_at(fit.start), result.parameters,
                                                               runs.trials(), inner)) {

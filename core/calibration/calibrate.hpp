@@ -39,7 +39,7 @@ struct CalibrationSettings {
 /// Outcome of one start.
 struct CalibrationStart {
     inverse::FitStatus status = inverse::FitStatus::not_run;
-    std::string message;
+    std::string message;                         // why the start ended, for people
     Eigen::VectorXd start, values;               // per parameter
     double cost_before = 0.0, cost_after = 0.0;  // see FitIterate; both 0 if nothing could be run
     std::vector<inverse::FitIterate> history;

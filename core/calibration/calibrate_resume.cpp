@@ -66,6 +66,7 @@ Result<EarlierCalibration> read_calibration(const fs::path& folder, const setup:
             return refuse("has no number as the value of " + name);
         earlier.values[name] = entry.at("value").get<double>();
     }
+    // Files of earlier versions lack this count; it then begins at 0.
     if (json->contains("evaluations_in_all") && json->at("evaluations_in_all").is_number_integer())
         earlier.evaluations = json->at("evaluations_in_all").get<int>();
     return earlier;

@@ -22,6 +22,7 @@ Calibration fit_with_chosen_steps(setup::Setup& setup, CalibrationSettings setti
         if (!calibration.fit.converged() || progress.cancelled()) break;
         std::vector<setup::TrialStep> steps = prediction::choose_steps(setup, calibration.after.values, progress,
                                                                        &calibration.after);
+        // Steps that are hardly shorter would cost a fit and change little.
         if (!prediction::much_shorter(setup, steps)) break;
         prediction::set_shorter_steps(setup, std::move(steps));
         for (std::size_t i = 0; i < calibration.parameters.size(); ++i)
@@ -52,6 +53,7 @@ Calibration fit_of_all_periods(setup::Setup& setup, CalibrationSettings settings
     // The second fit works on a copy, as its steps may become shorter than those of the first.
     setup::Setup other = setup;
     Calibration again = fit_with_chosen_steps(other, settings, progress);
+    // Costs are comparable although the steps may differ: both are sums over the samples of the recording.
     if (again.fit.converged() && again.fit.cost_after < calibration.fit.cost_after) {
         std::swap(calibration, again);
         std::swap(setup, other);

@@ -23,6 +23,7 @@ constexpr DeclaredGradientsPolicy declared_gradients_policy;
 
 /// Modulus and damping of every part, declared as unknown or not, and all numbers of the effects.
 std::vector<ModelParameter> checked_numbers(const setup::Setup& setup, const prediction::ParameterValues& values) {
+    // free_parameters() lists declared unknowns only, so all values of parts are declared as such in a copy.
     setup::Setup open = setup;
     for (experiment::PartDeclaration& part : open.experiment.parts) {
         part.calibrate = {"youngs_modulus", "damping"};
@@ -66,6 +67,7 @@ struct Checked {
     std::vector<double> steps;
 };
 
+/// Numbers that can be checked; `left_out` receives the others with the reason.
 Checked numbers_with_tangents(const CheckedRun& run, std::vector<std::string>& left_out) {
     Checked checked;
     for (ModelParameter& number : checked_numbers(run.setup, run.values)) {
@@ -75,6 +77,7 @@ Checked numbers_with_tangents(const CheckedRun& run, std::vector<std::string>& l
             continue;
         }
         const double value = prediction::value_of(number, run.values);
+        // The five-point formula reaches two steps to each side and must stay within the bounds: 2 x 0.4 of the room.
         const double room = std::min(value - number.parameter.lower, number.parameter.upper - value);
         const double step = std::min(
             prediction::difference_step(number, value, declared_gradients_policy.part_of_scale), 0.4 * room);
@@ -99,6 +102,7 @@ Checked numbers_with_tangents(const CheckedRun& run, std::vector<std::string>& l
 
 DeclaredGradients declared_gradients(const CheckedRun& run, int threads, const Progress& progress) {
     DeclaredGradients result;
+    // One run with all tangents against four runs per number without any.
     const Checked checked = numbers_with_tangents(run, result.left_out);
     if (checked.numbers.empty()) return result;
     const std::vector<Eigen::Matrix3Xd> shares = inverse::shares_of_coordinates(run.target);
@@ -135,6 +139,7 @@ DeclaredGradients declared_gradients(const CheckedRun& run, int threads, const P
             result.message = name + ": " + messages[4 * p + k];
             return result;
         }
+        // The loss at any of the points serves as the scale of its rounding.
         sensitivity::compare(row, checked.steps[p], losses[4 * p], declared_gradients_policy.tolerance);
         result.rows.push_back(std::move(row));
     }

@@ -13,8 +13,8 @@ namespace myo::calibration {
 struct CheckedRun {
     const setup::Setup& setup;
     std::size_t trial = 0;
-    prediction::ParameterValues values;  // at which it runs
-    double end_s = 0.0;
+    prediction::ParameterValues values;   // at which it runs
+    double end_s = 0.0;                   // of the run [s]
     Eigen::Matrix3Xd initial_velocities;  // 3 x n [m/s]
     const inverse::MarkerTarget& target;
 };

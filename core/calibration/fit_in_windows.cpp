@@ -52,6 +52,7 @@ double onset(const setup::PreparedTrial& trial) {
             if (!from) from = track.col(k);
             way(k) = (track.col(k) - *from).norm();
         }
+        // Relative to the marker's own motion, so that noise and slow drift before the release do not count.
         const double seen = window_policy.seen_departure * way.maxCoeff();
         for (Index k = trial.first_sample; k < track.cols() && seen > 0.0; ++k)
             if (way(k) > seen) {
@@ -82,6 +83,7 @@ public:
     }
 
     std::map<std::string, double> run() {
+        // Without a free modulus no frequency is open, and a residual of noise alone has the right number of periods.
         if (modulus_ == nullptr || !is_unexplained()) return {};
         // Frequency is proportional to the root of the modulus, so the bounds leave a frequency range of
         // omega * ln(E_max / E_min) / 2, which multiplied by time gives the open phase.
@@ -98,6 +100,7 @@ public:
         const double doubt_rad = doubt_rad_s_ * longest_s;
         // Less than half a period open: no ambiguity. Too many periods: the scan would not resolve them.
         if (!(doubt_rad > window_policy.max_doubt_rad) || doubt_rad > window_policy.max_phase_rad) return {};
+        // In the first window less than half a period is open, so there is one minimum.
         double length_s = window_policy.max_doubt_rad / doubt_rad_s_;
         CalibrationSettings settings = found_.settings;
         settings.starts = 1;
@@ -119,6 +122,7 @@ public:
     }
 
 private:
+    /// Whether the fit left more than noise.
     bool is_unexplained() const {
         return found_.after.fit_rms_m > window_policy.unexplained * setup::mean_noise(setup_);
     }
@@ -132,7 +136,7 @@ private:
         return cost(setup_, values, progress_.with_sink({})) < window_policy.worth * found_.fit.cost_after;
     }
 
-    // Geometric mean of the bounds: the middle of the scan, which is logarithmic.
+    // First natural angular frequency [rad/s] at the geometric mean of the bounds, the middle of the logarithmic scan.
     double frequency_rad_s() const {
         prediction::ParameterValues values = found_.after.values;
         values.youngs_modulus_Pa = std::sqrt(lower_Pa_ * upper_Pa_);
@@ -155,6 +159,7 @@ private:
         prediction::ParameterValues values = prediction::declared_values(window);
         const double damping_s = values.damping_s;
         double least = std::numeric_limits<double>::infinity();
+        // Other parameters keep their declared values: at the beginning the frequency matters most.
         for (const double share : window_policy.damping_shares) {
             if (damping_ == nullptr && share != 1.0) continue;
             values.damping_s = share * damping_s;

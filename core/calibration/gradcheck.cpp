@@ -70,6 +70,7 @@ std::vector<sensitivity::GradientCheckRow> placement_rows(const inverse::MarkerT
     return rows;
 }
 
+/// By how much pull_taut() raises tensions [N].
 struct GradcheckPolicy {
     double least_tension_N = 0.05;     // raised tension
     double of_largest_tension = 0.01;  // the same over the largest tension of a signal, whose steps are 0.2 % of it
@@ -83,8 +84,10 @@ void pull_taut(const setup::Setup& setup, model::Model& model) {
     for (std::size_t i = 0; i < actuators.size(); ++i) {
         if (actuators[i].kind != experiment::ActuatorKind::tendon_tension) continue;
         fibre::Signal tension = setup::actuator_signal(setup.experiment, model, i);
+        // Relative to the largest tension, as differences are.
         const auto [least, largest] = std::minmax_element(tension.values.begin(), tension.values.end());
         const double by = std::max(gradcheck_policy.least_tension_N, gradcheck_policy.of_largest_tension * *largest);
+        // Differences change a tension by at most 0.2 % of its largest value, so such a tension stays positive.
         if (*least >= by) continue;
         for (double& value : tension.values) value += by;
         model::ForceElementPointer& element = model.force_elements[*setup::actuator_element(setup.experiment, i)];

@@ -28,6 +28,7 @@ struct TrialGradientCheck {
 /// clock are slightly off.
 ///
 /// @param trial  index into Setup::trials
+/// @param steps  number of time steps, > 0; the differences take several runs per input
 /// Errors: those of the runs, in the status of the check.
 TrialGradientCheck gradcheck(const setup::Setup& setup, std::size_t trial, int steps, const Progress& progress = {});
 

@@ -105,12 +105,15 @@ public:
     }
 
     /// @param values  initial values
+    /// Gauss-Newton iterations on another setup.
+    ///
     /// @param beside  reference: corrections small relative to the change from it end the iteration
     /// @param max_s  no run but the first is started that would end later [s]
     Refitted on(const setup::Setup& other, VectorXd values, const VectorXd& beside, double max_s) const {
         const setup::Setup kept = prediction::with_kept_paths(other);
         const Stopwatch watch;
         Refitted result;
+        // Paths of the last run: stages of the next one start from them, as the values change little.
         std::vector<std::shared_ptr<const dynamics::StagePath>> near(trials_.size());
         for (int run = 1; run <= policy_.max_runs; ++run) {
             const VectorXd at = within_bounds(values);
@@ -122,6 +125,7 @@ public:
             const inverse::ResidualEvaluation there = prediction::weighted_residuals(kept, trials_, predictions, 0);
             if (!there.ok) return {{}, progress_.cancelled() ? "stopped by the user" : there.message, {}};
             for (std::size_t i = 0; i < near.size(); ++i) near[i] = predictions[i].trace.path;
+            // The estimate of how long runs on another mesh take.
             if (run == 1) result.run_s = watch.seconds();
             // Chord method: target residual minus current one, solved with the factorised, scaled Jacobian of the fit.
             const VectorXd step = scale_.cwiseProduct(solver_.solve(residuals_ - there.residuals));
@@ -142,6 +146,7 @@ public:
     }
 
 private:
+    /// Gauss-Newton steps know no bounds; models outside of them may not run.
     VectorXd within_bounds(VectorXd values) const {
         for (Index i = 0; i < values.size(); ++i) {
             const inverse::Parameter& p = calibration_.parameters[static_cast<std::size_t>(i)].parameter;
@@ -150,6 +155,7 @@ private:
         return values;
     }
 
+    /// Fitted values of the calibration, with these in place of the parameters.
     prediction::ParameterValues with_values(const VectorXd& at) const {
         prediction::ParameterValues values = calibration_.after.values;
         for (Index i = 0; i < at.size(); ++i)
@@ -200,6 +206,7 @@ public:
         const Refitted with_longer = !refit_.ready() ? Refitted{{}, "the fit ended without derivatives", {}}
                                      : no_steps()    ? refit_.as_fitted(calibration_.seconds)
                                                      : refit_.on(longer, fitted, fitted, 0.3 * left_s());
+        // The mesh error is measured with the longer steps on both meshes, so it needs the refit with them.
         const Errors steps = of_steps(with_longer);
         const Errors mesh = steps.values.size() > 0 ? of_mesh(longer, with_longer) : Errors{{}, steps.message};
         result.step = steps.values;
@@ -239,14 +246,17 @@ private:
         return std::all_of(trials.begin(), trials.end(), [&](std::size_t t) { return setup_.trials[t].hold; });
     }
 
+    /// Wall-clock time that is left for further runs [s].
     double left_s() const { return max_s_ - watch_.seconds(); }
 
+    /// Steps of the given setup relative to those that the calibration ended with.
     setup::Setup with_longer_steps(setup::Setup setup) const {
         for (std::size_t t = 0; t < setup.trials.size(); ++t)
             setup::set_step(setup.trials[t], policy_.longer_steps * setup_.trials[t].options.h_s);
         return setup;
     }
 
+    /// Error of the time steps, from a refit with longer ones.
     Errors of_steps(const Refitted& longer) const {
         if (longer.values.size() == 0) return {{}, longer.message};
         // Order of the integrator: implicit Euler is the only first-order scheme.
@@ -282,6 +292,7 @@ private:
         return std::cbrt(cells(setup_) / cells(other));
     }
 
+    /// Mesh error of each value, from its change on the other mesh; at least the least error of the policy.
     VectorXd error_of(const setup::Setup& other, const VectorXd& change) const {
         const VectorXd error = extrapolation(edge_ratio(other), policy_.mesh_order) * change.cwiseAbs();
         return error.cwiseMax(min_mesh_error(setup_, calibration_, policy_));

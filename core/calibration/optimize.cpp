@@ -31,6 +31,7 @@ inverse::ActingSignals acting_signals(const setup::Setup& setup) {
     for (const effect::EffectDeclaration& effect : setup.experiment.effects)
         if (effect::find_effect(effect)->kind == effect::EffectKind::actuation) effects.push_back(effect);
     if (effects.empty()) return nullptr;
+    // The function outlives this call, so it keeps a copy of the setup.
     return [kept = std::make_shared<const setup::Setup>(setup), effects](const std::vector<fibre::Signal>& commanded) {
         const model::Model acting = setup::with_effects(
                                         *kept, 0, inverse::driven_model(kept->trials.front().model, commanded), effects)
@@ -64,6 +65,7 @@ MatrixXd random_values(const inverse::SoughtSignals& sought, std::mt19937_64& ra
     return values;
 }
 
+/// One sentence per signal of which values ended at a bound.
 std::vector<std::string> bound_warnings(const inverse::SoughtSignals& sought, const MatrixXd& values) {
     std::vector<std::string> warnings;
     for (Index s = 0; s < values.rows(); ++s) {
@@ -107,12 +109,13 @@ std::vector<std::string> warnings_of(const setup::Setup& setup, const Optimizati
     return warnings;
 }
 
+/// The problem with a found camera frame, at which its deviations are computed.
 inverse::ActuationProblem with_placement(inverse::ActuationProblem problem, const inverse::MarkerPlacement& placement) {
     problem.target.placement = placement;
     return problem;
 }
 
-/// The same progress under another task name, for runs that are part of a search.
+/// Progress under another task name, for runs that are part of a search.
 Progress in_task(const Progress& progress, const std::string& task) {
     return progress.with_sink([&progress, task](ProgressEvent event) {
         event.task = task;
@@ -189,11 +192,14 @@ Result<inverse::ActuationProblem> actuation_problem(const setup::Setup& setup, c
             return experiment::declaration_error(setup.experiment, "registration.known",
                                                  "must be true, or rest_pose the method: signals cannot be sought with "
                                                  "a moving mount and an unknown camera frame at once");
+        // Displacements are taken in a frame that a turning mount would rotate.
         if (mount->turns() && problem.target.from_start)
             return experiment::declaration_error(setup.experiment, "markers.compare",
                                                  "must be \"position\": signals cannot be sought by displacements "
                                                  "from a mount that turns");
     }
+    // Noise times one second: a change of a signal by its scale per second costs as much as one noise level of
+    // distance.
     problem.smoothness_m_s = settings.smoothness_m_s.value_or(setup::mean_noise(setup));
     problem.design = std::move(design);
     problem.design_smoothness_m = setup::mean_noise(setup);
@@ -221,6 +227,7 @@ Optimization search_signals(const setup::Setup& setup, const inverse::ActuationP
         inverse::ActuationFitOptions options;
         options.max_evaluations = settings.max_evaluations;
         options.evaluated = settings.evaluated;
+        // Below the noise of the recording a smaller loss means nothing, so the search ends.
         options.met_rms_m = TargetRule{}.met * setup::mean_noise(setup);
         inverse::ActuationFit fit = inverse::fit_actuation(
             problem, s == 0 ? start : inverse::ActuationStart(random_values(problem.sought, random)), options, inner);

@@ -26,7 +26,7 @@ struct OptimizeSettings {
     double highest = 2.0;                  // lowest: see lowest_activation()
     int max_evaluations = 100;             // per start
     int starts = 1;                        // the first is given, the others are random levels
-    std::uint64_t seed = 1;
+    std::uint64_t seed = 1;                // of the random starts
     /// Called after every evaluation of the running start, on the caller's thread; may be empty.
     std::function<void(const inverse::ActuationFit&)> evaluated = {};
 };

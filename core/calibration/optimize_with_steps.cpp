@@ -18,6 +18,7 @@ setup::Setup with_found(setup::Setup setup, const inverse::ActuationProblem& pro
     if (problem.sought.signals.empty()) return setup;
     setup::PreparedTrial& trial = setup.trials.front();
     const std::vector<fibre::Signal> commands = found_commands(problem.sought, fit.values);
+    // Muscles come first, then chambers and tendons, see actuator_signals.hpp.
     const auto first_command = commands.begin() + static_cast<std::ptrdiff_t>(trial.recorded_activation.size());
     trial.recorded_activation.assign(commands.begin(), first_command);
     trial.recorded_commands.assign(first_command, commands.end());
@@ -33,7 +34,7 @@ Optimization search_with_chosen_steps(setup::Setup& setup, const inverse::Actuat
     if (!prediction::choosable(setup.settings) || setup.trials.front().hold) return found;
     for (int search = 1; search < prediction::shorter_steps_policy.max_fits; ++search) {
         if (!found.fit.converged() || progress.cancelled()) break;
-        // The evaluations end with the last goal, and the runs that tell their steps, too.
+        // The evaluations end with the last goal, and so do the runs from which steps are chosen.
         const setup::Setup moved = prediction::until_last_goal(with_found(setup, problem, found.fit));
         std::vector<setup::TrialStep> steps = prediction::choose_steps(
             moved, prediction::placed_values(moved, found.fit.best.placement), progress);
@@ -47,6 +48,7 @@ Optimization search_with_chosen_steps(setup::Setup& setup, const inverse::Actuat
         Optimization next = search_signals(setup, finer, once, {found.fit.values, found.fit.design}, progress);
         if (!next.usable()) break;  // cancelled at once: keep the signals found with longer steps
         next.earlier_evaluations = found.earlier_evaluations + static_cast<int>(found.fit.log.size());
+        // The result is one search: it begins where the first one began.
         next.fit.first = std::move(found.fit.first);
         next.fit.start = found.fit.start;
         next.starts.insert(next.starts.begin(), found.starts.begin(), found.starts.end());

@@ -11,6 +11,7 @@
 namespace myo::calibration {
 namespace {
 
+/// Word of a kind on the command line and in files.
 struct KindWord {
     SoughtKind kind;
     std::string_view word;
@@ -58,6 +59,7 @@ std::vector<SoughtItem> seekable_items(const experiment::Experiment& experiment)
             items.push_back({SoughtKind::direction, muscle.name});
         if (painted) items.push_back({SoughtKind::weights, muscle.name});
     }
+    // The body's material always exists.
     items.push_back({SoughtKind::modulus});
     for (const experiment::PartDeclaration& part : experiment.parts) items.push_back({SoughtKind::modulus, part.name});
     return items;

@@ -25,6 +25,7 @@ struct SoughtSignalsPolicy {
 };
 constexpr SoughtSignalsPolicy sought_signals_policy;
 
+/// Largest magnitude of [limits] for actuators of a kind [Pa, N or m]; empty if none is declared.
 std::optional<double> declared_limit(const experiment::LimitsDeclaration& limits, ActuatorKind kind) {
     switch (kind) {
         case ActuatorKind::chamber: return limits.pressure_Pa;
@@ -61,6 +62,7 @@ void add_muscles(const setup::Setup& setup, const OptimizeSettings& settings, in
     }
     for (const experiment::MuscleLeader& muscle : leaders) {
         sought.groups.push_back({signal_of[muscle.leader], muscle.factor});
+        // A follower with the factor 0 stays passive and restricts nothing.
         if (muscle.factor == 0.0) continue;
         inverse::SoughtSignal& signal = sought.signals[sought.groups.back().signal];
         // Limits of the follower, mapped back to the leader: a_leader = 1 + (a_follower - 1) / factor.
@@ -118,6 +120,7 @@ std::vector<fibre::Signal> found_commands(const inverse::SoughtSignals& sought, 
         const std::size_t count = signal.times_s.size();
         if (count < 2 || !(signal.times_s[count - 2] < sought.end_s && sought.end_s < signal.times_s[count - 1]))
             continue;
+        // The last knot moves back to the end, on the line to it.
         signal.values.back() = signal.value(sought.end_s);
         signal.times_s.back() = sought.end_s;
     }
@@ -134,6 +137,7 @@ setup::LevelBounds command_bounds(const setup::Setup& setup, std::size_t actuato
     if (!limit && largest == 0.0)
         return {possible.lower, possible.upper, sought_signals_policy.scales_of_level * possible.scale};
     const double most = limit.value_or(sought_signals_policy.beyond_trials * largest);
+    // A device that was only driven to one side may not reach the other.
     const bool both_signs = range.lowest < 0.0 && range.highest > 0.0;
     const double lower = range.lowest < 0.0 ? -most : 0.0, upper = range.lowest < 0.0 && !both_signs ? 0.0 : most;
     return {std::max(lower, possible.lower), std::min(upper, possible.upper),
@@ -155,6 +159,7 @@ inverse::SoughtSignals sought_signals(const setup::Setup& setup, const OptimizeS
     sought.from_before = trial.options.start == dynamics::StartKind::equilibrium && !trial.hold;
     add_muscles(setup, settings, sought);
     add_commands(setup, sought);
+    // Levels before t = 0 are sought only if none is given; otherwise those on no record are taken as passive.
     sought.seek_before = sought.from_before && unrecorded_levels(setup).size() == sought.signals.size();
     return sought;
 }

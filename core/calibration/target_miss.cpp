@@ -14,6 +14,7 @@ namespace {
 
 using Eigen::Index;
 
+/// Length with three digits for messages.
 std::string millimetres(double length_m) { return format_number(1e3 * length_m, 3) + " mm"; }
 
 /// Root mean square over the markers' coordinates at a sample [m]; NaN if none is visible.
@@ -72,6 +73,7 @@ std::string sentence(const TargetMiss& miss, double before_rms_m) {
     std::vector<std::string> names;
     for (const TargetMiss::Marker& marker : miss.markers)
         names.push_back(marker.name + " (" + millimetres(marker.rms_m) + ")");
+    // Goals have no noise to compare with.
     const std::string levels = miss.goals ? ""
                                           : ", " + format_number(miss.noise_levels, 3) + " times the noise of " +
                                                 millimetres(miss.noise_m);

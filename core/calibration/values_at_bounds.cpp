@@ -13,6 +13,8 @@ struct ValuesAtBoundsPolicy {
 };
 constexpr ValuesAtBoundsPolicy values_at_bounds_policy;
 
+/// Whether the data say nothing about a parameter; it then keeps its start, wherever that is. Parameters that are
+/// determined in combination with others do not count.
 bool has_no_influence(const Calibration& calibration, std::size_t parameter) {
     const std::vector<inverse::Undetermined>& all = calibration.fit.undetermined;
     return std::any_of(all.begin(), all.end(), [&](const inverse::Undetermined& group) {

@@ -20,7 +20,7 @@ struct ValueAtBound {
 std::vector<ValueAtBound> values_at_bounds(const Calibration& calibration);
 
 /// Readable warning "damping_s: the fit ended at its upper bound, 1 s"; for the modulus with the declared tolerance
-/// that sets the bound.
+/// that sets the bound, for a parameter of [[unknown]] with that table.
 std::string bound_sentence(const setup::Setup& setup, const Calibration& calibration, const ValueAtBound& at);
 
 }  // namespace myo::calibration
