@@ -19,6 +19,7 @@ std::vector<Finding> check_bounds(const CheckedJob& job) {
         finding.warned = true;  // bound_sentence() is a warning of the calibration already
         findings.push_back(std::move(finding));
     }
+    // Bounds of [[unknown]] that lie outside of what the parameter may have are not used; the finding states which are.
     for (const prediction::ModelParameter& unmet : prediction::unmet_bounds(job.setup)) {
         const auto number = [&](double value) {
             return format_number(value, 3) + (unmet.unit.empty() ? "" : " ") + unmet.unit;

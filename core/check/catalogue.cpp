@@ -65,10 +65,12 @@ std::vector<Finding> run_checks(CheckedJob job, const std::vector<Finding>& befo
     for (const Check& check : check_catalogue()) {
         if (check.time == CheckTime::after && job.run == nullptr) continue;
         std::vector<Finding> own;
+        // The result of a job cannot change these findings, and some of them cost seconds.
         if (check.time == CheckTime::before && !before.empty()) {
             std::copy_if(before.begin(), before.end(), std::back_inserter(own),
                          [&](const Finding& finding) { return finding.check == check.id; });
         } else {
+            // Checks of both times run again after a job: they see its run in place of the declared start and steps.
             own = run_check(check, job);
         }
         findings.insert(findings.end(), own.begin(), own.end());

@@ -27,7 +27,7 @@ const std::vector<Check>& check_catalogue();
 /// The check with this id, or null.
 const Check* find_check(const std::string& id);
 
-/// Findings of one check, with its id and source filled in.
+/// Findings of one check, with its id and source filled in. A check with time `after` needs CheckedJob::run.
 std::vector<Finding> run_check(const Check& check, const CheckedJob& job);
 
 /// Findings of all checks that apply before a job, passed checks included.

@@ -7,7 +7,8 @@
 
 namespace myo::check {
 
-/// Input of the checks: the experiment before a job, and the result after it. Pointers are owned by the caller.
+/// Input of the checks: the experiment before a job, and the result after it. Pointers are owned by the caller and must
+/// outlive the checks, as must the setup.
 struct CheckedJob {
     const setup::Setup& setup;
     const prediction::SetupRun* run = nullptr;              // with the final values of the job; null before it

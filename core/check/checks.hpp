@@ -11,7 +11,7 @@ namespace myo::check {
 
 /// Mesh resolution for bending and torsion, see setup::unsuitable().
 std::vector<Finding> check_mesh(const CheckedJob& job);
-/// Mesh resolution between the closest markers.
+/// Mesh resolution between the closest markers, and markers that the mesh does not reach.
 std::vector<Finding> check_markers(const CheckedJob& job);
 /// Declared quantities within plausible SI ranges.
 std::vector<Finding> check_units(const CheckedJob& job);
@@ -23,7 +23,7 @@ std::vector<Finding> check_support(const CheckedJob& job);
 std::vector<Finding> check_pose(const CheckedJob& job);
 /// Time step against the dominant vibration of the run, or against its estimated error.
 std::vector<Finding> check_step(const CheckedJob& job);
-/// Distance of model and recording at the first sample.
+/// Distance of model and recording at the first sample, where that can be compared.
 std::vector<Finding> check_start(const CheckedJob& job);
 /// Signals that do not overlap their trials.
 std::vector<Finding> check_signals(const CheckedJob& job);
@@ -39,7 +39,8 @@ std::vector<Finding> check_bounds(const CheckedJob& job);
 std::vector<Finding> check_influence(const CheckedJob& job);
 /// Places of the markers that a fit found, against markers.placement_m.
 std::vector<Finding> check_places(const CheckedJob& job);
-/// Residual of the fit, or of the declared values, against noise and numerical error.
+/// Residual of the fit, or of the declared values, against noise and numerical error. Reads the earlier findings, which
+/// may explain it.
 std::vector<Finding> check_residual(const CheckedJob& job);
 
 }  // namespace myo::check

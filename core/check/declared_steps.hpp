@@ -8,7 +8,7 @@
 
 namespace myo::check {
 
-/// Findings of the checks of units and of the time unit.
+/// Findings of the checks of units and of the time unit, which need no time step.
 std::vector<Finding> findings_on_units(const setup::Setup& setup);
 
 /// Refuses trials whose times are certainly in another unit than seconds, unless the key `time_unit` is set: a run of

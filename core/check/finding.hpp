@@ -5,7 +5,8 @@
 
 namespace myo::check {
 
-/// Passed, doubtful, violated; shown as green, amber and red.
+/// Passed, doubtful, violated; shown as green, amber and red. Doubtful: results may be off, or a number may be in
+/// another unit; wrong: they mean nothing without the remedy.
 enum class CheckLevel { passed, doubtful, wrong };
 
 /// "green", "amber" or "red".

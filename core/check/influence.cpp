@@ -15,6 +15,7 @@ std::vector<Finding> check_influence(const CheckedJob& job) {
         Finding finding = passed_finding(name, name + ": " + reason);
         finding.level = CheckLevel::doubtful;
         finding.way_out = "leave it out of the fit, or record a trial that it moves";
+        // One of the warnings of the calibration states it.
         finding.warned = true;
         findings.push_back(std::move(finding));
     }

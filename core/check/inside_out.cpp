@@ -45,6 +45,7 @@ std::vector<Finding> check_inside_out(const CheckedJob& job) {
     std::vector<Finding> findings;
     for (std::size_t t = 0; t < job.setup.trials.size(); ++t) {
         const dynamics::Trace& trace = job.run->predictions[t].trace;
+        // Trials that were not run.
         if (trace.positions.empty()) continue;
         // Every stride-th state, about max_states of them.
         const std::size_t last = trace.positions.size() - 1, stride = last / inside_out_policy.max_states + 1;
@@ -52,6 +53,7 @@ std::vector<Finding> check_inside_out(const CheckedJob& job) {
         double since_s = 0.0;
         for (std::size_t i = 0; i <= last; i += stride) {
             const int count = turned_cells(mesh, trace.positions[i]);
+            // The first inverted state, whether or not more cells follow.
             if (count > 0 && most == 0) since_s = trace.times_s[i];
             most = std::max(most, count);
         }

@@ -23,6 +23,7 @@ std::vector<Finding> off_the_mesh(const setup::Setup& setup,
     const mesh::BoundaryLocator locator(setup.mesh.mesh);
     const double reach_m = setup.experiment.markers.max_standoff_m;
     for (const experiment::MarkerDeclaration& marker : markers) {
+        // The declared surface was checked when the experiment was read; here the surface of the mesh counts.
         const double standoff_m = measurement::bind_marker(setup.mesh.mesh, locator, marker.rest_m).standoff_m();
         if (standoff_m <= reach_m) continue;
         Finding finding = passed_finding(
@@ -44,6 +45,7 @@ Finding nearest_markers(const setup::Setup& setup, const std::vector<experiment:
     const double edge = mesh::mean_edge_length(setup.mesh.mesh);
     std::size_t first = 0, second = 0;
     double nearest = std::numeric_limits<double>::infinity();
+    // All pairs: there are tens of markers at most.
     for (std::size_t a = 0; a < markers.size(); ++a)
         for (std::size_t b = 0; b < a; ++b)
             if (const double distance = (markers[a].rest_m - markers[b].rest_m).norm(); distance < nearest) {
@@ -51,6 +53,7 @@ Finding nearest_markers(const setup::Setup& setup, const std::vector<experiment:
                 first = b;
                 second = a;
             }
+    // A single marker resolves no strain.
     if (markers.size() < 2) return passed_finding("", "one marker, which any mesh holds");
     const std::string pair = "markers " + markers[first].name + " and " + markers[second].name + " are " +
                              report::length_words(nearest) + " apart";

@@ -8,7 +8,7 @@ namespace myo::check {
 std::vector<Finding> check_mesh(const CheckedJob& job) {
     const setup::Setup& setup = job.setup;
     std::vector<Finding> findings;
-    // The same checks give the warnings of prepare_setup(), hence `told`.
+    // prepare_setup() warns by these checks already, hence `warned`.
     for (const std::string& sentence : setup::unsuitable({setup.surface, setup.mesh, setup.experiment.effects})) {
         Finding finding = passed_finding("", sentence);  // the sentence contains the remedy
         finding.level = CheckLevel::doubtful;

@@ -12,6 +12,7 @@ std::vector<Finding> check_places(const CheckedJob& job) {
         Finding finding = passed_finding(job.setup.marker_names[marker],
                                          prediction::far_marker_sentence(job.setup, marker, places[marker]));
         finding.level = CheckLevel::doubtful;
+        // The deviation is declared per coordinate, so the largest coordinate of the shift is compared with it.
         finding.figure = places[marker].cwiseAbs().maxCoeff();
         finding.threshold = deviations * job.setup.experiment.markers.placement_m;
         finding.unit = "m";

@@ -10,7 +10,7 @@
 namespace myo::check {
 namespace {
 
-/// Linearised buckling check, see check_pose().
+/// Numbers of the linear buckling check, see check_pose().
 struct PosePolicy {
     /// Share of the loads at which the change of frequency is measured: far from the critical load the squared
     /// frequency decreases linearly, and 1e-7 is the accuracy of frequencies.
@@ -30,8 +30,10 @@ model::Model under_part_of_loads(model::Model model, double share) {
 /// Squared angular frequency of the slowest mode in equilibrium under a share of the loads; empty without equilibrium.
 std::optional<double> slowest(const model::Model& model, double share, double time_s) {
     const model::Model loaded = under_part_of_loads(model, share);
+    // Statics: the stiffness at the equilibrium, with the loads of t = 0.
     dynamics::StageSolver solver(loaded);
     Eigen::Matrix3Xd x = loaded.body->mesh.nodes;
+    // Without loads and with passive actuators the rest shape is the equilibrium.
     if (share > 0.0 && dynamics::solve_equilibrium(solver, time_s, x).status != dynamics::SolveStatus::converged)
         return std::nullopt;
     const dynamics::NaturalModes modes = dynamics::natural_modes(solver, x, pose_policy.modes, time_s);
@@ -46,6 +48,7 @@ std::optional<double> slowest(const model::Model& model, double share, double ti
 std::vector<Finding> check_pose(const CheckedJob& job) {
     const setup::PreparedTrial& trial = job.setup.trials.front();
     model::Model model = prediction::trial_model(job.setup, 0, prediction::declared_values(job.setup));
+    // What actuators do to the stiffness is no property of the pose.
     model.activation.assign(model.activation.size(), fibre::Signal::constant(1.0));
     model = model::with_constant_commands(model, 0.0, 0.0);
     const std::optional<double> free = slowest(model, 0.0, 0.0), loaded = slowest(model, pose_policy.load_share, 0.0);
@@ -57,6 +60,7 @@ std::vector<Finding> check_pose(const CheckedJob& job) {
     finding.figure = lost;
     finding.threshold = 1.0 / pose_policy.doubtful_share;
     if (lost <= finding.threshold) return {finding};
+    // All stiffness is lost before the full load.
     const bool buckled = lost > 1.0;
     finding.level = buckled ? CheckLevel::wrong : CheckLevel::doubtful;
     finding.sentence = buckled ? "the undeformed pose is unstable: it buckles at " + format_number(1.0 / lost, 2) +

@@ -23,6 +23,7 @@ constexpr SwingPolicy swing_policy;
 double last_change_s(const fibre::Signal& signal) {
     const auto [least, most] = std::minmax_element(signal.values.begin(), signal.values.end());
     const double off = swing_policy.min_signal_change * (*most - *least);
+    // Backwards from the end: the value before knot k differs from the last one, so the signal changes until that knot.
     for (std::size_t k = signal.values.size(); k-- > 1;)
         if (std::abs(signal.values[k - 1] - signal.values.back()) > off) return signal.times_s[k];
     return 0.0;
@@ -67,9 +68,11 @@ RecordedSwing recorded_swing(const setup::PreparedTrial& trial, double from_s, d
     // A body that its mount shakes does not swing freely.
     if (trial.mount) return {};
     const Eigen::VectorXd& time = trial.measured.time_s;
+    // Samples while the body is still driven show the drive, not the body.
     const auto after = std::lower_bound(time.begin(), time.end(), from_s) - time.begin();
     const Index first = std::max(trial.first_sample, static_cast<Index>(after));
     const Index count = time.size() - first;
+    // Every reversal takes at least one sample.
     if (count <= swing_policy.min_turns) return {};
     // The coordinate with the largest range has the best ratio of signal to noise.
     Eigen::VectorXd widest;
@@ -83,6 +86,7 @@ RecordedSwing recorded_swing(const setup::PreparedTrial& trial, double from_s, d
             if (high - low > travel) travel = high - low, widest = x;
         }
     if (!(travel > 0.0)) return {};
+    // A reversal must exceed noise, and shaking of the camera in a large motion.
     const double least = std::max(swing_policy.noise_levels * noise_m, swing_policy.travel_share * travel);
     const std::vector<double> turns = turning_times(time.tail(count), widest, least);
     RecordedSwing swing;

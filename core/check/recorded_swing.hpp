@@ -14,7 +14,8 @@ struct RecordedSwing {
     double frequency_Hz = 0.0;  // from the median time between reversals
 };
 
-/// Times [s] at which a coordinate [m] reverses by more than `min_m`; non-finite samples are skipped.
+/// Times [s] of the extremes at which a coordinate [m] reverses by more than `min_m`; non-finite samples are skipped.
+/// The first motion away from the start is no reversal.
 std::vector<double> turning_times(const Eigen::VectorXd& time_s, const Eigen::VectorXd& x_m, double min_m);
 
 /// Time [s] of the last change of a trial's loads and signals; 0 if nothing changes after the start. Changes below a

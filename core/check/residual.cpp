@@ -45,6 +45,7 @@ std::string suspect_names(const std::vector<Finding>& earlier) {
 Finding judged_residual(const std::string& sentence, double ratio, double expected) {
     Finding finding = passed_finding("", sentence);
     finding.figure = ratio;
+    // Relative to what noise and numerical errors leave even if the model is complete.
     finding.threshold = residual_policy.doubtful_ratio * expected;
     if (ratio > finding.threshold)
         finding.level = ratio > residual_policy.wrong_ratio * expected ? CheckLevel::wrong : CheckLevel::doubtful;
@@ -59,12 +60,14 @@ double rms_of_all(const prediction::SetupRun& run) {
     return prediction::rms(all);
 }
 
+/// "0.3 mm rms, is 2.5 times the noise", the end of a sentence on a residual.
 std::string beside_noise(double rms_m, double ratio) {
     return report::length_words(rms_m) + " rms, is " + format_number(ratio, 3) + " times the noise";
 }
 
 /// Residual of a run with the declared values: the remedy is a fit.
 std::vector<Finding> of_declared_values(const CheckedJob& job) {
+    // Nothing was fitted, so trials of both roles test the declared values.
     const double left = rms_of_all(*job.run);
     if (!std::isfinite(left)) return {};
     const double ratio = left / setup::mean_noise(job.setup);
@@ -103,6 +106,7 @@ std::vector<Finding> of_fit(const CheckedJob& job) {
 }  // namespace
 
 std::vector<Finding> check_residual(const CheckedJob& job) {
+    // A run with other values, as after a search for signals, gives no finding.
     if (job.calibration != nullptr) return of_fit(job);
     return job.as_declared ? of_declared_values(job) : std::vector<Finding>{};
 }

@@ -18,6 +18,7 @@ struct StartPolicy {
 };
 constexpr StartPolicy start_policy;
 
+/// Root mean square length of vectors [m].
 double rms_of(const std::vector<Eigen::Vector3d>& distances) {
     double sum = 0.0;
     for (const Eigen::Vector3d& d : distances) sum += d.squaredNorm();
@@ -42,8 +43,10 @@ std::vector<Eigen::Vector3d> at_start(const CheckedJob& job, std::size_t t) {
     const setup::PreparedTrial& trial = setup.trials[t];
     std::vector<Eigen::Vector3d> distances;
     const Eigen::Index first = trial.first_sample;
+    // A later first sample shows where the body has moved to, not where it started.
     if (trial.measured.time_s(first) > start_policy.first_interval * setup::sampling_interval_s(trial))
         return distances;
+    // Displacements and recordings in an unknown frame have no position in the mesh frame before a fit.
     const bool known = setup.experiment.registration.known && trial.reference_m.empty();
     const bool straight = trial.options.start == dynamics::StartKind::straight;
     // Before a run, only a straight start in a known frame can be compared. After it, an equilibrium depends on the
@@ -51,6 +54,9 @@ std::vector<Eigen::Vector3d> at_start(const CheckedJob& job, std::size_t t) {
     if (job.run == nullptr ? !straight || !known : !straight && job.calibration == nullptr) return distances;
     for (std::size_t m = 0; m < trial.measured.tracks.size(); ++m) {
         Eigen::Vector3d distance;
+        // A run has its residual in the frame of the recording; before one the rest positions are compared, on a moving
+        // mount
+        // where it carries them.
         if (job.run != nullptr) {
             if (!job.run->predictions[t].ok()) return {};
             distance = job.run->predictions[t].residual_m[m].col(first);

@@ -11,6 +11,7 @@
 namespace myo::check {
 namespace {
 
+/// Limits of the relative frequency error of a time step.
 struct StepPolicy {
     /// Relative frequency errors: the target of choose_steps() with a margin for values that a fit has moved
     /// (ShorterStepsPolicy), and an error that changes a fitted modulus by 2 %.
@@ -19,11 +20,13 @@ struct StepPolicy {
 };
 constexpr StepPolicy step_policy;
 
+/// "trial release: steps of 2 ms", the beginning of a sentence.
 std::string step_words(const setup::PreparedTrial& trial) {
     return "trial " + trial.name + ": steps of " + format_number(1e3 * trial.options.h_s, 3) + " ms";
 }
 
 // A modulus scales with the squared frequency, so its relative error is twice that of the frequency.
+/// Finding for a vibration and the relative error of its frequency by the step.
 Finding of_vibration(const setup::PreparedTrial& trial, double frequency_Hz, double error) {
     Finding finding = passed_finding(trial.name, step_words(trial) + " make the vibration of " +
                                                      format_number(frequency_Hz, 3) + " Hz " +
@@ -54,6 +57,7 @@ Finding of_nothing_seen(const setup::PreparedTrial& trial, double first_rad_s) {
 
 // The step was chosen before the run; its own error estimate is reported.
 Finding of_choice(const setup::PreparedTrial& trial, const setup::TrialStep& step) {
+    // Without a run of the declared values no step could be chosen.
     if (!step.failure.empty()) {
         Finding finding = passed_finding(
             trial.name,
@@ -63,6 +67,7 @@ Finding of_choice(const setup::PreparedTrial& trial, const setup::TrialStep& ste
                           "), or declare values nearer the truth";
         return finding;
     }
+    // The vibration with the largest motion decides, as a fit follows it.
     if (step.vibration_Hz > 0.0) return of_vibration(trial, step.vibration_Hz, step.frequency_error);
     Finding finding = passed_finding(
         trial.name, step_words(trial) + " err by " + format_number(1e3 * step.trace_error_m, 2) + " mm in the traces");
@@ -91,6 +96,9 @@ std::vector<Finding> check_step(const CheckedJob& job) {
     for (std::size_t t = 0; t < setup.trials.size(); ++t) {
         const setup::PreparedTrial& trial = setup.trials[t];
         const bool has_run = job.run != nullptr && seen[t].h_s > 0.0;
+        // In order of knowledge: the vibration of the run itself, the estimate with which the step was chosen, and for
+        // a
+        // requested step the first vibration of the body.
         if (has_run && seen[t].vibration_Hz > 0.0)
             findings.push_back(of_vibration(trial, seen[t].vibration_Hz, seen[t].frequency_error));
         else if (t < setup.steps.size())

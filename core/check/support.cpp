@@ -26,6 +26,7 @@ Eigen::Matrix<double, 6, 6> held_motions(const model::Body& body, double size, i
     const Eigen::Matrix3Xd& X = body.mesh.nodes;
     const Eigen::Vector3d middle = X.rowwise().mean();
     Eigen::Matrix<double, 6, 6> sum = Eigen::Matrix<double, 6, 6>::Zero();
+    // A rigid motion (u, w) moves a node by u + w x r; along an axis e that is e . u + (r x e) . w.
     const auto add = [&](int node, Eigen::Index axis) {
         Eigen::Matrix<double, 6, 1> row;
         row << Eigen::Vector3d::Unit(axis), ((X.col(node) - middle) / size).cross(Eigen::Vector3d::Unit(axis));
@@ -44,15 +45,18 @@ Eigen::Matrix<double, 6, 6> held_motions(const model::Body& body, double size, i
 Finding guided_finding(const model::Body& body) {
     const double size = mesh::bounding_box(body.mesh.nodes).size().maxCoeff();
     int count = 0;
+    // The eigenvector of the least eigenvalue is the rigid motion that the held axes hinder least.
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> motions(held_motions(body, size, count));
     const std::size_t clamped = model::held_nodes(body).size();
     Finding finding = passed_finding("", std::to_string(clamped) + " of " + std::to_string(body.node_count()) +
                                              " nodes are held, " + std::to_string(body.guided.size()) +
                                              " along some axes");
+    // Root mean square motion of the held nodes along their held axes in the rigid motion that these hinder least.
     finding.figure = std::sqrt(std::max(0.0, motions.eigenvalues()(0)) / count);
     finding.threshold = support_policy.min_width;
     if (finding.figure > support_policy.min_width) return finding;
     const Eigen::Matrix<double, 6, 1> free = motions.eigenvectors().col(0);
+    // Rollers in one plane leave a translation; those on one line leave a turn, with some translation of the middle.
     const bool turns = free.tail<3>().norm() > support_policy.min_turn;
     Eigen::Index axis = 0;
     (turns ? free.tail<3>() : free.head<3>()).cwiseAbs().maxCoeff(&axis);

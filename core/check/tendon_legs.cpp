@@ -34,6 +34,7 @@ struct Leg {
     double lever_m = 0.0;       // from the middle of the leg to the middle of the body, across the leg
 };
 
+/// Place of a material point at node positions x [m].
 Vector3d position(const fem::MaterialPoint& point, const Matrix3Xd& x) {
     return x(Eigen::all, point.nodes) * point.weights;
 }
@@ -63,11 +64,14 @@ Vector3d centroid_of_slice(const Cells& cells, const Vector3d& middle, const Vec
     return volume > 0.0 ? Vector3d(sum / volume) : middle;
 }
 
+/// Legs of a tendon with both guides on the body and a lever arm: those outside run in space, without material to
+/// leave.
 std::vector<Leg> legs_on_body(const setup::Tendon& tendon, const mesh::VolumeMesh& mesh,
                               const mesh::BoundaryLocator& boundary, const Cells& cells) {
     std::vector<Leg> legs;
     const std::vector<model::TendonGuide>& guides = tendon.route.guides;
     for (std::size_t g = 0; g + 1 < guides.size(); ++g) {
+        // Between the body and a fixed guide the thread runs free, as it is simulated.
         if (!guides[g].on_body || !guides[g + 1].on_body) continue;
         Leg leg;
         leg.first_guide = g;
@@ -79,7 +83,9 @@ std::vector<Leg> legs_on_body(const setup::Tendon& tendon, const mesh::VolumeMes
         if (!(leg.length_m > 0.0)) continue;
         const Vector3d along = (guides[g + 1].rest_m - guides[g].rest_m) / leg.length_m;
         const Vector3d arm = middle - centroid_of_slice(cells, middle, along, tendon_legs_policy.slice * leg.length_m);
+        // Only the part across the leg is a lever arm.
         leg.lever_m = (arm - arm.dot(along) * along).norm();
+        // A leg through the middle of the body bends nothing.
         if (leg.lever_m > 0.0) legs.push_back(std::move(leg));
     }
     return legs;
@@ -101,16 +107,19 @@ Worst worst_leg(const CheckedJob& job, const std::vector<Leg>& legs) {
     Worst worst;
     for (std::size_t t = 0; t < job.setup.trials.size(); ++t) {
         const std::vector<Matrix3Xd>& states = job.run->predictions[t].trace.positions;
+        // A bend lasts longer than a hundredth of a run.
         const std::size_t stride = states.size() / tendon_legs_policy.max_states + 1;
         for (std::size_t i = 0; i < states.size(); i += stride)
             for (const Leg& leg : legs) {
                 const double sag_m = sag(leg, states[i]);
+                // Relative to the lever arm at rest, since the bending moment is tension times arm.
                 if (sag_m > worst.changed * leg.lever_m) worst = {sag_m / leg.lever_m, sag_m, &leg, t};
             }
     }
     return worst;
 }
 
+/// Finding for one tendon from its leg that changes most.
 Finding finding_of(const CheckedJob& job, const std::string& tendon, const Worst& worst) {
     Finding finding = passed_finding(tendon,
                                      "tendon " + tendon + ": straight between its guides, it keeps its lever arm");

@@ -49,6 +49,7 @@ const Slip* likely_slip(double ratio) {
 
 /// Likely unit of the times, "; they look like milliseconds (time_unit = "ms")", or empty.
 std::string guess(double interval_s, double ratio) {
+    // An interval of exactly 1 is a count.
     if (std::abs(interval_s - 1.0) < 1e-9 && ratio > 1.0) return "; they look like the numbers of frames";
     const Slip* const slip = likely_slip(ratio);
     if (!slip) return {};
@@ -60,6 +61,7 @@ std::string hertz(double frequency) { return format_number(frequency, 3) + " Hz"
 
 /// Finding from the ratio of the recorded frequency and the first natural frequency.
 Finding of_swing(const setup::PreparedTrial& trial, double swing_Hz, double first_Hz) {
+    // A wrong unit is a factor, so ratios are compared, in both directions.
     const double ratio = first_Hz / swing_Hz, off = std::max(ratio, 1.0 / ratio);
     const std::string swings = "trial " + trial.name + ": left to itself the body swings at " + hertz(swing_Hz) +
                                " in the recording";
@@ -89,6 +91,7 @@ bool signals_are_known(const setup::PreparedTrial& trial) {
     };
     std::vector<fibre::Signal> signals = trial.model.activation;
     signals.insert(signals.end(), trial.recorded_commands.begin(), trial.recorded_commands.end());
+    // A free level is a step at t = 0, after which the body moves freely.
     return signals.empty() || !trial.free_levels.empty() || std::any_of(signals.begin(), signals.end(), changes);
 }
 
@@ -109,6 +112,7 @@ Finding of_rate(const setup::PreparedTrial& trial, double rate_Hz) {
 /// First natural frequency over the recorded one, of a finding that is not passed.
 double ratio_of(const Finding& finding) {
     const double most = time_unit_policy.doubtful_ratio;
+    // of_swing() sets the threshold to the first frequency over or times `most`, on the side on which the figure lies.
     return finding.figure < finding.threshold ? most * finding.threshold / finding.figure
                                               : finding.threshold / (most * finding.figure);
 }
@@ -119,6 +123,8 @@ Result<void> require_time_unit(const setup::Setup& setup, const std::vector<Find
     for (const Finding& finding : findings) {
         if (finding.check != "time_unit" || finding.level != CheckLevel::wrong || !(ratio_of(finding) > 1.0)) continue;
         for (std::size_t t = 0; t < setup.trials.size(); ++t) {
+            // Only if no person has stated the unit, the file has times at all, and the rate is one that nobody films
+            // with.
             const experiment::TrialDeclaration& trial = setup.experiment.trials[t];
             if (trial.name != finding.subject || trial.seconds_per_unit ||
                 !measurement::find_trace_reader(trial.format)->has_times ||
@@ -145,7 +151,9 @@ std::vector<Finding> check_time_unit(const CheckedJob& job) {
         const setup::PreparedTrial& trial = setup.trials[t];
         if (trial.measured.sample_count() < 2) continue;
         const double rate_Hz = 1.0 / setup::sampling_interval_s(trial);
+        // Up to the last change of loads and signals the motion is driven, at a rate of its own.
         const RecordedSwing swing = recorded_swing(trial, last_change_s(trial.model), setup::mean_noise(setup));
+        // A rate that no camera has is reported by itself, whatever the swing says.
         if (rate_Hz <= time_unit_policy.max_samples_per_s && swing.frequency_Hz > 0.0 && signals_are_known(trial)) {
             const double omega = setup::first_vibration_rad_s(
                 prediction::affected_trial(setup, t, prediction::declared_values(setup)).model);

@@ -39,6 +39,7 @@ Finding judged(const PlausibleRange& range, double value) {
                                      std::string(range.key) + " = " + format_number(value) + " " + range.unit);
     finding.figure = value;
     finding.unit = range.unit;
+    // Bounds belong to the range; the threshold of a passed finding is the upper one.
     const bool low = value<range.low, high = value> range.high;
     finding.threshold = low ? range.low : range.high;
     if (!low && !high) return finding;
