@@ -17,6 +17,7 @@ SurfaceMesh boundary_surface(const VolumeMesh& mesh) {
         number[node] = static_cast<int>(used.size());
         used.push_back(static_cast<Eigen::Index>(node));
     }
+    // Triangles of a face in positions of its own list of nodes.
     const std::vector<std::array<int, 3>>& triangles = cell_traits(mesh.type).face_triangles;
     const auto per_face = static_cast<Eigen::Index>(triangles.size());
     SurfaceMesh surface;

@@ -38,6 +38,7 @@ int cells_between(const std::vector<double>& stops, std::size_t i, int axis, con
 std::vector<double> axis_lines(const std::vector<double>& stops, int axis, const EdgeAt& edge) {
     std::vector<double> lines{stops.front()};
     for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+        // The end of an interval is its plane itself: interpolation would round it.
         const int n = cells_between(stops, i, axis, edge);
         for (int k = 1; k < n; ++k) lines.push_back(stops[i] + (stops[i + 1] - stops[i]) * k / n);
         lines.push_back(stops[i + 1]);
@@ -230,6 +231,7 @@ VolumeMesh to_tet10(const VolumeMesh& mesh) {
     quadratic.type = CellType::tet10;
     quadratic.regions = mesh.regions;
     quadratic.nodes.resize(3, mesh.node_count() + static_cast<Eigen::Index>(edges.size()));
+    // Corners keep their numbers, so that node sets of the linear mesh remain valid.
     quadratic.nodes.leftCols(mesh.node_count()) = mesh.nodes;
     for (std::size_t e = 0; e < edges.size(); ++e) {
         quadratic.nodes.col(mesh.node_count() + static_cast<Eigen::Index>(e)) = 0.5 * (mesh.nodes.col(edges[e].first) +
@@ -247,6 +249,7 @@ VolumeMesh to_tet10(const VolumeMesh& mesh) {
 }
 
 std::optional<Box> is_box(const SurfaceMesh& surface, double tolerance) {
+    // Fewer than the corners and half faces of a box.
     if (surface.vertices.cols() < 8 || surface.triangles.cols() < 12) return std::nullopt;
     const Box box = bounding_box(surface.vertices);
     // Every vertex must lie on at least one face of the bounding box.

@@ -56,7 +56,7 @@ inline constexpr BoxMeshPolicy box_mesh_policy;
 /// Error: the complete grid would have more than max_cells cells.
 Result<GridLines> limited_grid_lines(const Box& box, const EdgeAt& edge, const GridPlanes& planes = {},
                                      double max_cells = box_mesh_policy.max_grid_cells);
-/// The same with a uniform edge length [m].
+/// limited_grid_lines() with a uniform edge length [m].
 Result<GridLines> limited_grid_lines(const Box& box, double edge, const GridPlanes& planes = {},
                                      double max_cells = box_mesh_policy.max_grid_cells);
 

@@ -49,6 +49,7 @@ int BoxTree::build(int first, int count) {
     // Median split along the longest side. Ties are broken by item number, so that the tree is deterministic.
     Eigen::Index axis = 0;
     box.size().maxCoeff(&axis);
+    // Halves differ by at most one item, so the depth is logarithmic whatever the shape of the body.
     const int half = count / 2;
     std::nth_element(begin, begin + half, end, [&](int a, int b) {
         const Box& A = items_[static_cast<std::size_t>(a)];

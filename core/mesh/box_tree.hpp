@@ -15,7 +15,7 @@ public:
     /// @param items  bounding box of each item [m]; copied
     explicit BoxTree(const std::vector<Box>& items);
 
-    /// Visits all pairs of items whose boxes overlap.
+    /// Visits all pairs of items whose boxes overlap, in an order that depends on the tree.
     /// @param margin  boxes are grown by this length [m]
     /// @param visit   called once per pair item < other; returns false to stop
     void overlapping_pairs(double margin, const std::function<bool(int, int)>& visit) const;

@@ -42,8 +42,11 @@ struct Hex8 {
         return D;
     }
 
+    /// 3 x 8, in VTK's node order.
     static Eigen::Matrix3Xd reference_corners() { return corners().transpose(); }
     static Eigen::Vector3d reference_centroid() { return Eigen::Vector3d::Zero(); }
+    /// 2 x 2 x 2 points integrate stiffness and mass of a parallelepiped exactly; one point alone leaves hourglass
+    /// modes.
     static std::vector<QuadraturePoint> strain_rule() { return hex_gauss(2); }
     static std::vector<QuadraturePoint> mass_rule() { return hex_gauss(2); }
     /// det J is quadratic in each coordinate.

@@ -13,6 +13,7 @@ struct Tet10 {
     static constexpr CellType type = CellType::tet10;
     static constexpr int nodes = 10;
 
+    /// N(xi) from the barycentric coordinates L: L (2 L - 1) at corners, 4 L_a L_b at mid-sides.
     static Eigen::Matrix<double, 10, 1> values(const Eigen::Vector3d& xi) {
         const Eigen::Vector4d L = Tet4::values(xi);
         Eigen::Matrix<double, 10, 1> N;
@@ -23,6 +24,7 @@ struct Tet10 {
         }
         return N;
     }
+    /// dN/dxi, 10 x 3.
     static Eigen::Matrix<double, 10, 3> derivatives(const Eigen::Vector3d& xi) {
         const Eigen::Vector4d L = Tet4::values(xi);
         const Eigen::Matrix<double, 4, 3> dL = Tet4::derivatives(xi);
@@ -37,7 +39,9 @@ struct Tet10 {
 
     static Eigen::Matrix3Xd reference_corners() { return Tet4::reference_corners(); }
     static Eigen::Vector3d reference_centroid() { return Tet4::reference_centroid(); }
+    /// Strains of a straight-sided cell are linear, so their products are quadratic.
     static std::vector<QuadraturePoint> strain_rule() { return tet_degree2(); }
+    /// Products of two quadratic shape functions have degree 4.
     static std::vector<QuadraturePoint> mass_rule() { return tet_degree5(); }
     /// det J is cubic in a cell with curved edges.
     static std::vector<QuadraturePoint> volume_rule() { return tet_five_points(); }

@@ -15,7 +15,9 @@ struct Tet4 {
     static constexpr CellType type = CellType::tet4;
     static constexpr int nodes = 4;
 
+    /// N(xi): the barycentric coordinates of all four nodes.
     static Eigen::Vector4d values(const Eigen::Vector3d& xi) { return {1.0 - xi.sum(), xi(0), xi(1), xi(2)}; }
+    /// dN/dxi, 4 x 3, constant: strains are constant in the cell.
     static Eigen::Matrix<double, 4, 3> derivatives(const Eigen::Vector3d&) {
         Eigen::Matrix<double, 4, 3> D;
         D << -1, -1, -1, 1, 0, 0, 0, 1, 0, 0, 0, 1;

@@ -5,6 +5,7 @@
 namespace myo::mesh {
 
 const std::vector<CellTraits>& all_cell_traits() {
+    // One list names all cells; everything that is stated per type is derived from it.
     static const std::vector<CellTraits> table = std::apply(
         [](auto... cells) { return std::vector<CellTraits>{decltype(cells)::traits()...}; }, Cells{});
     return table;

@@ -10,6 +10,7 @@
 
 namespace myo::mesh {
 
+/// Shape of the reference cell, whatever the number of its nodes.
 enum class CellShape { hexahedron, tetrahedron };
 
 /// Topology, node orders and file codes of a cell type; see Cells for the rest of a cell.
@@ -20,15 +21,15 @@ struct CellTraits {
     CellType type;
     std::string name;  // in files and messages
     CellShape shape;
-    int corners, nodes;
-    std::vector<std::array<int, 2>> edges;  // corners at both ends
-    std::vector<std::vector<int>> faces;    // outward by the right-hand rule: corners, then mid-side nodes
-    int face_corners;
+    int corners, nodes;                              // number of corners, and of all nodes
+    std::vector<std::array<int, 2>> edges;           // corners at both ends
+    std::vector<std::vector<int>> faces;             // outward by the right-hand rule: corners, then mid-side nodes
+    int face_corners;                                // number of corners of a face; all faces have as many
     std::vector<std::array<int, 3>> face_triangles;  // of one face, by positions in its list of nodes
     std::vector<int> mirrored;                       // node order of the cell turned inside out
-    int vtk_type;
-    int gmsh_type;
-    std::vector<int> gmsh_order;  // Gmsh's position of each node
+    int vtk_type;                                    // cell type of VTK files
+    int gmsh_type;                                   // element type of MSH files
+    std::vector<int> gmsh_order;                     // Gmsh's position of each node
 
     int face_nodes() const { return static_cast<int>(faces.front().size()); }
 };

@@ -23,7 +23,7 @@ namespace myo::mesh {
 /// A new cell is one such file, its place in this list, and its name in CellType.
 using Cells = std::tuple<Hex8, Tet4, Tet10>;
 
-/// Calls visit(Cell{}) with the cell of a type.
+/// Calls visit(Cell{}) with the cell of a type: a choice at run time becomes one of types, with loops of fixed length.
 template <std::size_t I = 0, class Visit>
 decltype(auto) with_cell(CellType type, const Visit& visit) {
     using Cell = std::tuple_element_t<I, Cells>;

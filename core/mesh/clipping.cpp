@@ -95,6 +95,7 @@ Polygon clip_to_box(Polygon polygon, const Box& box, double tolerance) {
         }
         polygon = std::move(kept);
     }
+    // Contact at a corner or along an edge leaves less than a polygon.
     if (polygon.size() < 3) polygon.clear();
     return polygon;
 }

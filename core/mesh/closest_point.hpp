@@ -41,7 +41,7 @@ struct BoundaryPoint {
 /// Asserts that the locator has faces.
 ///
 /// @param point  [m], mesh frame
-/// @return       the lowest face number on ties
+/// @return       the lowest face number on ties; face -1 if the point is not finite
 BoundaryPoint closest_boundary_point(const BoundaryLocator& locator, const Eigen::Vector3d& point);
 
 }  // namespace myo::mesh

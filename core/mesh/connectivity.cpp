@@ -58,6 +58,7 @@ struct NodeCells {
     std::vector<int> first, slot;  // slot: cell * corners + corner
 };
 
+/// Lists the cell corners at every node of a mesh, by counting sort in two passes.
 NodeCells cells_around_nodes(const VolumeMesh& mesh, int corners) {
     NodeCells around;
     around.first.assign(static_cast<std::size_t>(mesh.node_count()) + 2, 0);
@@ -113,6 +114,7 @@ public:
     /// @param parts   union-find over all cells of the mesh
     /// @param result  weak edges and nodes are added
     void look_at(int node, const int* slots, std::size_t count, DisjointSets& parts, Connectivity& result) {
+        // Two unions per node: of cells that share a face at the node, and of cell edges that such faces carry.
         cells_.reset(count);
         edge_sets_.reset(3 * count);
         faces_.clear();

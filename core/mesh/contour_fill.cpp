@@ -24,6 +24,7 @@ struct PlaneView {
         const Point2 u = (*this)[b] - (*this)[a], v = (*this)[c] - (*this)[a];
         return u[0] * v[1] - u[1] * v[0];
     }
+    // Signed area of a loop, positive if it runs counter-clockwise.
     double area(const Loop& loop) const {
         double sum = 0.0;
         for (std::size_t i = 0; i < loop.size(); ++i) sum += 0.5 * turn(loop[0], loop[i], loop[(i + 1) % loop.size()]);
@@ -78,6 +79,7 @@ std::optional<std::vector<Loop>> loops_of(const PlaneView& view, const std::vect
             e = next_edge(view, edges, edges[e], used);
             if (e == edges.size()) return std::nullopt;
         }
+        // An edge and its reverse enclose nothing.
         if (loop.size() > 2) loops.push_back(std::move(loop));
     }
     return loops;

@@ -12,6 +12,7 @@ namespace myo::mesh {
 /// The smallest member represents its set, so the result does not depend on the order of joins.
 class DisjointSets {
 public:
+    /// @param n  number of members; each is a set of its own at first
     explicit DisjointSets(std::size_t n) { reset(n); }
 
     /// Starts again with n sets of one member each.

@@ -33,6 +33,7 @@ Vector2 triangle_parameters(const Vector3& a, const Vector3& b, const Vector3& c
     }
     const double s_ab = segment_parameter(a, b, p), s_bc = segment_parameter(b, c, p),
                  s_ca = segment_parameter(c, a, p);
+    // Parameters along the sides as (u, v): ab has v = 0, bc has u + v = 1, ca has u = 0.
     const Vector2 candidates[3] = {{s_ab, 0.0}, {1.0 - s_bc, s_bc}, {0.0, 1.0 - s_ca}};
     Vector2 best = candidates[0];
     double best_distance = std::numeric_limits<double>::infinity();

@@ -18,6 +18,7 @@ struct GmshCell {
     std::optional<CellType> cell;  // supported volume cell
 };
 
+/// Nodes and dimension of an element type, and its cell if meshes may consist of it.
 GmshCell gmsh_cell(long long type) {
     for (const CellTraits& traits : all_cell_traits())
         if (traits.gmsh_type == type) return {traits.nodes, 3, traits.type};
@@ -219,6 +220,7 @@ private:
             return text_.error("the mesh mixes " + to_string(soup_.type).append(" and ") +
                                to_string(*kind.cell).append(" cells; one type is needed"));
         }
+        // Regions are kept per cell, so elements of lower dimension add none.
         soup_.type = *kind.cell;
         soup_.regions.push_back(region);
         for (const int place : cell_traits(*kind.cell).gmsh_order)
@@ -255,6 +257,7 @@ private:
             if (!text_.integer(skip) || !text_.integer(entity) || !text_.integer(type) || !count(in_block)) {
                 return text_.error("a block of elements cannot be read: the file is truncated or garbled");
             }
+            // Without a physical group the geometric entity separates the parts.
             const auto physical = physical_.find(entity);
             const int region = physical == physical_.end() ? static_cast<int>(entity) : physical->second;
             for (long long e = 0; e < in_block; ++e) {

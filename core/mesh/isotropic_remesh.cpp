@@ -15,6 +15,7 @@ using Kernel = CGAL::Simple_cartesian<double>;
 using CgalMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using VertexIndex = CgalMesh::Vertex_index;
 
+/// CGAL's index of a vertex: vertices are added in their order.
 VertexIndex vertex_index(int v) { return VertexIndex(static_cast<CgalMesh::size_type>(v)); }
 
 /// False if CGAL rejects a triangle, e.g. at an edge of three triangles.
@@ -26,6 +27,7 @@ bool fill(const SurfaceMesh& surface, CgalMesh& mesh) {
     return true;
 }
 
+/// Surface and feature lines of a CGAL mesh, whose removed elements leave gaps in its numbers.
 template <class EdgeMap, class VertexMap>
 RemeshedSurface result_of(CgalMesh& mesh, const EdgeMap& is_feature, const VertexMap& is_corner) {
     std::vector<int> number(mesh.num_vertices() + mesh.number_of_removed_vertices(), -1);

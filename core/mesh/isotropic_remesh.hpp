@@ -20,7 +20,8 @@ struct RemeshedSurface {
     FeatureLines features;
 };
 
-/// Isotropic remeshing: edges become about `edge` long; vertices stay on the surface.
+/// Isotropic remeshing: edges become about `edge` long; vertices stay on the surface. Feature lines are split and
+/// merged along themselves only, corners stay where they are.
 ///
 /// @param surface     welded, closed, manifold, oriented
 /// @param edge        [m]

@@ -15,6 +15,7 @@ using EdgeKey = std::pair<int, int>;
 /// Undirected edge, lower vertex first.
 EdgeKey edge_key(int a, int b) { return std::minmax(a, b); }
 
+/// Intersection of the edge a-b with the plane, which lies between its ends.
 Eigen::Vector3d point_on_plane(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const AxisPlane& plane) {
     const double t = (plane.at - a[plane.axis]) / (b[plane.axis] - a[plane.axis]);
     // Equal coordinates stay equal, so a vertex on another plane remains on it.
@@ -53,6 +54,7 @@ private:
         Eigen::Array3d low = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
         bool crossed = false;
         for (int i = 0; i < 3; ++i) {
+            // Bounds of the intersection line: crossings of edges, and corners in the plane.
             const auto [a, b] = edge_key(t[i], t[(i + 1) % 3]);
             Eigen::Vector3d x = points_[static_cast<std::size_t>(t[i])];
             if (crosses(a, b))

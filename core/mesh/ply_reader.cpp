@@ -12,8 +12,10 @@
 namespace myo::mesh {
 namespace {
 
+/// Number types of PLY.
 enum class Number { none, i8, u8, i16, u16, i32, u32, f32, f64 };
 
+/// Type of a name in the header, in either spelling; none if it is unknown.
 Number number_named(std::string_view word) {
     if (word == "char" || word == "int8") return Number::i8;
     if (word == "uchar" || word == "uint8") return Number::u8;
@@ -33,6 +35,7 @@ struct Property {
     Number value = Number::none;
 };
 
+/// Element of a PLY: how many there are, and the properties of each in their order in the file.
 struct Element {
     std::string name;
     long long count = 0;
@@ -133,6 +136,7 @@ public:
 
 private:
     template <class T>
+    /// Next binary number of type T as double; false if the bytes end.
     bool take(double& value) {
         if (bytes_.size() < sizeof(T)) return false;
         std::array<char, sizeof(T)> raw{};
@@ -155,6 +159,7 @@ private:
 /// True if a text has a line for every element.
 bool has_a_line_each(TextScanner text, const Header& header) {
     if (header.encoding != Encoding::ascii) return false;
+    // Writers that put several elements on a line give fewer lines than elements.
     long long lines = 0, elements = 0;
     do lines += text.word_on_line().empty() ? 0 : 1;
     while (text.next_line());

@@ -17,6 +17,7 @@ std::vector<std::array<int, 3>> triangles_of(const std::vector<int>& polygon,
     }
     // Sign of the turn at b, seen along the normal.
     const auto turn = [&](int a, int b, int c) { return (x(b) - x(a)).cross(x(c) - x(a)).dot(normal); };
+    // A convex corner whose triangle holds no other vertex of the polygon.
     const auto is_ear = [&](std::size_t i) {
         const std::size_t n = rest.size();
         const int a = rest[(i + n - 1) % n], b = rest[i], c = rest[(i + 1) % n];

@@ -36,6 +36,7 @@ double scaled_jacobian(const Vector3& a, const Vector3& b, const Vector3& c) {
     return lengths > 0.0 ? a.dot(b.cross(c)) / lengths : 0.0;
 }
 
+/// Least scaled Jacobian over the corners and the centre of a hexahedron, see cell_shapes().
 double hexahedron_shape(const Eigen::Matrix<double, 3, 8>& X) {
     const auto mean = [&](int a, int b, int c, int d) -> Vector3 {
         return 0.25 * (X.col(a) + X.col(b) + X.col(c) + X.col(d));
@@ -93,6 +94,7 @@ std::string flat_cells(const VolumeMesh& mesh, const Eigen::VectorXd& shapes, co
     const Eigen::Index flat = (shapes.array() > 0.0 && shapes.array() < quality_policy.flat_shape).count();
     if (flat == 0) return {};
     Eigen::Index worst = 0;
+    // Inverted cells have a warning of their own; 2 exceeds every shape.
     (shapes.array() > 0.0).select(shapes, 2.0).minCoeff(&worst);
     const Eigen::Vector3d middle = 1e3 * mesh.nodes(Eigen::all, mesh.cells.col(worst)).rowwise().mean();
     return std::to_string(flat) + " of " + std::to_string(mesh.cell_count()) +
@@ -204,7 +206,7 @@ CountEstimate estimate_counts(const SurfaceMesh& surface, CellType type, double 
         estimate.exact = is_box(surface).has_value();
         estimate.cells = estimate.exact ? n.prod() : volume / cell;
         // Nodes exceed cells by half a layer along the surface. A staircase exposes more faces than the smooth surface:
-        // 1.5 times on average over all directions, 1 for a box aligned with the grid.
+        // 1.5 times on average over all directions, 1 for a box aligned with the grid; 1.2 lies between the two.
         const double side = std::cbrt(cell * cell);
         estimate.nodes = estimate.exact ? (n + 1.0).prod() : estimate.cells + 0.5 * 1.2 * area / side + 1.0;
     } else {

@@ -123,6 +123,7 @@ double aligned_fraction(const Eigen::Matrix3Xd& X, const Box& box, double tolera
             if (std::abs(X(a, i) - (high ? cell.highest[a] : cell.lowest[a])) > tolerance) return -1.0;
         }
     }
+    // Product of the overlaps along the axes; an empty overlap is negative and counts as none.
     const Eigen::Array3d overlap = cell.highest.array().min(box.highest.array()) -
                                    cell.lowest.array().max(box.lowest.array());
     return (overlap.max(0.0) / cell.size().array()).prod();
@@ -182,6 +183,7 @@ Eigen::VectorXd volume_fractions(const VolumeMesh& mesh, const Box& box) {
         // Cells of a grid need no clipping: their fraction is a product of lengths.
         double fraction = mesh.type == CellType::hex8 ? aligned_fraction(X, box, tolerance) : -1.0;
         if (fraction < 0.0) {
+            // Relative to the volume of the same tetrahedra, so that a cell in the box has exactly 1.
             double whole = 0.0;
             for (const Corners& tet : tetrahedra_of(mesh.type, X)) {
                 Eigen::Matrix3d J;

@@ -18,7 +18,7 @@ double region_tolerance(const VolumeMesh& mesh);
 /// @param tolerance  the box is grown by this length on all sides [m]
 /// @return           node numbers, ascending
 std::vector<int> nodes_in_box(const VolumeMesh& mesh, const Box& box, double tolerance);
-/// The same with region_tolerance().
+/// nodes_in_box() with region_tolerance().
 std::vector<int> nodes_in_box(const VolumeMesh& mesh, const Box& box);
 
 /// Shape functions integrated over part of the boundary.

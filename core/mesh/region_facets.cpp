@@ -27,6 +27,7 @@ struct FacetTolerances {
 };
 constexpr FacetTolerances tolerances;
 
+/// Whether two boxes have a common volume; touching is not enough.
 bool overlaps(const Box& a, const Box& b) {
     return (a.lowest.array() < b.highest.array()).all() && (b.lowest.array() < a.highest.array()).all();
 }
@@ -55,6 +56,7 @@ GridPlanes cutting_planes(const std::vector<Box>& regions, const Box& bounds, do
 
 // Range in which the surface is cut: the hull of all regions, unbounded where they end at the body's bounds.
 Box cut_range(const std::vector<Box>& regions, const Box& bounds, double edge) {
+    // A side that is not cut selects the whole end of the body, however the surface bulges there.
     const double near = tolerances.bounds * edge, far = std::numeric_limits<double>::infinity();
     Box all = regions.front();
     for (const Box& region : regions) {
@@ -287,6 +289,7 @@ Result<RegionFacets> region_facets(const SurfaceMesh& surface, const std::vector
             cut = snapped_to_plane(std::move(cut), {axis, at}, tolerances.vertex * edge);
             cut = cut_by_plane(cut, {axis, at}, cut_range(regions, bounds, edge));
         }
+    // Cuts close to each other, or to an edge of the surface, leave edges much shorter than the cells.
     cut = without_short_edges(cut, planes, edge, tolerances.vertex * edge);
     // The volume is the check that snapping and collapsing did not change the shape.
     const double volume = enclosed_volume(surface);

@@ -26,6 +26,7 @@ bool cut_by_regions(const Box& bounds, const std::vector<Box>& regions, double e
 /// preserved except near the planes, where vertices move by up to a hundredth of `edge` to avoid very short edges.
 /// @param surface  welded, closed, manifold, outward
 /// @param edge     edge length of the future cells [m]
+/// @return         without inner triangles, and the surface as it is, if no face of a region cuts the body
 /// Errors: a section that cannot be triangulated, or a change of shape; the input surface is then still valid.
 Result<RegionFacets> region_facets(const SurfaceMesh& surface, const std::vector<Box>& regions, double edge);
 

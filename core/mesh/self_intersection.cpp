@@ -22,6 +22,7 @@ struct Plane {
     double depth(const Vector3& x) const { return normal.dot(x) - offset; }
 };
 
+/// Plane of a triangle, oriented by its corners.
 Plane plane_of(const Triangle& t) {
     const Vector3 n = (t[1] - t[0]).cross(t[2] - t[0]);
     const double length = n.norm();
@@ -49,8 +50,10 @@ bool pierces(const Triangle& a, const Triangle& b, const Plane& plane, double to
     return false;
 }
 
+/// z component of the cross product.
 double cross2(const Vector2& a, const Vector2& b) { return a[0] * b[1] - a[1] * b[0]; }
 
+/// Area of a plane convex polygon, without sign.
 double area(const std::vector<Vector2>& polygon) {
     double sum = 0.0;
     for (std::size_t i = 2; i < polygon.size(); ++i)
@@ -83,6 +86,7 @@ double shared_area(const Triangle& a, const Triangle& b, const Vector3& normal) 
 
 double area(const Triangle& t) { return 0.5 * (t[1] - t[0]).cross(t[2] - t[0]).norm(); }
 
+/// Whether two triangles cross, or overlap in a common plane; contact within the tolerance [m] does not count.
 bool intersect(const Triangle& a, const Plane& A, const Triangle& b, const Plane& B, double tolerance) {
     // A triangle without area has no plane.
     if (A.normal.isZero(0.0) || B.normal.isZero(0.0)) return false;

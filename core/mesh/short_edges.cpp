@@ -128,6 +128,7 @@ private:
     /// Moves v to u and removes the triangles of their edge.
     void join(int v, int u) {
         for (const int t : std::vector<int>(star(v))) {
+            // Triangles of the collapsed edge lose their area; all others of v get the corner u.
             if (has(t, u)) {
                 for (const int w : TriangleCorners(triangle(t))) std::erase(star_[static_cast<std::size_t>(w)], t);
                 triangle(t) = {-1, -1, -1};

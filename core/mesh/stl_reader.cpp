@@ -9,6 +9,7 @@
 namespace myo::mesh {
 namespace {
 
+/// Sizes of the binary format.
 struct StlReaderFormat {
     std::size_t stl_header_bytes = 84;
     std::size_t triangle_bytes = 50;
@@ -20,6 +21,7 @@ PolygonSoup read_binary(const std::string& content, std::size_t count) {
     PolygonSoup soup;
     soup.vertices.reserve(count * 3);
     for (std::size_t t = 0; t < count; ++t) {
+        // The normal comes first, 12 bytes, and is not used: it follows from the order of the corners.
         float corners[9];
         std::memcpy(corners,
                     content.data() + stl_reader_format.stl_header_bytes + t * stl_reader_format.triangle_bytes + 12,
@@ -42,6 +44,7 @@ bool is(std::string_view word, std::string_view expected) {
     return true;
 }
 
+/// Text form: facets of three vertices each, in one or several solids.
 Result<PolygonSoup> read_ascii(const std::string& content, const std::string& path) {
     PolygonSoup soup;
     TextScanner text(content, path);

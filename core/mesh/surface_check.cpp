@@ -8,6 +8,7 @@
 namespace myo::mesh {
 namespace {
 
+/// "1 open edge", "3 open edges".
 std::string count_text(int n, const std::string& one, const std::string& many) {
     return std::to_string(n).append(" ").append(n == 1 ? one : many);
 }

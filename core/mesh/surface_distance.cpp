@@ -8,6 +8,7 @@
 namespace myo::mesh {
 namespace {
 
+/// Bounding box of each triangle [m].
 std::vector<Box> boxes_of_triangles(const SurfaceMesh& surface) {
     std::vector<Box> boxes;
     boxes.reserve(static_cast<std::size_t>(surface.triangles.cols()));
@@ -24,6 +25,7 @@ Eigen::Vector3d nearest_in_triangle(const Eigen::Vector3d& a, const Eigen::Vecto
                                     const Eigen::Vector3d& point) {
     const Eigen::Vector3d ab = b - a, ac = c - a, ap = point - a, bp = point - b, cp = point - c;
     const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp), d6 = ac.dot(cp);
+    // Voronoi regions of the corners, then of the sides; what remains projects into the triangle.
     if (d1 <= 0.0 && d2 <= 0.0) return a;
     if (d3 >= 0.0 && d4 <= d3) return b;
     if (d6 >= 0.0 && d5 <= d6) return c;

@@ -20,6 +20,7 @@ struct SharedEdge {
     double turn_deg = 0.0;  // angle between the normals
 };
 
+/// Edges of two triangles with the angle between these, ordered by vertex numbers.
 std::vector<SharedEdge> shared_edges(const SurfaceMesh& surface, const Eigen::Matrix3Xd& normals) {
     std::map<std::pair<int, int>, SharedEdge> found;
     for (int t = 0; t < surface.triangles.cols(); ++t)
@@ -41,6 +42,7 @@ std::vector<SharedEdge> shared_edges(const SurfaceMesh& surface, const Eigen::Ma
     return edges;
 }
 
+/// Normal of each triangle times its area [m2].
 Eigen::Matrix3Xd area_vectors(const SurfaceMesh& surface) {
     Eigen::Matrix3Xd vectors(3, surface.triangles.cols());
     for (Eigen::Index t = 0; t < vectors.cols(); ++t) {
@@ -121,6 +123,7 @@ std::vector<int> corners_of(const SurfaceMesh& surface, const std::vector<std::p
     LineEnds neighbours;
     for (const auto& [a, b] : lines) neighbours[a].push_back(b), neighbours[b].push_back(a);
     std::set<int> corners = ends_and_bends(surface, neighbours);
+    // Lines are divided at their true corners only: knots that are added on one line must not divide another.
     const std::set<int> fixed = corners;
     std::set<int> seen;
     const auto visit = [&](int start, int next) {
@@ -149,6 +152,7 @@ FeatureLines feature_lines(const SurfaceMesh& surface, double edge, double devia
     FeatureLines lines;
     for (const SharedEdge& e : edges) {
         const auto first = static_cast<std::size_t>(e.first), second = static_cast<std::size_t>(e.second);
+        // Edges within a flat face are no feature, and narrow flat faces are facets of a round.
         const bool contour = faces.find(first) != faces.find(second) && (broad[first] || broad[second]);
         if (contour || e.turn_deg > feature_policy.sharp_deg) lines.edges.emplace_back(e.low, e.high);
     }

@@ -24,6 +24,7 @@ struct ClosedPart {
     int depth = 0;        // number of parts around it
 };
 
+/// Bounding box of the vertices that a part uses [m].
 Box bounds_of(const SurfaceMesh& part) {
     Box box{part.vertices.col(part.triangles(0, 0)), part.vertices.col(part.triangles(0, 0))};
     for (const int v : part.triangles.reshaped()) {
@@ -33,10 +34,12 @@ Box bounds_of(const SurfaceMesh& part) {
     return box;
 }
 
+/// Whether a box lies in another without touching it; a necessary condition that spares winding numbers.
 bool lies_within(const Box& inner, const Box& outer) {
     return (inner.lowest.array() > outer.lowest.array()).all() && (inner.highest.array() < outer.highest.array()).all();
 }
 
+/// Parts in the order of SurfaceTopology::part, each with the number of parts around it.
 std::vector<ClosedPart> closed_parts_of(const SurfaceMesh& surface, const SurfaceTopology& topology) {
     std::vector<std::vector<Eigen::Index>> own(static_cast<std::size_t>(topology.parts));
     for (std::size_t t = 0; t < topology.part.size(); ++t)
@@ -83,6 +86,9 @@ bool enters(const SurfaceMesh& surface, int a, int b, const ClosedPart& part, co
     const Eigen::Vector3d normal = (Y.col(1) - Y.col(0)).cross(Y.col(2) - Y.col(0));
     for (int i = 0; i < 3; ++i) {
         const Eigen::Vector3d p = X.col(i), along = X.col((i + 1) % 3) - p;
+        // Points on the side of `a` a little before and behind the crossing: one of them lies in the part, unless the
+        // parts
+        // only touch.
         const double slope = normal.dot(along);
         if (slope == 0.0) continue;
         const double at = normal.dot(Y.col(0) - p) / slope;
@@ -121,6 +127,7 @@ std::optional<std::pair<std::size_t, std::size_t>> overlapping(const SurfaceMesh
     return std::nullopt;
 }
 
+/// Note on a part that was turned, with what it has become.
 std::string turned(std::size_t i, const ClosedPart& part) {
     const std::string name = name_of(i, part.bounds), volume = format_number(1e6 * std::abs(part.volume), 3) + " ml";
     if (part.depth % 2 == 1)

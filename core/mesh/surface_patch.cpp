@@ -13,6 +13,7 @@
 namespace myo::mesh {
 namespace {
 
+/// Outward unit normals, 3 x triangles; zero for a triangle without area.
 Eigen::Matrix3Xd unit_normals(const SurfaceMesh& surface) {
     Eigen::Matrix3Xd normals(3, surface.triangles.cols());
     for (Eigen::Index t = 0; t < normals.cols(); ++t) {
@@ -22,6 +23,7 @@ Eigen::Matrix3Xd unit_normals(const SurfaceMesh& surface) {
     return normals;
 }
 
+/// Per triangle the triangles that share an edge with it.
 std::vector<std::vector<int>> triangles_at_edges(const SurfaceMesh& surface) {
     std::map<std::pair<int, int>, std::vector<int>> at_edge;
     for (int t = 0; t < static_cast<int>(surface.triangles.cols()); ++t)
@@ -52,6 +54,7 @@ std::vector<int> SurfacePatches::around(int triangle) const {
     for (std::size_t next = 0; next < patch.size(); ++next)
         for (const int other : meeting_[static_cast<std::size_t>(patch[next])]) {
             char& has = taken[static_cast<std::size_t>(other)];
+            // Compared with the first triangle, not the neighbour: a round would otherwise be one patch.
             if (has != 0 || normals_.col(other).dot(normals_.col(triangle)) < least_cosine) continue;
             has = 1;
             patch.push_back(other);

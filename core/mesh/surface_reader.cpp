@@ -10,6 +10,7 @@
 namespace myo::mesh {
 namespace {
 
+/// Extension of a file in lower case, with its dot.
 std::string lower_extension(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -17,6 +18,7 @@ std::string lower_extension(const std::filesystem::path& path) {
     return extension;
 }
 
+/// Selects the reader by the extension.
 Result<PolygonSoup> read_polygons(const std::filesystem::path& path) {
     const std::string extension = lower_extension(path);
     if (extension == ".stl") return read_stl(path);

@@ -16,6 +16,7 @@
 namespace myo::mesh {
 namespace {
 
+/// Length with two digits for notes.
 std::string millimetres(double metres) { return format_number(1e3 * metres, 2) + " mm"; }
 
 /// A count to two digits: "20000".
@@ -107,6 +108,7 @@ std::optional<SizedSurface> remeshed_to(double size, const SurfaceMesh& original
     return result;
 }
 
+/// Note on a surface that was remeshed: from and to how many triangles, and how far off.
 std::string change_of(const SizedSurface& sized, double edge, Eigen::Index triangles) {
     std::string text = "the surface's " + std::to_string(triangles) + " triangles are finer than cells of " +
                        millimetres(edge) + ": it was remeshed to " + std::to_string(sized.surface.triangles.cols()) +
@@ -117,7 +119,7 @@ std::string change_of(const SizedSurface& sized, double edge, Eigen::Index trian
            format_number(100.0 * sized.volume_change, 2) + " %";
 }
 
-/// Tells which number of cells will come; empty if it is not many more than asked for.
+/// Note on the number of cells that will come; empty if it is not many more than asked for.
 std::optional<std::string> kept_as_it_is(const SurfaceMesh& surface, double edge, double deviation) {
     const double cells = remesh_policy.cells_per_triangle * static_cast<double>(surface.triangles.cols());
     const double asked = estimate_counts(surface, CellType::tet10, edge).cells;
@@ -139,6 +141,7 @@ SizedSurface sized_surface(const SurfaceMesh& surface, double edge, double most_
     if (!self_intersections(surface, 1e-8 * bounding_box(surface.vertices).size().norm()).empty()) return unchanged;
     const double allowed = std::min(remesh_policy.max_deviation * edge, most_deviation);
     const SurfaceDistance distance(surface);
+    // From long edges to short ones: the first size within the deviation gives the fewest cells.
     double size = remesh_policy.first_size * edge;
     for (int i = 0; i < remesh_policy.sizes && !progress.cancelled(); ++i, size *= remesh_policy.size_step) {
         progress.report({"coarser surface", double(i), double(remesh_policy.sizes), "sizes", ""});
@@ -146,6 +149,7 @@ SizedSurface sized_surface(const SurfaceMesh& surface, double edge, double most_
             size, surface, feature_lines(surface, size, remesh_policy.line_share * allowed), distance, topology.parts);
         if (!found || found->deviation_m > allowed || std::abs(found->volume_change) > remesh_policy.max_volume_change)
             continue;
+        // Smaller sizes would have even more triangles.
         if (static_cast<double>(found->surface.triangles.cols()) >
             remesh_policy.worth * static_cast<double>(surface.triangles.cols()))
             break;

@@ -16,6 +16,7 @@ struct EdgeUse {
     bool forward = true;  // the triangle runs from low to high
 };
 
+/// Uses of all edges, those of one edge next to each other and ordered by triangle.
 std::vector<EdgeUse> sorted_edges(const SurfaceMesh& surface) {
     std::vector<EdgeUse> uses;
     uses.reserve(static_cast<std::size_t>(surface.triangles.cols()) * 3);
@@ -42,6 +43,7 @@ void for_each_edge(const std::vector<EdgeUse>& uses, const Visit& visit) {
     }
 }
 
+/// Number of a corner of a triangle among all corners.
 std::size_t corner(int triangle, int side) { return static_cast<std::size_t>(3 * triangle + side % 3); }
 
 /// Number of vertices where several fans of triangles meet. Corners of triangles that share an edge at a vertex are
@@ -51,6 +53,7 @@ int pinched_vertices(const SurfaceMesh& surface, const std::vector<EdgeUse>& use
     for_each_edge(uses, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin + 1; i < end; ++i) {
             const EdgeUse &a = uses[begin], &b = uses[i];
+            // Corners of the two triangles at the same end of the edge, whichever way each runs along it.
             const auto low = [](const EdgeUse& e) { return corner(e.triangle, e.forward ? e.side : e.side + 1); };
             const auto high = [](const EdgeUse& e) { return corner(e.triangle, e.forward ? e.side + 1 : e.side); };
             fans.join(low(a), low(b));

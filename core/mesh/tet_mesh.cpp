@@ -54,6 +54,7 @@ Result<fs::path> find_worker() {
         if (fs::is_regular_file(named, code)) return fs::path(named);
         return Error{"the tetrahedral mesher named by MYOLOOP_TETGEN does not exist", named};
     }
+    // Next to the program itself, wherever it was started from.
     const fs::path beside = fs::read_symlink("/proc/self/exe", code).parent_path() / "myoloop-tetgen";
     if (fs::is_regular_file(beside, code)) return beside;
     return Error{"the tetrahedral mesher myoloop-tetgen is not next to the program; set MYOLOOP_TETGEN to its path",
@@ -161,6 +162,7 @@ Result<SurfaceMesh> prepared(const SurfaceMesh& surface) {
     const SurfaceReport report = check_surface(welded);
     if (!report.meshable()) return Error{report.messages.front(), ""};
     if (!report.oriented) return Error{"neighbouring triangles of the surface turn opposite ways", ""};
+    // Only the orientation as a whole is repaired: cavities keep facing the other way.
     if (report.volume < 0.0) welded = flipped(std::move(welded));
     // Relative to the bounding box: below rounding of the volume sum.
     if (std::abs(report.volume) < 1e-12 * report.size.prod()) return Error{"the surface encloses no volume", ""};
@@ -257,6 +259,7 @@ Result<VolumeMesh> tetrahedralize(const SurfaceMesh& surface, const TetOptions& 
     if (!welded) return welded.error();
     const auto facets = region_facets(*welded, options.regions, expected_edge(*welded, options));
     if (!facets) return facets.error();
+    // The surface after cutting counts: it may differ from the given one by the tolerances of region_facets().
     const double volume = enclosed_volume(facets->surface);
     double max_volume = options.max_volume ? *options.max_volume
                         : options.edge     ? tet_volume_for_edge(*options.edge)

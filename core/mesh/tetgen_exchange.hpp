@@ -22,8 +22,11 @@ namespace worker_status {
 inline constexpr int done = 0;
 /// Wrong arguments, or the request cannot be read.
 inline constexpr int bad_call = 64;
+/// The answer cannot be written.
 inline constexpr int cannot_write = 65;
+/// The memory limit was reached.
 inline constexpr int out_of_memory = 66;
+/// TetGen failed; its error code is added.
 inline constexpr int tetgen_error = 80;
 }  // namespace worker_status
 

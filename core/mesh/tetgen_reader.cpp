@@ -85,6 +85,7 @@ Result<CellSoup> read_tetgen(const std::filesystem::path& path) {
         for (std::size_t i = 0; i < static_cast<std::size_t>(per_cell); ++i) {
             soup.cells.push_back(static_cast<int>(own[from_tetgen[i]] - first));
         }
+        // TetGen writes the region as first attribute (switch A). Anything but an integer is none.
         if (long long region = 0; cells.integer_on_line(region)) soup.regions.push_back(static_cast<int>(region));
         cells.next_line();
     }

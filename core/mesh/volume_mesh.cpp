@@ -61,6 +61,7 @@ FaceTable face_table(const VolumeMesh& mesh) {
     table.nodes.resize(traits.face_nodes(), face_count * mesh.cell_count());
     table.cell.resize(table.nodes.cols());
     table.beyond = Eigen::VectorXi::Constant(table.nodes.cols(), -1);
+    // Faces in the order of the cells first; what lies beyond follows from the sorted faces.
     for (Eigen::Index k = 0; k < table.cell.size(); ++k) {
         table.cell[k] = static_cast<int>(k / face_count);
         const std::vector<int>& nodes = traits.faces[static_cast<std::size_t>(k % face_count)];

@@ -63,6 +63,7 @@ public:
         std::vector<double> ends;
         int winding = 0;
         for (const Crossing& c : crossings_[j * x_.size() + i]) {
+            // Overlapping parts are one body: only the change between no part and any part bounds an interval.
             const bool was_inside = winding != 0;
             winding = by_winding ? winding + c.turn : 1 - winding;
             if ((winding != 0) != was_inside) ends.push_back(c.z);
@@ -106,6 +107,7 @@ private:
 void add_lengths(const std::vector<double>& intervals, const std::vector<double>& z, std::vector<double>& inside) {
     for (std::size_t e = 0; e + 1 < intervals.size(); e += 2) {
         const double low = intervals[e], high = intervals[e + 1];
+        // First cell that the interval meets; the interval may begin below the grid.
         std::size_t k = static_cast<std::size_t>(
             std::max<std::ptrdiff_t>(0, std::upper_bound(z.begin(), z.end(), low) - z.begin() - 1));
         for (; k + 1 < z.size() && z[k] < high; ++k) {

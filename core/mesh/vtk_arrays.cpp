@@ -50,6 +50,7 @@ void append_as(std::string_view bytes, bool big_endian, VtkArray& numbers) {
 /// Treatment of a VTK cell type: ignore, use or reject.
 enum class Keep { no, yes, unsupported };
 
+/// What is to be done with a cell; sets `type` if it is used.
 Keep keep(int vtk_type, CellType& type) {
     for (const CellTraits& traits : all_cell_traits())
         if (traits.vtk_type == vtk_type) {
@@ -93,6 +94,7 @@ std::optional<std::vector<int>> nodes_of(std::size_t c, const VtkArray& connecti
     return nodes;
 }
 
+/// Error at a cell of the file.
 Error bad_cell(std::size_t c, std::string_view what, const std::filesystem::path& path) {
     return {"cell " + std::to_string(c).append(" (counted from 0) ").append(what), path.string()};
 }
@@ -167,6 +169,7 @@ Result<void> add_vtk_cells(const VtkArray& connectivity, const VtkArray& offsets
             std::swap((*nodes)[6], (*nodes)[7]);
         }
         soup.type = type;
+        // Only an array with one number per cell can be the regions.
         if (regions.size() == offsets.size()) soup.regions.push_back(static_cast<int>(regions[c]));
         soup.cells.insert(soup.cells.end(), nodes->begin(), nodes->end());
     }

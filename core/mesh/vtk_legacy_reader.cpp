@@ -8,6 +8,7 @@
 namespace myo::mesh {
 namespace {
 
+/// Word in lower case.
 std::string lower(std::string_view word) {
     std::string text(word);
     for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -74,6 +75,7 @@ private:
     static std::string_view first_word(std::string_view text) { return TextScanner(text, "").word(); }
 
     static bool blank(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; }
+    /// Next word on any line; empty at the end of the file.
     std::string_view next_word() {
         while (at_ < content_.size() && blank(content_[at_])) ++at_;
         const std::size_t begin = at_;

@@ -7,6 +7,7 @@
 namespace myo::mesh {
 namespace {
 
+/// Lock of the one output window of the process.
 std::mutex& one_at_a_time() {
     static std::mutex mutex;
     return mutex;

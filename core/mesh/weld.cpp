@@ -22,7 +22,8 @@ struct GridHash {
     }
 };
 
-// For each vertex, the first vertex within the tolerance that represents itself.
+// For each vertex a vertex within the tolerance that represents itself: the first one of the first grid cell around it
+// that has any; the vertex itself if none has.
 std::vector<int> representatives(const Eigen::Matrix3Xd& x, double tolerance) {
     std::vector<int> stands_for(static_cast<std::size_t>(x.cols()));
     std::unordered_map<GridCell, std::vector<int>, GridHash> grid;
@@ -63,6 +64,7 @@ double weld_tolerance(const SurfaceMesh& surface) {
 
 SurfaceMesh weld(const SurfaceMesh& surface, double tolerance) {
     assert(tolerance >= 0.0);
+    // Triangles are kept or removed by their merged corners; then unused vertices are dropped and the rest renumbered.
     const std::vector<int> stands_for = representatives(surface.vertices, tolerance);
     std::vector<std::array<int, 3>> kept;
     std::set<std::array<int, 3>> seen;

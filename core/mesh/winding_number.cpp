@@ -18,6 +18,7 @@ double winding_number(const SurfaceMesh& surface, const Eigen::Vector3d& point) 
         const double la = a.norm(), lb = b.norm(), lc = c.norm();
         angle += 2.0 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
     }
+    // Every direction from a point inside meets the surface once more outward than inward: 4 pi in sum.
     return angle / (4.0 * std::numbers::pi);
 }
 
