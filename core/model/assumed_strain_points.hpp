@@ -75,6 +75,7 @@ struct AssumedStrainMap {
         }
     }
 
+    /// Values of the linear and the bilinear shape at a corner point, see fem::assumed_strain_rule.
     static constexpr double linear_scale = fem::assumed_strain_rule::corner;
     static constexpr double bilinear_scale = fem::assumed_strain_rule::corner * fem::assumed_strain_rule::corner *
                                              fem::assumed_strain_rule::bilinear_share;
@@ -247,6 +248,7 @@ public:
     }
 
 private:
+    /// F0^-1 q.
     Eigen::Matrix<Pack, 3, 4> through_inverse(const Eigen::Matrix<Pack, 3, 4>& q) const {
         Eigen::Matrix<Pack, 3, 4> h;
         for (int s = 0; s < 4; ++s)
@@ -266,6 +268,7 @@ private:
 template <>
 class StressSum<PackAssumedStrain> {
 public:
+    /// @param points  must outlive the sum
     explicit StressSum(const PointKinematics<PackAssumedStrain>& points) : points_(points), mean_(zero_tensor()) {
         for (PackSymmetric& s : corners_) s.fill(Pack(0.0));
     }

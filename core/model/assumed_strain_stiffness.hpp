@@ -185,7 +185,9 @@ private:
                                sign(q, m));
             }
     }
+    /// Whether a set has an even number of edges.
     static bool is_even(int set) { return set == 0 || set == 3 || set == 5 || set == 6; }
+    /// Adds a value with a sign of 1 or -1.
     static void add_signed(Pack& sum, const Pack& value, double sign) { sum += sign * value; }
 
     /// mean_ += (I x M) A (I x M), from F = F0 M.

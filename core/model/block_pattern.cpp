@@ -95,6 +95,7 @@ BlockPattern block_pattern(const mesh::VolumeMesh& mesh, const std::vector<bool>
             pattern.free_nodes.push_back(static_cast<int>(i));
         }
     const auto nodes = static_cast<std::size_t>(mesh.cells.rows());
+    // Free index of the a-th node of a cell, or of a coupling.
     const auto in_cell = [&](Eigen::Index c) {
         return [&pattern, column = mesh.cells.data() + c * mesh.cells.rows()](std::size_t a) {
             return pattern.free_index[static_cast<std::size_t>(column[a])];

@@ -68,6 +68,7 @@ struct BlockPattern {
     }
 
 private:
+    /// Adds a block at its rank in a block column; rank 0 is the diagonal block, of which the lower triangle is stored.
     template <class Block>
     void add_ranked(solver::SymmetricSparse& matrix, int rank, int column_node, const Block& entry) const {
         if (rank < 0) return;

@@ -29,6 +29,7 @@ BodyPointer make_body(mesh::VolumeMesh mesh, fem::ElementKind kind, const std::v
     body->clamped.assign(static_cast<std::size_t>(body->mesh.node_count()), false);
     for (const int node : clamped_nodes) body->clamped[static_cast<std::size_t>(node)] = true;
     set_guided(guided, *body);
+    // After the clamp is complete: a clamped neighbour constrains the bending of a cell.
     body->surroundings = fem::cell_surroundings(body->mesh, body->clamped);
     body->cells = pack_elements(fem::make_elements(body->mesh, kind, body->surroundings));
     body->couplings = std::move(couplings);
@@ -40,6 +41,7 @@ BodyPointer make_body(mesh::VolumeMesh mesh, fem::ElementKind kind, const std::v
         triplets.emplace_back(entry.row, entry.column, entry.value);
     body->unit_mass.resize(body->mesh.node_count(), body->mesh.node_count());
     body->unit_mass.setFromTriplets(triplets.begin(), triplets.end());
+    // Shape functions sum to 1, so the entries of the mass for density 1 sum to the volume.
     body->volume_m3 = body->unit_mass.sum();
 
     // The packed layout depends on the cell type, hence the visit.

@@ -31,8 +31,11 @@ struct Body {
     int strains_per_cell = 0;                 // strain components per cell: 6 per point
     int points_per_cell = 0;                  // quadrature points, where the material law is evaluated
 
+    /// Cells of the mesh; without the padding of packs.
     int cell_count() const { return static_cast<int>(mesh.cell_count()); }
+    /// Nodes of the mesh, clamped ones included.
     int node_count() const { return static_cast<int>(mesh.node_count()); }
+    /// Packs that hold the cells; the last one may be padded.
     int pack_count() const { return (cell_count() + pack_width - 1) / pack_width; }
     /// Length of a per-cell field of pressures, padded to full packs; see PackedCells.
     int volume_points() const { return pack_count() * pack_width * volume_points_per_cell; }
@@ -48,6 +51,7 @@ struct Body {
     int dofs() const { return 3 * node_count(); }
 };
 
+/// Bodies are constant and shared between models.
 using BodyPointer = std::shared_ptr<const Body>;
 
 /// Builds the body.

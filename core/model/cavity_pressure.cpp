@@ -31,6 +31,7 @@ struct WallVolume {
     std::vector<Matrix3d> hessian;  // d2V / dx_a dx_b at a + nodes * b [m]; empty unless requested
 };
 
+/// Volume share of a face with nodes at x, its gradient and, if asked for, its Hessian.
 WallVolume wall_volume(const Matrix3Xd& x, bool with_hessian) {
     const auto count = x.cols();
     WallVolume V;
@@ -56,6 +57,7 @@ WallVolume wall_volume(const Matrix3Xd& x, bool with_hessian) {
     return V;
 }
 
+/// See cavity_pressure().
 class CavityPressure : public ForceElement {
 public:
     CavityPressure(std::shared_ptr<const std::vector<LoadedFace>> walls, fibre::Signal pressure, std::string words,
@@ -106,6 +108,7 @@ public:
     std::vector<double> jumps() const override { return pressure_.jumps(); }
 
 private:
+    /// Adds the gradient of -dp V, which is the derivative of the gradient along a pressure dp [Pa].
     void add_unit_pressure(const Matrix3Xd& x, double dp, Matrix3Xd& gradient) const {
         for (const LoadedFace& wall : *walls_) {
             const WallVolume V = wall_volume(x(Eigen::all, wall.nodes), false);
@@ -125,6 +128,7 @@ Eigen::Index corner_count(const Body& body) { return body.boundary.nodes.rows() 
 
 using Edge = std::pair<int, int>;
 
+/// Calls visit(edge) for the edges of a face between its corners, lower node first.
 template <class Visit>
 void for_each_edge(const Body& body, int face, const Visit& visit) {
     const Eigen::Index corners = corner_count(body);

@@ -49,6 +49,7 @@ private:
         int length = 0;           // entries of that column; each of the next two is one shorter
     };
 
+    /// Adds a block to the three scalar columns of its block column, each one entry shorter than the one before.
     template <class Entry>
     static void add_to(int rank, const BlockColumn& column, const Entry& entry) {
         if (!column.first) return;

@@ -26,6 +26,7 @@ struct PackInput {
     const double* rate_history = nullptr;     // [1/s] strains_per_cell packs
     const double* pressure = nullptr;         // U' for the geometric stiffness, volumes_per_cell packs; null: current
 
+    /// Factor of viscous_mu at point q.
     Pack viscous_factor(int q) const { return viscous_factors ? entry(viscous_factors, q) : Pack(1.0); }
 };
 
@@ -73,6 +74,7 @@ void add_viscous_response(const material::Matrix3<Pack>& F, const Pack& viscous_
                           material::Matrix9<Pack>& A) {
     const PackSymmetric D = deviator(strain_rate(F, rate_factor, history, q));
     const material::Matrix3<Pack> S = viscous_stress(viscous_mu, D);
+    // At a rate factor of 0 the potential has no finite value; callers then use the force alone.
     if (rate_factor > 0.0) value += (1.0 / rate_factor) * viscous_mu * double_dot(D, D);
     P += product(F, S);
     if constexpr (WithHessian) {
@@ -157,6 +159,7 @@ void add_bulk_response(const material::ScalarFunctionOf<Pack>& U, const Pack& p,
 template <bool WithHessian, class Geometry>
 void add_response(const PackedCells<Geometry>& cells, int pack, const PointKinematics<Geometry>& points,
                   const PackInput& in, PackOutput<Geometry::nodes>& out) {
+    // Geometry with weights per point may have a mean volume; that of assumed strains has none.
     constexpr bool has_mean_volume = requires(const Geometry& g) { g.weight; };
     StressSum<Geometry> stress(points);
     std::optional<StiffnessSum<Geometry>> stiffness;

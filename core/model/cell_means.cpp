@@ -45,6 +45,7 @@ void add_integrals(const PackedCells<Geometry>& cells, int pack, const Model& mo
     ElasticPoints<Geometry> elastic(cells, pack, elasticity);
     material::Matrix3<Pack> kirchhoff = zero_tensor(),
                             mean_part = zero_tensor();  // integrals of P F' and of d theta/dF F'
+    // Integral of J of the pack.
     Pack now = 0.0;
     elastic.visit(points, [&](const PointState& point) {
         const material::Matrix3<Pack> F_transposed = point.F.transpose();

@@ -12,6 +12,7 @@ double command_value(const fibre::Signal& command, const ForceState& at) {
     return at.before_jump ? command.value_before(at.time_s) : command.value(at.time_s);
 }
 
+// The value is linear in the two knots around the time, with weights that do not depend on values.
 double command_change(const fibre::Signal& command, const ForceState& at, const VectorXd& change) {
     const fibre::Signal::Weights w = command.weights(at.time_s, at.before_jump);
     const double left = change(static_cast<Index>(w.left));

@@ -16,7 +16,7 @@ namespace myo::model {
 double command_value(const fibre::Signal& command, const ForceState& at);
 /// Change of that value along a change of the element's parameters.
 double command_change(const fibre::Signal& command, const ForceState& at, const Eigen::VectorXd& change);
-/// Adds derivatives by the knots, from the derivative by the value.
+/// Adds derivatives by the knots, from the derivative by the value: transpose of command_change().
 void add_command_work(const fibre::Signal& command, const ForceState& at, double by_value,
                       Eigen::VectorXd& by_parameter);
 

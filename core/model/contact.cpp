@@ -47,6 +47,7 @@ public:
             if (kind == HessianKind::none) return;
             Matrix3d H = k * t.pressed.second * t.gap.normal * t.gap.normal.transpose() +
                          t.slide.factor_1_s * law_.friction * normal_N * by_velocity(t);
+            // The curvature of the obstacle softens; it is left out where the Hessian must be positive.
             if (kind == HessianKind::exact) H -= normal_N * t.gap.curvature_1_m;
             add_hessian(body, face, point, H, out);
         });
@@ -98,6 +99,7 @@ public:
     }
 
 private:
+    /// Largest friction at a point [N]: Coulomb's coefficient times the normal force.
     double friction_N(const SampledPoint& point, const Touch& t) const {
         return law_.friction * point.area * law_.stiffness_Pa_m * t.pressed.slope;
     }
@@ -117,10 +119,13 @@ private:
                (t.pressed.second * w * n.transpose() + t.pressed.slope * turned);
     }
 
+    /// Sliding of a point across the obstacle's normal; of statics the displacement, as velocity of size v0 at the
+    /// slip.
     Sliding sliding(const Body& body, const ForceState& at, const SampledFace& face, const SampledPoint& point,
                     const Vector3d& normal) const {
         Sliding slide;
         if (law_.friction == 0.0) return slide;
+        // Without velocities the state is one of statics.
         if (at.v) {
             slide.velocity = (*at.v)(Eigen::all, face.nodes) * point.shape;
             slide.factor_1_s = at.velocity_factor_1_s;
@@ -134,6 +139,7 @@ private:
         return slide;
     }
 
+    /// Displacement of a point from the rest shape [m].
     static Vector3d moved(const Body& body, const ForceState& at, const SampledFace& face, const SampledPoint& point) {
         return (at.x(Eigen::all, face.nodes) - body.mesh.nodes(Eigen::all, face.nodes)) * point.shape;
     }
@@ -154,6 +160,7 @@ private:
         }
     }
 
+    /// Weak springs to the rest shape, so that statics of a body that nothing clamps are determined.
     void add_bed(const Body& body, const ForceState& at, HessianKind kind, InternalEnergy& out) const {
         for (const SampledFace& face : *faces_)
             for (const SampledPoint& point : face.points) {
@@ -165,6 +172,7 @@ private:
             }
     }
 
+    /// Adds the block H [N/m] of a point to the nodes of its face.
     static void add_hessian(const Body& body, const SampledFace& face, const SampledPoint& point, const Matrix3d& H,
                             InternalEnergy& out) {
         add_face_hessian(body, face, out.hessian, [&](std::size_t a, std::size_t b) {

@@ -24,6 +24,7 @@ void add_block(Index a, Index b, const Matrix3d& block, Entries& entries) {
             entries.emplace_back(static_cast<int>(3 * a + r), static_cast<int>(3 * b + s), block(r, s));
 }
 
+/// Inertia that acts at all times, from triplets of a 3 n x 3 n matrix.
 DirectionalMass from_entries(Index nodes, const Entries& entries) {
     DirectionalMass mass;
     mass.inertia_kg.resize(3 * nodes, 3 * nodes);
@@ -59,6 +60,7 @@ DirectionalMass line_mass(const VectorXd& share, const Vector3d& direction, doub
     const Vector3d d = direction.normalized();
     Entries entries;
     for (Index i = 0; i < share.size(); ++i)
+        // Lumped: each node carries its share.
         if (share(i) != 0.0) add_block(i, i, share(i) * mass_kg * d * d.transpose(), entries);
     return from_entries(share.size(), entries);
 }

@@ -29,7 +29,7 @@ struct DirectionalMass {
 /// @param surface_density_kg_m2  mass of the layer per rest area, >= 0
 DirectionalMass added_mass(const Body& body, const std::vector<int>& faces, double surface_density_kg_m2);
 
-/// Inertia of a body suspended from a thread; acts along the thread only.
+/// Inertia of a body suspended from a thread; acts along the thread only, whose direction stays that at rest.
 /// @param share      per node, sums to 1
 /// @param direction  of the thread, any length except 0
 /// @param mass_kg    >= 0

@@ -32,12 +32,14 @@ DistanceField box_distance(const Vector3d& lowest_m, const Vector3d& highest_m, 
     assert(rounding_m > 0.0 && rounding_m < half.minCoeff());
     // The rounded box is all that lies within `rounding_m` of a smaller one.
     return [middle, core = Vector3d(half.array() - rounding_m), rounding_m](const Vector3d& x) {
+        // By symmetry in the octant of positive coordinates: `beyond` points from the smaller box to x.
         const Vector3d from = x - middle, outside = from.cwiseAbs() - core, beyond = outside.cwiseMax(0.0);
         const auto sign = [&](int axis) { return from(axis) < 0.0 ? -1.0 : 1.0; };
         SignedDistance result;
         const double r = beyond.norm();
         result.distance_m = r - rounding_m;
         if (!(r > 0.0)) {
+            // Inside the smaller box: out through the nearest face.
             int axis = 0;
             result.distance_m = outside.maxCoeff(&axis) - rounding_m;
             result.normal = sign(axis) * Vector3d::Unit(axis);
@@ -46,6 +48,7 @@ DistanceField box_distance(const Vector3d& lowest_m, const Vector3d& highest_m, 
         Matrix3d across = Matrix3d::Zero();
         for (int axis = 0; axis < 3; ++axis) {
             result.normal(axis) = sign(axis) * beyond(axis) / r;
+            // Only along axes on which x lies beyond the smaller box does the nearest point stand still.
             if (beyond(axis) > 0.0) across(axis, axis) = 1.0;
         }
         result.curvature_1_m = (across - result.normal * result.normal.transpose()) / r;

@@ -21,6 +21,7 @@ struct BedFace : LoadedFace {
     MatrixXd area;  // integral of N_a N_b [m2], nodes x nodes
 };
 
+/// See elastic_bed().
 class ElasticBed : public ForceElement {
 public:
     ElasticBed(std::shared_ptr<const std::vector<BedFace>> faces, double stiffness)
@@ -49,6 +50,7 @@ public:
     void add_tangent(const Body& body, const ForceState& at, const VectorXd& change,
                      Matrix3Xd& gradient) const override {
         for (const BedFace& face : *faces_) {
+            // The force is proportional to the stiffness.
             const Matrix3Xd force = change(0) *
                                     (at.x(Eigen::all, face.nodes) - body.mesh.nodes(Eigen::all, face.nodes)) *
                                     face.area;

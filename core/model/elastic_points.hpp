@@ -18,6 +18,7 @@ struct PackElasticity {
     PointBulk point_bulk;                     // bulk modulus at the points of cells with a mean volume
     const double* factors = nullptr;          // scale mu and kappa, per point; null: 1
 
+    /// Factor of the moduli at point q.
     Pack factor(int q) const { return factors ? entry(factors, q) : Pack(1.0); }
 };
 

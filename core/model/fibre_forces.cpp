@@ -12,6 +12,7 @@ namespace {
 
 using Eigen::Matrix3Xd;
 
+/// Adds the nodal forces of a cell to those of the body.
 template <int N>
 void add_at_nodes(const Eigen::MatrixXi& cells, int cell, const CellVectors<N>& forces, Matrix3Xd& nodal) {
     for (int a = 0; a < N; ++a) nodal.col(cells(a, cell)) += forces.row(a).transpose();
@@ -87,6 +88,7 @@ struct CellMatrix {
             }
     }
 
+    /// Adds the matrix to that of the body; each thread of fibres is sequential, so it owns all columns.
     void assemble(const Body& body, int cell, solver::SymmetricSparse& matrix) const {
         const CellBlocks<N> blocks(body.pattern, body.mesh.cells, cell, {0, body.pattern.free_count}, matrix);
         // Index of the pair (r, s) in the packed symmetric storage.
@@ -110,6 +112,8 @@ void add_fibres(const Model& model, const Matrix3Xd& x, const std::vector<double
         CellMatrix<N> matrix;
         if (kind != HessianKind::none) matrix.clear();
         for_each_fibre_lanes<N>(group, first, last, xe, [&](const FibreLanes<N>& lanes) {
+            // Energy w/2 (|s| - a)^2: the force along the fibre is w (|s| - a), and (|s| - a) / |s| of w acts across
+            // it.
             const Pack stretch = lanes.length - activation[g], relative = stretch / lanes.length;
             out.energy += reduce(0.5 * lanes.stiffness * stretch * stretch);
             add_along_fibres<N>(group, lanes, lanes.stiffness * relative, forces);

@@ -66,6 +66,8 @@ UnitForces unit_forces_of(const PackedCells<Geometry>& cells, const Model& model
             };
             PackInput elastic;
             elastic.elastic = true;
+            // Unit shear modulus with zero bulk modulus; at the points of a mean volume the bulk modulus follows mu,
+            // see PointBulk.
             elastic.elasticity = {model.material.get(), 1.0, 0.0, point_bulk(cells, pack, model.moduli),
                                   factors_of(cells, pack, elastic_factors)};
             keep(forces.mu, elastic);
@@ -146,17 +148,20 @@ void column_gradient(const PackedCells<Geometry>& cells, int pack, const Model& 
                             viscous_input(cells, pack, model, shared.viscous_mu, changes.rates.col(column).data()),
                             out);
     if (!shared.of_points) return;
+    // The elastic forces of a point are proportional to its factor.
     const double* const d = changes.softening.col(column).data() + pack * Geometry::points * pack_width;
     for (std::size_t q = 0; q < Geometry::points; ++q)
         out.gradient += (*shared.of_points)[q] * entry(d, static_cast<int>(q));
 }
 
+/// See gradient_columns().
 template <class Geometry>
 NodalColumns gradients_of(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x,
                           const UnitForces& forces, const GradientChanges& changes) {
     constexpr int N = Geometry::nodes;
     const auto columns = static_cast<Index>(changes.stiffness.size());
     const auto field = static_cast<std::size_t>(cells.pack_count()) * 3 * N;
+    // Forces at the nodes of the cells, for one group of columns.
     std::vector<Pack> nodal(field * static_cast<std::size_t>(std::min(force_columns_policy.at_once, columns)));
     NodalColumns result = NodalColumns::Zero(3 * columns, x.cols());
     // Groups of columns: each pack's kinematics serve all columns of a group.
@@ -189,6 +194,7 @@ NodalColumns gradients_of(const PackedCells<Geometry>& cells, const Model& model
     return result;
 }
 
+/// See strain_tangents().
 template <class Geometry>
 MatrixXd strain_tangents_of(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x,
                             const NodalColumns& dx) {

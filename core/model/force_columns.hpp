@@ -38,7 +38,7 @@ struct GradientChanges {
 NodalColumns gradient_columns(const Model& model, const Eigen::Matrix3Xd& x, const UnitForces& forces,
                               const GradientChanges& changes);
 
-/// strain_tangent() along P nodal motions.
+/// strain_tangent() along P nodal motions, with one pass over the cells.
 /// @param dx  3 P x n
 /// @return    strain_count x P
 Eigen::MatrixXd strain_tangents(const Model& model, const Eigen::Matrix3Xd& x, const NodalColumns& dx);

@@ -10,7 +10,7 @@ namespace myo::model {
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
-// Default by unit changes. Elements with many parameters override it.
+// Default by unit changes: p . (tangent along each parameter).
 void ForceElement::add_work(const Body& body, const ForceState& at, const Matrix3Xd& p, VectorXd& by_parameter) const {
     for (Eigen::Index k = 0; k < by_parameter.size(); ++k) {
         Matrix3Xd gradient = Matrix3Xd::Zero(3, p.cols());

@@ -26,6 +26,7 @@ struct InternalForcesPolicy {
 };
 constexpr InternalForcesPolicy internal_forces_policy;
 
+/// Calls visit(pack) for all packs, in parallel.
 template <class Cells, class Visit>
 void for_each_pack(const Cells& cells, const Visit& visit) {
     parallel_ranges(cells.pack_count(), internal_forces_policy.packs_per_task, [&](int first, int end) {
@@ -42,6 +43,8 @@ PackInput pack_input(const Model& model, const Cells& cells, const InternalInput
     in.viscous = !stiffness.viscous.empty() && input.rate.history != nullptr;
     in.poissons_ratio = poissons_ratio_of(cells, pack, model);
     if (in.elastic) {
+        // The split of the bulk modulus is that of the model's own moduli: otherwise a derivative by a modulus would
+        // change it.
         in.elasticity = {stiffness.law ? stiffness.law.get() : model.material.get(),
                          pack_of(cells, pack, [&](std::size_t c) { return stiffness.elastic[c].mu; }),
                          pack_of(cells, pack, [&](std::size_t c) { return stiffness.elastic[c].kappa; }),
@@ -142,6 +145,7 @@ void assemble_packs(const PackedCells<Geometry>& cells, const Model& model, cons
     }
 }
 
+/// Adds elastic and viscous energy of all cells with its derivatives.
 template <class Geometry>
 void add_cells(const PackedCells<Geometry>& cells, const Model& model, const Matrix3Xd& x, const InternalInput& input,
                HessianKind kind, InternalEnergy& out) {

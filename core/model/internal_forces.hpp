@@ -31,8 +31,7 @@ Stiffness stiffness(const Model& model);
 /// Ratio of viscous moduli to elastic moduli of a cell.
 ///
 /// @return  the damping time of the cell [s]; 1 for a body with creep, because its rates are combinations of strain
-/// rates and strains
-///          that already contain their factors
+///          rates and strains that already contain their factors
 double viscous_scale(const Model& model, std::size_t cell);
 /// Whether any cell has Kelvin-Voigt damping.
 bool is_viscous(const Model& model);

@@ -38,6 +38,7 @@ struct FaceFrame {
     double measure = 1.0;
 };
 
+/// Nodal field at the place of a site.
 Vector3d field_at(const Site& site, const Matrix3Xd& field) {
     Vector3d value = Vector3d::Zero();
     for (std::size_t a = 0; a < site.carrier->nodes.size(); ++a)
@@ -45,6 +46,7 @@ Vector3d field_at(const Site& site, const Matrix3Xd& field) {
     return value;
 }
 
+/// Derivative of a nodal field along the first or second parameter of the site's face.
 Vector3d slope_at(const Site& site, const Matrix3Xd& field, Index along) {
     Vector3d value = Vector3d::Zero();
     for (std::size_t a = 0; a < site.carrier->nodes.size(); ++a)
@@ -52,6 +54,7 @@ Vector3d slope_at(const Site& site, const Matrix3Xd& field, Index along) {
     return value;
 }
 
+/// Frame of the deformed face; that at rest for points without a face.
 FaceFrame frame_at(const Site& site, const Matrix3Xd& x) {
     FaceFrame frame;
     frame.normal = site.point->normal;
@@ -65,11 +68,13 @@ FaceFrame frame_at(const Site& site, const Matrix3Xd& x) {
     return frame;
 }
 
+/// Distributes a force at a site to the nodes of its carrier.
 void add_at_nodes(const Site& site, const Vector3d& force, Matrix3Xd& to) {
     for (std::size_t a = 0; a < site.carrier->nodes.size(); ++a)
         to.col(site.carrier->nodes[a]) += site.point->shape(static_cast<Index>(a)) * force;
 }
 
+/// Nearest positive semidefinite matrix of a symmetric one.
 Matrix3d positive_part_of(const Matrix3d& H) {
     const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(H);
     return eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0.0).asDiagonal() * eigen.eigenvectors().transpose();

@@ -43,6 +43,7 @@ std::vector<LawCarrier> law_points_of_cells(const Body& body) {
             const auto X = mesh::cell_nodes<Cell>(body.mesh, c);
             for (const mesh::QuadraturePoint& at : Cell::volume_rule()) {
                 const Eigen::Matrix3d jacobian = X * Cell::derivatives(at.xi);
+                // No face, hence no normal: laws in a volume do not use one.
                 LawPoint point{Cell::values(at.xi), {}, at.weight * jacobian.determinant()};
                 point.rest_m = X * point.shape;
                 carrier.points.push_back(std::move(point));

@@ -36,6 +36,7 @@ constexpr DerivativeBlock derivative_blocks[] = {{Variable::x, 3, &LawPrograms::
                                                  {Variable::n, 3, &LawPrograms::by_n},
                                                  {Variable::area_ratio, 1, &LawPrograms::by_area}};
 
+/// Vector of random direction whose length is drawn evenly over its decades.
 Eigen::Vector3d drawn_vector(RandomStream& random, double least, double largest) {
     const double x = random.normal(), y = random.normal(), z = random.normal();
     return random.log_uniform(least, largest) * Eigen::Vector3d(x, y, z).normalized();
@@ -106,6 +107,7 @@ double degree_of(const LawPrograms& programs, const Eigen::VectorXd& numbers) {
     for (int k = 0; k < law_symmetry_policy.states; ++k) {
         const std::vector<double> state = drawn_state(programs.law, numbers, random);
         const Eigen::Vector3d here = scaled_force(programs, state, 1.0), there = scaled_force(programs, state, 2.0);
+        // Twice the displacement or velocity: the first state gives the power, all others must agree with it.
         if (k == 0) degree = std::log2(there.norm() / here.norm());
         const double miss = (there - std::exp2(degree) * here).norm();
         if (!(degree > 0.0) || !(miss <= law_symmetry_policy.tolerance * there.norm())) return 0.0;
@@ -126,6 +128,7 @@ bool keeps_energy(const LawPrograms& programs, const Eigen::VectorXd& numbers) {
     return true;
 }
 
+/// Form of the potential. Forces that follow the normal or the area of a face are taken to have none.
 LawPotential potential_of(const LawPrograms& programs, const Eigen::VectorXd& numbers) {
     if (programs.law.is_energy) return LawPotential::energy;
     if (programs.uses_n || programs.uses_area || !is_symmetric(programs, numbers)) return LawPotential::none;
@@ -140,6 +143,7 @@ std::shared_ptr<const LawPrograms> law_programs(law::Law law, const Eigen::Vecto
     auto programs = std::make_shared<LawPrograms>();
     law::Expressions& e = law.expressions;
     std::vector<Node> force(law.result.begin(), law.result.end());
+    // The force is minus the gradient of the energy; the energy itself is the fourth output.
     if (law.is_energy) {
         for (int i = 0; i < 3; ++i)
             force[static_cast<std::size_t>(i)] = e.make(law::Operation::negate,
@@ -157,6 +161,7 @@ std::shared_ptr<const LawPrograms> law_programs(law::Law law, const Eigen::Vecto
     programs->uses_n = law.place != law::Place::point && uses(Variable::n, 3);
     programs->uses_area = uses(Variable::area_ratio, 1);
     programs->uses_time = uses(Variable::t, 1);
+    // Only derivatives by variables that the force contains; the others are zero and need no outputs.
     std::vector<Node> tangent = force;
     for (const DerivativeBlock& block : derivative_blocks) {
         if (!uses(block.first, block.count)) continue;
@@ -171,6 +176,7 @@ std::shared_ptr<const LawPrograms> law_programs(law::Law law, const Eigen::Vecto
             for (std::size_t i = 0; i < 3; ++i) by_number.push_back(e.derivative(force[i], parameter.variable + k));
     programs->by_number = law::Program(e, by_number);
     programs->law = std::move(law);
+    // In this order: the degree and the sign of the power depend on the form of the potential.
     programs->potential = potential_of(*programs, numbers);
     programs->degree = degree_of(*programs, numbers);
     programs->keeps_energy = keeps_energy(*programs, numbers);

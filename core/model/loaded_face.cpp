@@ -35,6 +35,7 @@ std::vector<SampledFace> sampled_faces(const Body& body, const std::vector<int>&
         const Eigen::Matrix3Xd X = body.mesh.nodes(Eigen::all, face.nodes);
         for (const mesh::FacePoint& point : mesh::face_quadrature(count)) {
             const Eigen::Matrix<double, 3, 2> T = X * mesh::face_shape_gradient(count, point.uv);
+            // Rest area element |X_u x X_v| times the weight of the rule.
             face.points.push_back({mesh::face_shape(count, point.uv), point.weight * T.col(0).cross(T.col(1)).norm()});
         }
         sampled.push_back(std::move(face));
@@ -59,6 +60,7 @@ std::vector<int> free_faces(const Body& body) {
     std::vector<int> faces;
     for (int f = 0; f < static_cast<int>(body.boundary.count()); ++f) {
         const auto nodes = body.boundary.nodes.col(f);
+        // Forces on clamped nodes do no work; a face of such nodes alone carries none.
         if (!std::all_of(nodes.begin(), nodes.end(),
                          [&](int node) { return body.clamped[static_cast<std::size_t>(node)]; }))
             faces.push_back(f);

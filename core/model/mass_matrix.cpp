@@ -78,6 +78,7 @@ std::vector<MassSpan> mass_spans(const Model& model) {
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     std::vector<MassSpan> spans;
     double from_s = 0.0;
+    // The mass at the start of a span holds until its end.
     for (const double until_s : ends) {
         spans.push_back({until_s, mass_matrix(model, from_s)});
         from_s = until_s;

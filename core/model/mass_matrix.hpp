@@ -37,7 +37,7 @@ std::vector<MassSpan> mass_spans(const Model& model);
 /// Span that contains a time.
 ///
 /// @param spans  from mass_spans()
-/// @param at_s   [s]
+/// @param at_s   [s]; a time at which a span ends belongs to the next one
 std::size_t span_at(const std::vector<MassSpan>& spans, double at_s);
 
 /// Product M X for nodal vectors X of 3 x n.

@@ -5,6 +5,7 @@
 namespace myo::model {
 namespace {
 
+// Names in files and on the command line.
 constexpr NameTable<MassModel, 2> models{{{
     {MassModel::consistent, "consistent"},
     {MassModel::equal_vertices, "equal_vertices"},

@@ -13,7 +13,7 @@ enum class MassModel {
     equal_vertices,
 };
 
-/// Name of the mass model in project files.
+/// Name of the mass model in files and on the command line.
 std::string to_string(MassModel model);
 /// All names.
 std::vector<std::string> mass_model_ids();

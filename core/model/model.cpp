@@ -47,6 +47,7 @@ std::vector<double> jump_times(const Model& model) {
         for (const double t : signal.jumps()) times.push_back(t);
     for (const ForceElementPointer& element : model.force_elements)
         for (const double t : element->jumps()) times.push_back(t);
+    // Time steps end at these times, at each only once.
     std::sort(times.begin(), times.end());
     times.erase(std::unique(times.begin(), times.end()), times.end());
     return times;

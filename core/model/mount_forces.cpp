@@ -20,6 +20,7 @@ const MassMatrix& mass_in(const std::vector<MassSpan>& spans, const ForceState& 
     return spans[k].mass;
 }
 
+/// See mount_forces().
 class MountForces : public ForceElement {
 public:
     MountForces(const Model& model, MountMotionPointer motion)
@@ -28,6 +29,7 @@ public:
           density_kg_m3_(model.density_kg_m3),
           gravity_m_s2_(model.gravity_m_s2),
           forces_(model.forces) {
+        // The density is a parameter, so the part of the body in the mass is kept apart from attached masses.
         Model body = model;
         body.density_kg_m3 = 1.0;
         body.masses.clear();
@@ -43,7 +45,7 @@ public:
         out.energy += gradient.cwiseProduct(at.x).sum();
     }
 
-    // Always: statics, which have no velocities, are told apart by them.
+    // Always true: a state without velocities is one of statics, in which the frame is at rest.
     bool depends_on_velocity() const override { return true; }
     void add_velocity_tangent(const Body&, const ForceState& at, const Matrix3Xd& dv,
                               Matrix3Xd& gradient) const override {
@@ -70,6 +72,7 @@ public:
     }
     ForceElementPointer changed(const VectorXd& values) const override {
         auto copy = std::make_shared<MountForces>(*this);
+        // Masses are linear in the density: no span is assembled again.
         for (MassSpan& span : copy->masses_)
             span.mass = mass_matrix(span.mass.isotropic + (values(0) - density_kg_m3_) * unit_.isotropic,
                                     span.mass.directional);
@@ -87,6 +90,7 @@ private:
     /// M times the acceleration of the frame where each node is; zero for a mount at rest.
     static Matrix3Xd times_frame(const MountPose& pose, const ForceState& at, const MassMatrix& mass) {
         if (!at.v) return Matrix3Xd::Zero(3, at.x.cols());
+        // Euler and centrifugal acceleration are A (x - pivot), Coriolis acceleration is 2 W v.
         const Matrix3d W = cross_matrix(pose.spin_rad_s), A = cross_matrix(pose.spin_rate_rad_s2) + W * W;
         const Vector3d a = pose.rotation.transpose() * pose.acceleration_m_s2 - A * pose.pivot_m;
         return times_mass((A * at.x + 2.0 * W * *at.v).colwise() + a, mass);
@@ -118,6 +122,7 @@ private:
     std::vector<DeadForce> forces_;
 };
 
+/// See in_laboratory().
 class InLaboratory : public ForceElement {
 public:
     InLaboratory(ForceElementPointer element, MountMotionPointer motion)
@@ -135,6 +140,7 @@ public:
         const Matrix3d& R = seen.pose.rotation;
         out.gradient += R.transpose() * there.gradient;
         if (kind == HessianKind::none) return;
+        // Without a turn the Hessian is the same in both frames.
         if (motion_->turns()) turn_blocks(R, there.hessian);
         out.hessian.coeffs() += there.hessian.coeffs();
     }
@@ -211,6 +217,7 @@ private:
         operation(seen, seen.pose.rotation * directions, there);
         return seen.pose.rotation.transpose() * there;
     }
+    /// Positions and velocities in the laboratory, with the pose that turns results back.
     Seen seen_at(const ForceState& at) const {
         Seen seen{motion_->at(at.time_s), {}, {}};
         seen.x = seen.pose.in_laboratory(at.x);

@@ -12,6 +12,7 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
+/// See with_vibrations().
 class VibratingMount : public MountMotion {
 public:
     VibratingMount(MountMotionPointer motion, std::vector<MountVibration> vibrations)
@@ -35,6 +36,7 @@ private:
     std::vector<MountVibration> vibrations_;
 };
 
+/// See by_clock(). By the chain rule each derivative in time gets one factor of the rate.
 class ClockedMount : public MountMotion {
 public:
     ClockedMount(MountMotionPointer motion, double offset_s, double rate)

@@ -38,7 +38,7 @@ using MountMotionPointer = std::shared_ptr<const MountMotion>;
 /// Translation along a line, amplitude sin(2 pi frequency t + phase).
 struct MountVibration {
     Eigen::Vector3d amplitude_m = Eigen::Vector3d::Zero();
-    double frequency_Hz = 0.0;
+    double frequency_Hz = 0.0;  // 0: a constant shift
     double phase_rad = 0.0;
 };
 

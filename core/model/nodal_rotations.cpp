@@ -50,6 +50,7 @@ Rotations mean_gradients(const PackedCells<Geometry>& cells, const Body& body, c
 /// Replaces pack_width gradients by their polar rotations.
 void turn_into_rotations(Rotations& field, Eigen::Index first) {
     const Eigen::Index last = field.cols() - 1;
+    // Lanes past the last node repeat it.
     const auto column = [&](auto lane) { return std::min(first + static_cast<Eigen::Index>(lane), last); };
     material::Matrix3<Pack> F;
     Pack size = 0.0;

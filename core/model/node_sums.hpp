@@ -12,7 +12,8 @@ struct NodeSumsPolicy {
 };
 inline constexpr NodeSumsPolicy node_sums_policy;
 
-/// Sums the nodal vectors of the cells at the nodes.
+/// Sums the nodal vectors of the cells at the nodes, in the order of the incidence: bitwise independent of the number
+/// of threads.
 /// @param field  vectors per cell and node, see NodeIncidence
 /// @param nodal  3 x n, possibly a block of a larger matrix; increased
 template <class Rows>

@@ -12,6 +12,7 @@ void set_lane_of(Packs& packs, std::size_t lane, const Values& values) {
     for (Eigen::Index k = 0; k < values.size(); ++k) packs.data()[k][lane] = values.data()[k];
 }
 
+/// Writes the geometry of one cell into a lane.
 template <int N, int Q>
 void set_lane_of(PackGeometry<N, Q>& to, std::size_t lane, const fem::CellGeometry<N, Q>& from) {
     for (std::size_t q = 0; q < Q; ++q) {
@@ -21,6 +22,7 @@ void set_lane_of(PackGeometry<N, Q>& to, std::size_t lane, const fem::CellGeomet
     to.volume[lane] = from.volume;
 }
 
+/// Writes the geometry of one cell with assumed strains into a lane.
 inline void set_lane_of(PackAssumedStrain& to, std::size_t lane, const fem::AssumedStrainGeometry& from) {
     set_lane_of(to.gradient, lane, from.gradient);
     set_lane_of(to.gamma, lane, from.gamma);
@@ -41,6 +43,7 @@ bool same_shape(const Geometry& a, const Geometry& b) {
     // Geometry consists of Packs only and is compared as an array.
     constexpr std::size_t count = sizeof(Geometry) / sizeof(Pack);
     const Pack *x = reinterpret_cast<const Pack*>(&a), *y = reinterpret_cast<const Pack*>(&b);
+    // Volumes first: they differ for most pairs of shapes, and give the scale of the comparison.
     const Pack scale = abs(a.volume);
     if (any_of(abs(a.volume - b.volume) > 1e-11 * scale)) return false;
     // Entries have different dimensions. Entries that should vanish are compared with the largest shape gradient.

@@ -3,9 +3,11 @@
 namespace myo::model {
 namespace {
 
+/// Packs of an element block; one overload for each kind of block.
 PackedCells<PackAssumedStrain> packed(const fem::AssumedStrainBlock& block) {
     return pack_cells<PackAssumedStrain>(block);
 }
+/// Packs of a block of compatible elements.
 template <int N, int Q>
 PackedCells<PackGeometry<N, Q>> packed(const fem::ElementBlock<N, Q>& block) {
     return pack_cells<PackGeometry<N, Q>>(block);

@@ -24,7 +24,7 @@ PointBulk point_bulk(const PackedCells<Geometry>& cells, int pack, const std::ve
     const Pack bound = cells.point_bulk_over_mu[static_cast<std::size_t>(pack)];
     const Pack mu = pack_of(cells, pack, [&](std::size_t c) { return moduli[c].mu; }),
                kappa = pack_of(cells, pack, [&](std::size_t c) { return moduli[c].kappa; });
-    /// Below the bound the complete bulk modulus acts at the points, above it the bound itself.
+    // Below the bound the complete bulk modulus acts at the points, above it the bound itself.
     const auto below = kappa < bound * mu;
     result.of_mu = bound;
     set_where(below, result.of_mu, 0.0);

@@ -18,6 +18,7 @@ struct PointEnergyPolicy {
 };
 constexpr PointEnergyPolicy point_energy_policy;
 
+/// See isochoric_energy_densities(). Without bulk modulus a law has its isochoric energy alone.
 template <class Geometry>
 Eigen::VectorXd densities_of(const PackedCells<Geometry>& cells, const Model& model, const Eigen::Matrix3Xd& x) {
     constexpr int Q = Geometry::points;
@@ -37,6 +38,7 @@ Eigen::VectorXd densities_of(const PackedCells<Geometry>& cells, const Model& mo
     return result;
 }
 
+/// See isochoric_energy_gradient().
 template <class Geometry>
 Eigen::Matrix3Xd density_gradient_of(const PackedCells<Geometry>& cells, const Model& model, const Eigen::Matrix3Xd& x,
                                      const Eigen::VectorXd& weights) {

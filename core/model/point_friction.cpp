@@ -14,6 +14,7 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
+/// See point_friction().
 class PointFriction : public ForceElement {
 public:
     PointFriction(LoadedFace nodes, VectorXd shares, const Matrix3d& across, double force_N, double v0_m_s)
@@ -23,6 +24,7 @@ public:
         if (!acts(at)) return;
         const Vector3d v = sliding_velocity(*at.v);
         const double factor = at.velocity_factor_1_s, speed = regularised(v);
+        // The dissipation potential over dv/dx is a potential of the position at the end of the step.
         if (factor > 0.0) out.energy += force_N_ / factor * speed;
         add_force(force_N_ / speed * v, out.gradient);
         if (kind == HessianKind::none || factor == 0.0) return;
@@ -54,10 +56,13 @@ public:
     bool steady(double from_s, double to_s) const override { return (from_s < 0.0) == (to_s < 0.0); }
 
 private:
+    /// Friction begins at t = 0, so that the body rests without it before.
     static bool acts(const ForceState& at) {
         return at.v != nullptr && (at.time_s > 0.0 || (at.time_s == 0.0 && !at.before_jump));
     }
+    /// Velocity of the point across the normal [m/s]; linear in the nodal velocities, hence also that of a variation.
     Vector3d sliding_velocity(const Matrix3Xd& v) const { return across_ * (v(Eigen::all, at_.nodes) * shares_); }
+    /// Speed that does not vanish at rest, sqrt(|v|^2 + v0^2) [m/s].
     double regularised(const Vector3d& v) const { return std::sqrt(v.squaredNorm() + v0_m_s_ * v0_m_s_); }
     /// Derivative of the gradient by the point's velocity; positive semi-definite.
     Matrix3d by_velocity(const Vector3d& v) const {

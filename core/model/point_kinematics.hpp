@@ -34,6 +34,7 @@ class StiffnessSum;
 
 // Compatible elements: F is linear in x, so stress and stiffness need no geometric term of their own.
 
+/// Kinematics of compatible elements; refers to geometry and nodes.
 template <int N, int Q>
 class PointKinematics<PackGeometry<N, Q>> {
 public:
@@ -42,14 +43,18 @@ public:
     PointKinematics(const PackGeometry<N, Q>& geometry, const PackSurroundings&, const PackNodes<N>& x, const Pack&)
         : geometry_(geometry), x_(x) {}
 
+    /// Deformation gradient at point q.
     material::Matrix3<Pack> gradient(int q) const {
         return nodal_product(x_, geometry_.gradient[static_cast<std::size_t>(q)]);
     }
+    /// Quadrature weight of point q [m3].
     Pack weight(int q) const { return geometry_.weight[static_cast<std::size_t>(q)]; }
+    /// Shape gradients and weights of the pack.
     const PackGeometry<N, Q>& geometry() const { return geometry_; }
 
     /// F is linear in x, so a motion is the displacement itself.
     Motion along(const PackNodes<N>& dx) const { return &dx; }
+    /// dF at point q.
     material::Matrix3<Pack> tangent(int q, Motion dx) const {
         return nodal_product(*dx, geometry_.gradient[static_cast<std::size_t>(q)]);
     }
@@ -59,6 +64,7 @@ private:
     const PackNodes<N>& x_;
 };
 
+/// Nodal forces of compatible elements: each point adds P G'.
 template <int N, int Q>
 class StressSum<PackGeometry<N, Q>> {
 public:
@@ -93,6 +99,7 @@ void add_pulled_back(const material::Matrix9<Pack>& A, const Eigen::Matrix<Pack,
     }
 }
 
+/// Stiffness of compatible elements: each point adds G' A G.
 template <int N, int Q>
 class StiffnessSum<PackGeometry<N, Q>> {
 public:

@@ -32,6 +32,7 @@ public:
     }
 
     std::vector<ForceParameter> parameters() const override {
+        // A spring that starts at 0 still needs a scale for its changes.
         return {{"stiffness_N_m", stiffness_, std::max(stiffness_, 1.0)}};
     }
     ForceElementPointer changed(const VectorXd& values) const override {

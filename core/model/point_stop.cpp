@@ -52,8 +52,10 @@ private:
     /// Smoothed compression of the stop.
     OneSided compression(const Body& body, const ForceState& at) const {
         const Vector3d moved = (at.x(Eigen::all, at_.nodes) - body.mesh.nodes(Eigen::all, at_.nodes)) * shares_;
+        // Centred on the gap: half of the onset lies before it.
         return one_sided(-normal_.dot(moved) - gap_ + 0.5 * onset_, onset_);
     }
+    /// Adds a force along the normal [N] at the point to the nodes that carry it.
     void add_force(double along_normal, Matrix3Xd& gradient) const {
         for (std::size_t a = 0; a < at_.nodes.size(); ++a)
             gradient.col(at_.nodes[a]) += shares_(static_cast<Eigen::Index>(a)) * along_normal * normal_;

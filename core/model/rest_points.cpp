@@ -7,7 +7,7 @@
 namespace myo::model {
 
 Eigen::Matrix3Xd rest_points(const Body& body) {
-    // The same reference points in every cell.
+    // Reference points of an element are those of all its cells.
     const std::vector<Eigen::VectorXd> values = fem::shape_values_at_points(body.kind);
     Eigen::Matrix3Xd points(3, body.point_count());
     // The lanes past the last cell repeat it.

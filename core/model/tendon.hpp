@@ -15,8 +15,8 @@ namespace myo::model {
 
 /// Guide of a tendon: it moves with the material, or stands still.
 struct TendonGuide {
-    std::optional<fem::MaterialPoint> on_body;
-    Eigen::Vector3d rest_m;  // rest position; of a fixed guide all along
+    std::optional<fem::MaterialPoint> on_body;  // in the material or on its surface; empty: a fixed guide
+    Eigen::Vector3d rest_m;                     // rest position; of a fixed guide all along
 };
 
 /// A tendon without its command.
@@ -41,11 +41,12 @@ std::vector<std::vector<int>> tendon_couplings(const std::vector<TendonGuide>& g
 ForceElementPointer tendon_of_tension(const TendonRoute& route, const fibre::Signal& tension_N);
 
 /// Elastic thread of which the motor takes in the length s(t) [m]: tension k (L - L0 + s), L0 the length at rest. A
-/// slack thread has no tension; over `slack_m` beyond the onset of tension the stiffness grows linearly from 0, so that
-/// the tension has a continuous derivative. With friction k times the stretch is the mean tension over the thread,
-/// weighed with the legs' lengths at rest.
+/// slack thread has no tension; within `slack_m` to both sides of the onset of tension the stiffness grows linearly
+/// from 0 to k, so that the tension has a continuous derivative. With friction k times the stretch is the mean tension
+/// over the thread, weighed with the legs' lengths at rest.
 ///
 /// @param stiffness_N_m  k of the whole thread, > 0, parameter after the knots
+/// @param slack_m        > 0 [m]; small against the stretches that matter
 ForceElementPointer tendon_of_shortening(const TendonRoute& route, const fibre::Signal& shortening_m,
                                          double stiffness_N_m, double slack_m);
 

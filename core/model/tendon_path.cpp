@@ -26,6 +26,7 @@ Bend bend_before(const TendonPath& path, std::size_t leg) {
     const double b0 = tendon_path_policy.smooth_bend_rad;
     const Vector3d d = path.direction[leg] - path.direction[leg - 1];
     const double chord = std::min(d.norm(), 2.0 - 1e-9);  // a thread that turns back has no derivative
+    // Angle between unit vectors from their chord: more accurate for small angles than from the cosine.
     const double half = std::asin(0.5 * chord), angle = 2.0 * half, root = std::hypot(angle, b0);
     // d(angle) = d . dd / (chord cos(angle / 2)), and angle / chord tends to 1 for a straight thread.
     const double ratio = chord > 1e-8 ? angle / chord : 1.0;
@@ -73,6 +74,7 @@ VectorXd capstan_factors(const TendonPath& path, double friction) {
     if (friction == 0.0) return factors;
     double passed = 0.0;
     for (std::size_t leg = 1; leg < path.legs(); ++leg) {
+        // Tension falls at every guide between the motor and the leg.
         passed += bend_before(path, leg).value;
         factors(static_cast<Index>(leg)) = std::exp(-friction * passed);
     }
@@ -85,6 +87,7 @@ VectorXd capstan_changes(const TendonPath& path, double friction, const VectorXd
     double passed = 0.0, passed_change = 0.0;
     for (std::size_t leg = 1; leg < path.legs(); ++leg) {
         const Bend bend = bend_before(path, leg);
+        // Change of the difference of the directions of both legs.
         const Vector3d difference = turning(path, leg) * (dp[leg + 1] - dp[leg]) -
                                     turning(path, leg - 1) * (dp[leg] - dp[leg - 1]);
         passed += bend.value;

@@ -51,6 +51,7 @@ public:
     }
 
 private:
+    /// Adds a force at the point [N] to the nodes that carry it.
     void add_force(const Vector3d& force, Matrix3Xd& gradient) const {
         for (std::size_t a = 0; a < at_.nodes.size(); ++a)
             gradient.col(at_.nodes[a]) += shares_(static_cast<Eigen::Index>(a)) * force;

@@ -17,6 +17,7 @@ struct PackWork {
     Pack mu = 0.0, kappa = 0.0, viscous = 0.0;
 };
 
+/// Work of the forces of a pack along nodal motions p, per unit of its moduli.
 template <class Geometry>
 PackWork pack_work(const PackedCells<Geometry>& cells, int pack, const Model& model, const Matrix3Xd& x,
                    const Matrix3Xd& p, const StrainRate& rate) {
