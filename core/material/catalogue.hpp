@@ -15,7 +15,7 @@ const std::vector<MaterialPointer>& material_catalogue();
 
 /// Law with the given id and values of its parameters; null if the id is unknown.
 ///
-/// @param values  one for each parameter; empty: the usual ones
+/// @param values  one for each parameter, in the order of parameters(); empty: the usual ones
 MaterialPointer find_material(const std::string& id, const std::vector<double>& values = {});
 
 /// Ids of all laws in the order of the catalogue.

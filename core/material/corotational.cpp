@@ -26,6 +26,7 @@ public:
         out.distortion.value = mu * (double_dot(D, D) - T(1.0 / 3.0) * theta * theta);
         out.distortion.gradient = (D * T(2.0) - R * (T(2.0 / 3.0) * theta)) * mu;
         out.volume.value = theta;
+        // d tr(R'F) = R : dF, since R'dR is skew and R'F symmetric.
         out.volume.gradient = R;
         if (!with_hessian) return;
         out.volume.hessian = polar_rotation_derivative(F, R);

@@ -6,7 +6,9 @@ namespace myo::material {
 
 /// Adds g(w) with its derivatives by F to `out`, by the chain rule.
 ///
-/// @param g  g, dg/dw, d2g/dw2 at the value of w
+/// @param w    with its Hessian if `with_hessian`
+/// @param g    g, dg/dw, d2g/dw2 at the value of w
+/// @param out  increased; its Hessian must be set if `with_hessian`
 template <class T>
 void add_function_of(const TensorFunctionOf<T>& w, const ScalarFunctionOf<T>& g, bool with_hessian,
                      TensorFunctionOf<T>& out) {

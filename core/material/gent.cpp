@@ -6,6 +6,7 @@
 namespace myo::material {
 namespace {
 
+/// J, the value of I1 - 3 at which the energy is infinite.
 const LawParameter limit{.name = "gent_limit",
                          .unit = "",
                          .label = "Limit Jₘ",
@@ -27,6 +28,7 @@ struct GentEnergy {
     template <class T>
     ScalarFunctionOf<T> at(const T& w) const {
         const T left = T(1.0) - w * T(2.0 / J), log_left = logarithm(left);
+        // Zero times NaN is NaN: beyond the limit the stress is undefined like the energy.
         const T inverse = T(1.0) / left + T(0.0) * log_left;
         return {T(-0.5 * J) * log_left, inverse, inverse * inverse * T(2.0 / J)};
     }
@@ -68,11 +70,13 @@ public:
         return std::make_shared<Gent>(values[0]);
     }
     MaterialPointer by_parameter(std::size_t) const override {
+        // The volumetric part does not depend on the limit.
         return std::make_shared<Gent<GentEnergyByLimit>>(energy_.J);
     }
 
     template <class T>
     void respond_at(const Matrix3<T>& F, const T& mu, const T&, bool with_hessian, LawResponse<T>& out) const {
+        // For unit modulus the neo-Hookean distortion is w, of which the law is a function.
         LawResponse<T> unit;
         neo_hookean_->respond(F, T(1.0), T(0.0), with_hessian, unit);
         out.volume = unit.volume;

@@ -6,7 +6,7 @@
 
 namespace myo::material {
 
-/// Extracts one lane of a small matrix of packs.
+/// Extracts one lane of a small matrix of packs, for laws that have no vectorised form for all F.
 template <int R, int C>
 Eigen::Matrix<double, R, C> lane_of(const Eigen::Matrix<Pack, R, C>& packs, int lane) {
     Eigen::Matrix<double, R, C> result;
@@ -20,7 +20,7 @@ void set_lane(Eigen::Matrix<Pack, R, C>& packs, int lane, const Eigen::Matrix<do
     for (int k = 0; k < R * C; ++k) packs(k % R, k / R)[static_cast<std::size_t>(lane)] = values(k % R, k / R);
 }
 
-/// Writes one lane of a function with its derivatives.
+/// Writes one lane of a function with its derivatives; the Hessian only if it was computed.
 inline void set_lane(TensorFunctionOf<Pack>& packs, int lane, const TensorFunction& values, bool with_hessian) {
     packs.value[static_cast<std::size_t>(lane)] = values.value;
     set_lane(packs.gradient, lane, values.gradient);

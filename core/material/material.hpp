@@ -83,9 +83,10 @@ public:
     virtual std::vector<LawParameter> parameters() const { return {}; }
     /// Their values.
     virtual std::vector<double> values() const { return {}; }
-    /// This law with other values of its parameters, one for each. Asserts that there is one for each.
+    /// Copy of the law with other values of its parameters. Asserts one value for each.
     virtual MaterialPointer with_values(const std::vector<double>& values) const;
-    /// The derivative of the energy with respect to parameter k, as a law with the same split.
+    /// The derivative of the energy with respect to parameter k, as a law with the same split. Laws without parameters
+    /// have none (asserted).
     virtual MaterialPointer by_parameter(std::size_t k) const;
 
     /// True if the volumetric part is separate. Otherwise theta and bulk() are zero.
@@ -99,7 +100,7 @@ public:
     /// @param with_hessian  also compute second derivatives
     virtual void respond(const Matrix3<double>& F, const double& mu, const double& kappa, bool with_hessian,
                          LawResponse<double>& out) const = 0;
-    /// The same for one cell per lane.
+    /// As above, for one cell per lane.
     virtual void respond(const Matrix3<Pack>& F, const Pack& mu, const Pack& kappa, bool with_hessian,
                          LawResponse<Pack>& out) const = 0;
 
@@ -110,7 +111,7 @@ public:
 
     /// Volumetric energy U(theta) [J/m3] with U''(0) = kappa. Zero for laws without a split.
     virtual ScalarFunctionOf<double> bulk(const double& theta, const double& kappa) const = 0;
-    /// The same for one cell per lane.
+    /// As above, for one cell per lane.
     virtual ScalarFunctionOf<Pack> bulk(const Pack& theta, const Pack& kappa) const = 0;
 
     /// Distortional part of respond() at one point.

@@ -22,6 +22,7 @@ struct YoungPoisson {
 };
 
 /// Inverse of moduli_from_young(): E = 9 kappa mu / (3 kappa + mu), nu = (3 kappa - 2 mu) / (2 (3 kappa + mu)).
+/// Moduli must not both vanish.
 inline YoungPoisson young_from_moduli(const Moduli& m) {
     const double sum = 3.0 * m.kappa + m.mu;
     return {9.0 * m.kappa * m.mu / sum, (3.0 * m.kappa - 2.0 * m.mu) / (2.0 * sum)};

@@ -7,6 +7,7 @@
 namespace myo::material {
 namespace {
 
+/// s, the share of the second invariant in the shear modulus.
 const LawParameter share{.name = "mooney_rivlin_share",
                          .unit = "",
                          .label = "Share of Ī₂",
@@ -64,11 +65,13 @@ public:
         return std::make_shared<MooneyRivlin>(1.0 - values[0], values[0], true);
     }
     MaterialPointer by_parameter(std::size_t) const override {
+        // d/ds of (1 - s) and s; the volumetric part does not depend on s.
         return std::make_shared<MooneyRivlin>(-1.0, 1.0, false);
     }
 
     template <class T>
     void respond_at(const Matrix3<T>& F, const T& mu, const T&, bool with_hessian, LawResponse<T>& out) const {
+        // The first invariant is that of the neo-Hookean law; the second is added with its own weight.
         neo_hookean_->respond(F, T(first_) * mu, T(0.0), with_hessian, out);
         TensorFunctionOf<T> invariant;
         second_invariant(F, with_hessian, invariant);

@@ -71,6 +71,7 @@ Matrix3<Pack> polar_rotation(const Matrix3<Pack>& F) {
     PackMask open(true);
     for (int iteration = 0; iteration < 12 && any_of(open); ++iteration) {
         const Matrix3<Pack> C = cofactor(R);
+        // Newton's iteration R <- (R + R^-T) / 2 with R^-T = cof R / J.
         const Pack J = R(0, 0) * C(0, 0) + R(1, 0) * C(1, 0) + R(2, 0) * C(2, 0);
         if (iteration == 0 && any_of(!(J > 0.05))) break;  // near-singular lanes need more iterations than allowed here
         const Pack half = Pack(0.5), cofactor_part = half / J;
@@ -83,6 +84,7 @@ Matrix3<Pack> polar_rotation(const Matrix3<Pack>& F) {
         }
         open = !(change < 1e-15);  // quadratic convergence: after a change of 3e-8 the error is below rounding
     }
+    // Lanes that have not converged; all of them if one was near singular.
     if (any_of(open))
         for (int lane = 0; lane < pack_width; ++lane)
             if (open[static_cast<std::size_t>(lane)]) set_lane(R, lane, polar_rotation(Matrix3d(lane_of(F, lane))));

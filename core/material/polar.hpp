@@ -19,8 +19,8 @@ SignedSvd signed_svd(const Eigen::Matrix3d& F);
 /// Rotation R of the polar decomposition F = R S, the rotation nearest to F.
 /// Source: Higham 1986, "Computing the polar decomposition".
 Eigen::Matrix3d polar_rotation(const Eigen::Matrix3d& F);
-/// The same per lane: Newton's iteration if all lanes are far from singular, otherwise the singular values of each
-/// lane.
+/// polar_rotation() per lane: Newton's iteration if all lanes are far from singular, otherwise the singular values of
+/// each lane.
 Matrix3<Pack> polar_rotation(const Matrix3<Pack>& F);
 
 /// dR/dF as a 9 x 9 matrix on vec(F): dR = R [w]x with (tr(S) I - S) w = axial(R'dF - dF'R).

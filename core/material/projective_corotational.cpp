@@ -66,6 +66,7 @@ UnitVolumeProjection project_to_unit_volume(const Vector3d& sigma) {
         const Eigen::Matrix4d inverse = system.inverse();
         if (residual.norm() < 1e-14 * (1.0 + sigma.norm())) {
             result.d = d;
+            // Implicit differentiation: the system is the derivative of the equations by (d, p).
             result.derivative = inverse.topLeftCorner<3, 3>();
             result.found = true;
             return result;
@@ -237,10 +238,12 @@ private:
         };
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) H += psi2(i, j) * outer(i, i) * outer(j, j).transpose();
+        // p from d = sigma - p cof(d), in the sense of least squares.
         const Vector3d cofactor = cofactors(d);
         const double p = cofactor.dot(svd.sigma - d) / cofactor.squaredNorm();
         for (const auto& [i, j, k] : {std::array<int, 3>{0, 1, 2}, {1, 2, 0}, {2, 0, 1}}) {
             const double difference = a - lambda / (1.0 - p * d(k));
+            // Symmetric pairs stretch along the diagonals of the plane i, j; skew pairs turn it.
             const double sum = (psi(i) + psi(j)) / (svd.sigma(i) + svd.sigma(j));
             const Eigen::Matrix<double, 9, 1> symmetric = (outer(i, j) + outer(j, i)) / std::sqrt(2.0);
             const Eigen::Matrix<double, 9, 1> skew = (outer(i, j) - outer(j, i)) / std::sqrt(2.0);

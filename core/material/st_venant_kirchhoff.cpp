@@ -7,7 +7,7 @@ namespace {
 /// St. Venant-Kirchhoff law mu |E|^2 + lambda/2 tr(E)^2 with Green strain E. With kappa = lambda + 2/3 mu it reads mu
 /// (|E|^2 - theta^2 / 3) + kappa/2 theta^2, theta = tr E.
 ///
-/// It softens in compression and does not resist inversion: for small strain with large rotations.
+/// Softens in compression and does not resist inversion: for small strain with large rotations.
 /// Source: Bonet & Wood 2008, sec. 6.4.
 class StVenantKirchhoff final : public MaterialOf<StVenantKirchhoff> {
 public:
@@ -46,6 +46,7 @@ public:
         if (!with_hessian) return;
         for_each_tangent_entry([&](int row, int column, int i, int j, int k, int l) {
             T entry = F(i, l) * F(k, j) - T(2.0 / 3.0) * F(i, j) * F(k, l);
+            // Last comes the geometric part of the tangent: the stress at the present F.
             if (j == l) entry += B(i, k);
             if (i == k) entry += S(j, l);
             out.distortion.hessian(row, column) = mu * entry;

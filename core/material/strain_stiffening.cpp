@@ -43,6 +43,8 @@ private:
     void respond_with(const Matrix3<T>& F, const T& mu, const T& kappa, bool with_hessian, LawResponse<T>& out) const {
         base_->respond(F, mu, kappa, with_hessian, out);
         LawResponse<T> unit;
+        // A second evaluation at unit modulus: w^2 / mu is not defined at mu = 0, where the derivative by kappa is
+        // evaluated.
         base_->respond(F, T(1.0), T(0.0), with_hessian, unit);
         const T curvature = mu * (4.0 * c2_), slope = curvature * unit.distortion.value;
         add_function_of(unit.distortion, {0.5 * slope * unit.distortion.value, slope, curvature}, with_hessian,
