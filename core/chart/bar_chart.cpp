@@ -22,6 +22,7 @@ Chart chart_of(const BarChart& bars) {
     panel.y.include_zero = !panel.y.logarithmic;
     const double categories = std::max<double>(1.0, static_cast<double>(bars.categories.size()));
     const auto groups = static_cast<double>(bars.groups.size());
+    // In categories: groups share the width of a category, and few bars keep their widest width in pixels.
     const double width = std::min(bar_policy.share / std::max(1.0, groups),
                                   bar_policy.widest_px * categories / bars.width_px);
     for (std::size_t g = 0; g < bars.groups.size(); ++g) {
@@ -31,6 +32,7 @@ Chart chart_of(const BarChart& bars) {
                       .style = SeriesStyle::bars,
                       .colour = static_cast<int>(g)};
         for (std::size_t i = 0; i < series.y.size(); ++i) {
+            // Groups are centred on their category.
             const double left = static_cast<double>(i) + (static_cast<double>(g) - 0.5 * groups) * width;
             series.x.push_back(left + 0.5 * width);
             series.ends.push_back({left, left + width});

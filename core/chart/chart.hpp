@@ -108,7 +108,7 @@ struct BarChart {
     double width_px = 760.0;
     double height_px = 260.0;
 };
-/// Chart of bars. Asserts one value per category.
+/// Chart of bars. Asserts one value per category and group.
 Chart chart_of(const BarChart& bars);
 
 /// Counts in bins; bin i is [edges[i], edges[i + 1]].
@@ -122,7 +122,7 @@ struct Histogram {
     double width_px = 760.0;
     double height_px = 240.0;
 };
-/// Chart of a histogram.
+/// Chart of a histogram. Asserts one edge more than counts, or neither.
 Chart chart_of(const Histogram& histogram);
 
 /// Histogram of the finite samples with equal bins and round edges. Values beyond 1e150 are omitted.
@@ -147,7 +147,7 @@ struct ErrorBarChart {
     std::vector<ReferenceLine> vertical = {};
     double width_px = 760.0;
 };
-/// Chart of estimates with intervals.
+/// Chart of estimates with intervals. Rows whose estimate is not seen carry a remark.
 Chart chart_of(const ErrorBarChart& chart);
 
 }  // namespace myo::chart

@@ -12,6 +12,7 @@ std::string hex_of(const Colour& colour) {
 }
 
 const Palette& print_palette() {
+    // Paper and plot have one colour, so that figures have no inner frame.
     static const Palette palette = [] {
         const Colour paper = colour_of(ink::paper), text = colour_of(ink::text);
         Palette made{paper,

@@ -14,7 +14,7 @@ struct Colour {
     bool operator==(const Colour&) const = default;
 };
 
-/// Colour of a text "#rrggbb" in lower case.
+/// Colour of a text "#rrggbb" in lower case; other texts give another colour, not an error.
 constexpr Colour colour_of(std::string_view hex) {
     Colour colour;
     for (const char c : hex.substr(1))

@@ -9,6 +9,7 @@
 namespace myo::chart {
 namespace {
 
+/// Appends point i of a curve.
 void append(Polyline& out, const Polyline& in, std::size_t i) {
     out.x.push_back(in.x[i]);
     out.y.push_back(in.y[i]);
@@ -32,6 +33,7 @@ void append_run(Polyline& out, const Polyline& in, std::size_t begin, std::size_
 Polyline decimate(const Polyline& curve, double columns_per_px) {
     assert(curve.x.size() == curve.y.size());
     const std::size_t count = curve.x.size();
+    // Short curves gain nothing.
     if (count < 400) return curve;
     const auto gap = [&](std::size_t i) { return !std::isfinite(curve.x[i]) || !std::isfinite(curve.y[i]); };
     // Only consecutive points of a column are merged, so that a curve may go back in x.

@@ -25,6 +25,7 @@ bool within(double value, double lowest, double highest) {
     return std::isfinite(value) && value >= lowest - 0.5 && value <= highest + 0.5;
 }
 
+/// Line with the dashes of reference lines.
 Stroke dashed(Stroke line) {
     line.dash = axis_look.dash;
     line.gap = axis_look.gap;
@@ -35,6 +36,7 @@ Stroke dashed(Stroke line) {
 struct VisiblePart {
     double from, to;
 };
+/// Part of a span between the edges of the area.
 VisiblePart visible_part(const Span& span, const Layout& layout, const Rectangle& area) {
     return {std::clamp(layout.x.scale(span.from), area.left, area.right()),
             std::clamp(layout.x.scale(span.to), area.left, area.right())};
@@ -56,7 +58,7 @@ void draw_vertical_axis(const Axis& axis, const PlacedPanel& panel, const Layout
         const bool zero = panel.y.ticks.values[i] == 0.0 && !names && !panel.y.scale.logarithmic;
         drawing.marks.push_back(straight(area.left, y, area.right(), y, zero ? palette.axis : palette.grid,
                                          zero ? axis_look.zero_line : style.grid));
-        // Labels at the ends of a low plot stay beside it.
+        // Labels at the ends of a low plot stay at its height.
         const double half = 0.5 * style.text - 3.0;
         const double at = style.compact
                               ? std::clamp(y, area.top + half, std::max(area.top + half, area.bottom() - half))
@@ -67,7 +69,9 @@ void draw_vertical_axis(const Axis& axis, const PlacedPanel& panel, const Layout
                                      names ? style.axis_title : style.text,
                                      Anchor::end});
     }
+    // Rows with names need no title.
     if (names) return;
+    // Compact charts have the title at the left edge, in the line of the legend; others above the area.
     const Point title = style.compact
                             ? Point{layout.frame.left + style.right_margin, area.top - 0.5 * style.panel_heading}
                             : Point{area.left, area.top - axis_look.title_above};
@@ -85,6 +89,7 @@ void draw_horizontal_axis(const Axis& axis, const Rectangle& area, bool labels, 
         const double x = layout.x.scale(layout.x.ticks.values[i]);
         if (style.vertical_grid && !names)
             drawing.marks.push_back(straight(x, area.top, x, y, palette.grid, style.grid));
+        // Rows and compact charts have no room for tick marks.
         if (!style.compact && !names)
             drawing.marks.push_back(straight(x, y, x, y + axis_look.tick, palette.axis, style.grid));
         if (!labels) continue;

@@ -21,9 +21,10 @@ void draw_horizontal_axis(const Axis& axis, const Rectangle& area, bool labels, 
 void draw_references(const Panel& panel, const PlacedPanel& placed, const Layout& layout, const Palette& palette,
                      Drawing& drawing);
 
-/// Shading of the spans below the grid, and their labels, which are drawn after it.
+/// Shading of the spans, which is drawn below the grid.
 void draw_span_shades(const Panel& panel, const PlacedPanel& placed, const Layout& layout, const Palette& palette,
                       Drawing& drawing);
+/// Labels of the spans at the lower edge of the area.
 void draw_span_labels(const Panel& panel, const PlacedPanel& placed, const Layout& layout, const Palette& palette,
                       Drawing& drawing);
 

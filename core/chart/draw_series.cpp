@@ -24,11 +24,13 @@ struct SeriesLook {
 };
 constexpr SeriesLook series_look;
 
+/// Appends a point.
 void append(Polyline& curve, double x, double y) {
     curve.x.push_back(x);
     curve.y.push_back(y);
 }
 
+/// Samples of a series in pixels; what an axis cannot show is a gap.
 Polyline in_pixels(const Series& series, const Scale& x, const Scale& y) {
     Polyline curve;
     const std::size_t count = std::min(series.x.size(), series.y.size());
@@ -38,6 +40,7 @@ Polyline in_pixels(const Series& series, const Scale& x, const Scale& y) {
     return curve;
 }
 
+/// Ends the present part of a curve; repeated gaps are one.
 void append_gap(Polyline& curve) {
     if (!curve.x.empty() && std::isfinite(curve.x.back())) append(curve, NAN, NAN);
 }
@@ -80,6 +83,7 @@ Polyline lonely_samples(const Polyline& curve) {
     return lonely;
 }
 
+/// Curve with the dashes of its look.
 Stroke curve_stroke(Polyline points, const LegendEntry& look, double width) {
     Stroke stroke{std::move(points), look.colour, width};
     if (look.style == SeriesStyle::dashed)
@@ -90,6 +94,7 @@ Stroke curve_stroke(Polyline points, const LegendEntry& look, double width) {
     return stroke;
 }
 
+/// Pale band of half the width to both sides of the curve.
 void draw_band(const Series& series, const LegendEntry& look, const Scale& x, const Scale& y, Drawing& drawing) {
     if (series.half_width.empty()) return;
     Band band;
@@ -113,6 +118,7 @@ void draw_bars(const Series& series, const LegendEntry& look, const PlacedPanel&
         const double from = std::clamp(x(series.ends[i].lowest), area.left, area.right());
         const double to = std::clamp(x(series.ends[i].highest), area.left, area.right());
         if (!(to > from) || !std::isfinite(y(series.y[i]))) continue;
+        // Bars that leave the axis end at its edge.
         const double end = std::clamp(y(series.y[i]), area.top, area.bottom());
         const double width = std::max(0.5, to - from - series_look.between_bars);
         drawing.marks.push_back(
@@ -130,6 +136,7 @@ void draw_interval(double from, double to, double y, const Colour& colour, Drawi
             straight(end, y - series_look.cap_height, end, y + series_look.cap_height, colour, series_look.cap));
 }
 
+/// Diamond about a point, filled with the colour of the paper.
 void draw_diamond(double x, double y, const Colour& edge, const Palette& palette, Drawing& drawing) {
     const double w = series_look.diamond_width, h = series_look.diamond_height;
     drawing.marks.push_back(
@@ -151,6 +158,7 @@ void draw_series(const Series& series, const LegendEntry& look, const PlacedPane
             draw_interval(std::clamp(from, area.left, area.right()), std::clamp(to, area.left, area.right()),
                           samples.y[i], look.colour, drawing);
     }
+    // Cut before decimating: pixel columns outside the area would be kept in vain.
     const Polyline seen = decimate(cut(samples, area.left, area.right()));
     if (series.style == SeriesStyle::diamonds) {
         for (std::size_t i = 0; i < seen.x.size(); ++i)

@@ -23,6 +23,7 @@ void draw_panel(const Chart& chart, std::size_t index, const Layout& layout, con
         for (const Series& series : panel.series)
             if (!series.hidden && (series.style == SeriesStyle::dots) == dots)
                 draw_series(series, look_of(series, slots, palette), placed, layout, palette, drawing);
+    // References and their labels may reach over the edge of the area.
     drawing.marks.push_back(Clip{});
     draw_references(panel, placed, layout, palette, drawing);
 }

@@ -82,7 +82,7 @@ struct Drawing {
 /// four points per half pixel.
 Drawing draw(const Chart& chart, const Layout& layout, const Palette& palette);
 
-/// Marks of a legend entry in its place.
+/// Marks of a legend entry in its place: a sample of its look, then its name.
 void draw_legend_entry(const PlacedEntry& placed, const LayoutStyle& style, const Palette& palette, Drawing& drawing);
 
 }  // namespace myo::chart

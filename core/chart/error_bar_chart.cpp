@@ -30,6 +30,7 @@ Chart chart_of(const ErrorBarChart& chart) {
     for (std::size_t i = 0; i < count; ++i) {
         const ErrorBarRow& row = chart.rows[i];
         const auto y = static_cast<double>(count - 1 - i);
+        // Categories count from the lowest row.
         panel.y.categories.insert(panel.y.categories.begin(), row.name);
         estimates.x.push_back(row.value);
         estimates.y.push_back(y);
@@ -38,6 +39,7 @@ Chart chart_of(const ErrorBarChart& chart) {
         if (std::string remark = remark_of(chart.x, row.value); !remark.empty())
             panel.notes.push_back({y, std::move(remark)});
     }
+    // Without references there is nothing to distinguish the estimates from, hence no legend.
     if (!chart.reference_name.empty() && !references.x.empty())
         estimates.name = "estimate", references.name = chart.reference_name;
     panel.series = {std::move(estimates), std::move(references)};

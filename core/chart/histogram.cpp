@@ -38,6 +38,7 @@ Histogram histogram_of(const std::vector<double>& samples, int wanted_bins) {
     const Ticks ticks = linear_ticks(lowest, highest, wanted_bins > 0 ? wanted_bins : bins_by_spread(sorted));
     const double width = ticks.values[1] - ticks.values[0];
     const double first = std::floor(lowest / width + 1e-9);
+    // Tolerance: a sample on an edge up to rounding needs no further bin.
     const double bins = std::max(1.0, std::ceil(highest / width - 1e-9) - first);
     for (double k = 0.0; k <= bins; k += 1.0) histogram.edges.push_back((first + k) * width);
     histogram.counts.assign(histogram.edges.size() - 1, 0.0);

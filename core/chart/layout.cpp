@@ -15,7 +15,7 @@ struct PlacePolicy {
     double glyph = 0.57;
     // Smallest width of a plot rectangle [px]; a narrower one shows nothing.
     double narrowest = 60.0;
-    // Room between tick labels and the plot rectangle, and beside names of rows [px].
+    // Room between tick labels and the plot rectangle, and next to names of rows [px].
     double label_gap = 10.0, name_gap = 16.0;
     // Share of the width that names of rows may take.
     double names_share = 0.5;
@@ -30,6 +30,7 @@ struct PlacePolicy {
 };
 constexpr PlacePolicy place_policy;
 
+/// Range of x over all panels, whose axis is common: samples, bars and intervals.
 DataRange range_of_x(const Chart& chart) {
     DataRange range(chart.x);
     for (const Panel& panel : chart.panels) {
@@ -60,6 +61,7 @@ DataRange range_of_y(const Panel& panel) {
     return range;
 }
 
+/// Width of the widest label [px]; 0 without labels.
 double widest_label(const std::vector<std::string>& labels, double size, const TextWidth& text_width) {
     double widest = 0.0;
     for (const std::string& label : labels) widest = std::max(widest, text_width(label, size));
@@ -92,6 +94,7 @@ double moved_inwards(const Layout& layout, double left, double right) {
 
 /// Ticks of x with their labels; names that are wider than their places are turned.
 void place_x(const Chart& chart, double left, double width, const TextWidth& text_width, Layout& layout) {
+    // Rows of estimates need room at both ends of x, as intervals end there; curves may touch the edges.
     const bool rows = !chart.panels.empty() && !chart.panels.front().y.categories.empty();
     const double padding = rows ? layout.style.y_padding
                                 : (chart.x.logarithmic ? place_policy.logarithmic_padding : 0.0);
@@ -141,7 +144,7 @@ double place_legend(const std::vector<LegendEntry>& entries, double left, double
     return y - top + place_policy.legend_line - 1.0;
 }
 
-/// Entries from right to left beside the title: the first ones are left out if there is no room for all.
+/// Entries from right to left in the line of the title: the first ones are left out if there is no room for all.
 void place_beside_title(const std::vector<LegendEntry>& entries, const Rectangle& line, double title_end,
                         const TextWidth& text_width, Layout& layout) {
     double right = line.right();
@@ -164,6 +167,7 @@ double place_panels(const Chart& chart, double left, double top, double width, L
                                  : chart.panels[i].y.categories.empty();
         panel.area = {left, top + (heading ? style.panel_heading : style.bare_margin), width,
                       chart.panels[i].height_px};
+        // The scale was planned from 0 at the upper edge of the panel, before its place was known.
         panel.y.scale.from_px += panel.area.top;
         panel.y.scale.to_px += panel.area.top;
         // Only the last panel needs room for the labels of the x axis.
@@ -182,6 +186,7 @@ double room_below(const Chart& chart, const Layout& layout, const TextWidth& tex
                : place_policy.names_height;
 }
 
+/// Asserts that the arrays of each series have one length, and that bars have ends.
 void check_lengths([[maybe_unused]] const Chart& chart) {
     for ([[maybe_unused]] const Panel& panel : chart.panels)
         for ([[maybe_unused]] const Series& series : panel.series)
@@ -238,6 +243,7 @@ Layout lay_out(const Chart& chart, const LayoutStyle& style, const Palette& pale
             {{}, plan_axis(panel.y, range_of_y(panel), style.y_padding, panel.height_px, 0.0, style.y_tick)});
         if (!rows) thin_labels(layout.panels.back().y, place_policy.label_line * style.text);
     }
+    // The order follows what is known: labels of y fix the left margin, this the width of x, and both the legend.
     const double room = left_room(chart, layout, text_width);
     const double left = origin.x + room;
     const double width = std::max(style.compact ? 0.0 : place_policy.narrowest,

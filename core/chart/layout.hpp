@@ -78,7 +78,7 @@ struct LegendEntry {
     bool interval = false;
 };
 
-/// Width of an entry with its sample [px].
+/// Width of an entry with its sample [px], without the gap to the next one.
 double legend_entry_width(const LegendEntry& entry, const LayoutStyle& style, const TextWidth& text_width);
 
 /// A legend entry in its place.

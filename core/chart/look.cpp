@@ -21,6 +21,7 @@ LegendEntry look_of(const Series& series, const std::map<std::string, int>& slot
     }
     const int slot = series.colour == automatic_colour ? slots.at(series.name) : series.colour;
     look.colour = palette.slot(slot);
+    // Beyond the palette colours repeat, and dots distinguish the second use.
     look.dotted = slot >= static_cast<int>(palette.series.size());
     return look;
 }

@@ -11,6 +11,8 @@ namespace myo::chart {
 std::map<std::string, int> slots_of_names(const Chart& chart);
 
 /// Colour and style of a series, as its legend entry shows them.
+///
+/// @param slots  of the chart that the series belongs to, from slots_of_names()
 LegendEntry look_of(const Series& series, const std::map<std::string, int>& slots, const Palette& palette);
 
 }  // namespace myo::chart

@@ -9,7 +9,7 @@ namespace {
 struct AxisPolicy {
     // Ticks on an axis: two give a scale, more than ten crowd it.
     int fewest = 2, most = 10;
-    // Space beside the first and the last category, in categories.
+    // Space before the first and after the last category, in categories.
     double category_margin = 0.5;
 };
 constexpr AxisPolicy axis_policy;
@@ -17,12 +17,14 @@ constexpr AxisPolicy axis_policy;
 /// Range of a logarithmic axis; padding is a factor.
 Range logarithmic_range(const Axis& axis, Range range, double padding) {
     if (range.lowest > 0.0 && range.lowest < range.highest) {
+        // A fraction of the decades on each side.
         const double rim = std::pow(range.highest / range.lowest, padding);
         range = {range.lowest / rim, range.highest * rim};
     }
     return {axis.lowest.value_or(range.lowest), axis.highest.value_or(range.highest)};
 }
 
+/// Range of a linear axis; padding is a fraction of the range.
 Range linear_range(const Axis& axis, Range range, double padding) {
     if (axis.include_zero && range.lowest <= range.highest)
         range = {std::min(range.lowest, 0.0), std::max(range.highest, 0.0)};
@@ -35,6 +37,7 @@ Range linear_range(const Axis& axis, Range range, double padding) {
     return {axis.lowest.value_or(range.lowest), axis.highest.value_or(range.highest)};
 }
 
+/// One tick per category at 0, 1, 2, ...
 Ticks category_ticks(const std::vector<std::string>& names) {
     const auto count = static_cast<double>(names.size());
     Ticks ticks{-axis_policy.category_margin, count - 1.0 + axis_policy.category_margin, {}, names, {}};

@@ -17,7 +17,7 @@ struct Scale {
     bool logarithmic = false;
     /// Pixel of a value, not clipped to the axis; not finite if the value cannot be drawn.
     double operator()(double value) const;
-    /// Value at a pixel.
+    /// Value at a pixel, inside of the axis or beyond; inverse of operator().
     double value(double pixel) const;
     /// Range of values between the pixels `from` and `to`, in ascending order.
     Range range(double from, double to) const;

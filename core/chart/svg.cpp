@@ -16,6 +16,7 @@ struct SvgPolicy {
 };
 constexpr SvgPolicy svg_policy;
 
+/// " name="value"".
 std::string attribute(const char* name, double value) {
     return " " + std::string(name) + "=\"" + svg_number(value) + "\"";
 }
@@ -27,6 +28,7 @@ std::string painted(const std::string& what, const Colour& colour) {
     return out;
 }
 
+/// Coordinates as the attributes of SVG take them: "x y".
 std::string point(double x, double y) { return svg_number(x) + " " + svg_number(y); }
 
 std::string written(const Box& box) {
@@ -37,6 +39,7 @@ std::string written(const Box& box) {
     return out + "/>\n";
 }
 
+/// Attribute of a dashed line; empty for a solid one.
 std::string dashes(const Stroke& stroke) {
     if (stroke.dash <= 0.0) return {};
     return " stroke-dasharray=\"" + point(stroke.dash, stroke.gap) + "\"";
@@ -54,6 +57,7 @@ std::string written(const Stroke& stroke) {
         if (!curve.has_point(i)) continue;
         const bool starts = i == 0 || !curve.has_point(i - 1);
         const bool ends = i + 1 == curve.x.size() || !curve.has_point(i + 1);
+        // A point between two gaps has no line; draw_series() marks it by a dot.
         if (!(starts && ends)) data += (starts ? "M" : "L") + point(curve.x[i], curve.y[i]);
     }
     if (data.empty()) return {};

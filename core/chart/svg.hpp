@@ -13,7 +13,7 @@ namespace myo::chart {
 /// @param sized  with the frame's width and height, for a file of its own; otherwise the picture fills its column
 std::string svg(const Drawing& drawing, bool sized = false);
 
-/// SVG document of a chart on white paper, without fixed width.
+/// SVG document of a chart on white paper, without fixed width; text widths are estimated.
 std::string svg(const Chart& chart);
 
 }  // namespace myo::chart

@@ -26,7 +26,7 @@ void make_drawable(double& lowest, double& highest);
 Ticks linear_ticks(double lowest, double highest, int wanted);
 
 /// Ticks at powers of ten within a positive range; with 2 and 5 times these for few decades, and linear ticks for less
-/// than one decade without two such values.
+/// than one decade without two such values. A range that is not positive becomes [1, 10].
 Ticks logarithmic_ticks(double lowest, double highest, int wanted);
 
 }  // namespace myo::chart

@@ -14,6 +14,7 @@ std::string element(const std::string& name, const std::string& escaped_content)
     return "<" + name + ">" + escaped_content + "</" + name + ">\n";
 }
 
+/// Unordered list of plain texts; empty without items.
 std::string list_of(const std::vector<std::string>& items) {
     std::string out;
     for (const std::string& item : items) out += element("li", escape_markup(item));
@@ -80,6 +81,7 @@ std::string block(const Details& details) {
 
 std::string blocks(const std::vector<Block>& content) {
     std::string out;
+    // A new kind of block is an alternative of Block and an overload above.
     for (const Block& one : content) out += std::visit([](const auto& kind) { return block(kind); }, one.content);
     return out;
 }
@@ -112,6 +114,7 @@ std::string html(const HtmlReport& report) {
     out += tiles(report.key_figures) + "</header>\n" + block(report.warnings);
     for (const Section& section : report.sections) {
         out += "<section>\n";
+        // The first section may follow the header without a heading of its own.
         if (!section.title.empty()) out += element("h2", escape_markup(section.title));
         out += blocks(section.blocks) + "</section>\n";
     }

@@ -51,6 +51,7 @@ std::string header_cell(const Column& column, bool numeric) {
     return out + "</th>";
 }
 
+/// Cell of a row in the format of its column.
 std::string body_cell(const std::vector<Cell>& row, std::size_t column, const NumberFormat& format) {
     // Short rows are filled.
     if (column >= row.size()) return "<td></td>";

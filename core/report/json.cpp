@@ -9,6 +9,7 @@
 namespace myo::report {
 namespace {
 
+/// [v0, v1, ...] with null for values that are not finite.
 Json array_of(std::span<const double> values) {
     Json array = Json::array();
     for (const double value : values) array.push_back(json_number(value));

@@ -19,10 +19,11 @@ Json json_number(double value);
 
 /// [v0, v1, ...] with null for values that are not finite.
 Json json_array(const Eigen::Ref<const Eigen::VectorXd>& values);
-/// The same for a standard vector.
+/// json_array() of a standard vector.
 Json json_array(const std::vector<double>& values);
 
-/// One inner array per column: the points of a 3 x n matrix become [[x, y, z], ...].
+/// One inner array per column: the points of a 3 x n matrix become [[x, y, z], ...]. Values that are not finite become
+/// null.
 Json json_columns(const Eigen::Ref<const Eigen::MatrixXd>& points);
 
 /// JSON text with indentation 1 and a final newline. Non-finite numbers become null and bytes that are not UTF-8 become
@@ -33,6 +34,7 @@ std::string json_text(const Json& value);
 std::string json_line(const Json& value);
 
 /// Writes json_text() atomically (temporary file, then rename).
+/// Errors: those of writing the file.
 Result<void> write_json(const std::filesystem::path& path, const Json& value);
 
 /// Reads a JSON file.
