@@ -365,6 +365,7 @@ Calibration calibrate(const setup::Setup& setup, const CalibrationSettings& sett
     if (result.usable()) {
         prediction::ParameterValues fitted = runs.values_at(result.fit.values);
         result.places = runs.places(result.fit);
+        // Places that the fit found are part of the fitted model: predictions of all trials use them.
         for (const prediction::FoundPlace& place : result.places) fitted.places_m.push_back(place.shift_m);
         // Validation trials get levels predicted from those of the fit trials, before and after the fit.
         set_runs(setup, prediction::with_predicted_levels(setup, prediction::declared_values(setup)),

@@ -117,6 +117,7 @@ public:
             for (std::size_t i = 0; i < fit.parameters.size(); ++i)
                 settings.from[fit.parameters[i].parameter.name] = fit.fit.values(static_cast<Index>(i));
         }
+        // Another minimum must explain the whole trials clearly better, before any fit from there.
         if (progress_.cancelled() || !is_better(settings.from)) return {};
         return settings.from;
     }

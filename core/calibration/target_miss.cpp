@@ -115,6 +115,7 @@ std::optional<std::string> start_miss(const setup::Setup& setup, const inverse::
         return where +
                "no level held before t = 0 brings them there: registration, rest positions, gravity or loads are not "
                "as declared";
+    // Levels on record are not sought, so they may be what is wrong.
     if (problem.sought.from_before)
         return where +
                "the levels held before t = 0 are taken from the record of the trial's signals; without one they are "

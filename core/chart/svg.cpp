@@ -49,6 +49,7 @@ std::string written(const Stroke& stroke) {
     const Polyline& curve = stroke.points;
     const std::string look = painted("stroke", stroke.colour) + attribute("stroke-width", stroke.width) +
                              dashes(stroke);
+    // Most strokes are straight lines, for which SVG has a shorter element.
     if (curve.x.size() == 2 && curve.has_point(0) && curve.has_point(1))
         return "<line" + attribute("x1", curve.x[0]) + attribute("y1", curve.y[0]) + attribute("x2", curve.x[1]) +
                attribute("y2", curve.y[1]) + look + "/>\n";

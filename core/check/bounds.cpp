@@ -34,6 +34,7 @@ std::vector<Finding> check_bounds(const CheckedJob& job) {
         finding.way_out = "declare bounds within these";
         findings.push_back(std::move(finding));
     }
+    // Passed checks are reported as well, with what they found.
     if (findings.empty()) findings.push_back(passed_finding("", "all values lie within their bounds"));
     return findings;
 }

@@ -55,8 +55,7 @@ std::vector<Eigen::Vector3d> at_start(const CheckedJob& job, std::size_t t) {
     for (std::size_t m = 0; m < trial.measured.tracks.size(); ++m) {
         Eigen::Vector3d distance;
         // A run has its residual in the frame of the recording; before one the rest positions are compared, on a moving
-        // mount
-        // where it carries them.
+        // mount where it carries them.
         if (job.run != nullptr) {
             if (!job.run->predictions[t].ok()) return {};
             distance = job.run->predictions[t].residual_m[m].col(first);

@@ -97,8 +97,7 @@ std::vector<Finding> check_step(const CheckedJob& job) {
         const setup::PreparedTrial& trial = setup.trials[t];
         const bool has_run = job.run != nullptr && seen[t].h_s > 0.0;
         // In order of knowledge: the vibration of the run itself, the estimate with which the step was chosen, and for
-        // a
-        // requested step the first vibration of the body.
+        // a requested step the first vibration of the body.
         if (has_run && seen[t].vibration_Hz > 0.0)
             findings.push_back(of_vibration(trial, seen[t].vibration_Hz, seen[t].frequency_error));
         else if (t < setup.steps.size())

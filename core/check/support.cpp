@@ -56,7 +56,7 @@ Finding guided_finding(const model::Body& body) {
     finding.threshold = support_policy.min_width;
     if (finding.figure > support_policy.min_width) return finding;
     const Eigen::Matrix<double, 6, 1> free = motions.eigenvectors().col(0);
-    // Rollers in one plane leave a translation; those on one line leave a turn, with some translation of the middle.
+    // A free turn moves the middle as well unless its axis passes through it, so any noticeable turn is named as one.
     const bool turns = free.tail<3>().norm() > support_policy.min_turn;
     Eigen::Index axis = 0;
     (turns ? free.tail<3>() : free.head<3>()).cwiseAbs().maxCoeff(&axis);

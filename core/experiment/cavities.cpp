@@ -135,6 +135,7 @@ Result<std::vector<Cavity>> chamber_cavities(const Experiment& experiment, const
                                      "lies in the cavity of chamber \"" +
                                          experiment.chambers[static_cast<std::size_t>(same - taken.begin())].name +
                                          "\"; a cavity is one chamber");
+        // Chambers of one cavity would have one pressure twice.
         taken.push_back(*part);
         cavities.push_back({parts[*part], std::abs(mesh::enclosed_volume(parts[*part])), area_of(parts[*part])});
     }

@@ -63,8 +63,8 @@ Error holds_whole_body(const Experiment& experiment) {
 }
 
 Result<void> check_on_body(const Experiment& experiment, const mesh::SurfaceMesh& body) {
-    // In the order in which a wrong unit or frame shows best: what holds the body, muscles, other parts, loads,
-    // markers.
+    // What holds the body comes first: a wrong unit or frame shows there. Muscles, other parts, loads and markers
+    // follow.
     const BodyQueries check(body);
     if (has_clamp(experiment) && !check.holds_material(experiment.clamp_box_m))
         return declaration_error(experiment, "clamp.box_m", "the box contains no material of the body");

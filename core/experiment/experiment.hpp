@@ -229,7 +229,7 @@ struct Experiment {
     MarkersDeclaration markers;
     std::vector<TrialDeclaration> trials;
     std::vector<effect::EffectDeclaration> effects;
-    effect::Laws laws{};                             // entries beside those of the catalogue
+    effect::Laws laws{};                             // entries in addition to those of the catalogue
     std::vector<std::filesystem::path> law_files{};  // of the laws, resolved
     std::vector<std::string> warnings;               // readable sentences; each starts with its key
     std::map<std::string, std::string>

@@ -84,7 +84,7 @@ void read_law_parameter(const toml::TomlReader& table, const toml::TomlValue& va
     law::LawText::Parameter text{table.name("name"), law::Shape::number, {}};
     EffectParameterEntry entry;
     entry.name = text.name;
-    // An [[effect]] of the law holds its parameters under these names, next to the keys that every effect may have.
+    // In an [[effect]] the parameters of a law stand among the keys that every effect may have.
     for (const char* const taken : {"id", "calibrate", "position_m", "signal"})
         if (entry.name == taken) table.fail("name", "\"" + entry.name + "\" is a key that every effect may have");
     if (table.has("unit")) text.unit = table.text("unit");
@@ -141,6 +141,7 @@ std::string amount_of(const toml::TomlReader& document, const DeclaredParameters
     std::vector<std::string> numbers;
     for (const EffectParameterEntry& entry : declared.entries)
         if (entry.kind == EffectParameterKind::number && entry.scale > 0.0) numbers.push_back(entry.name);
+    // Without the key the amount is the first number that fits move.
     if (!document.has("amount")) return numbers.empty() ? "" : numbers.front();
     const std::string name = document.text("amount");
     if (std::find(numbers.begin(), numbers.end(), name) == numbers.end())
@@ -154,7 +155,7 @@ public:
     LawReader(const toml::TomlValue& root, const std::string& source) : root_(root), source_(source) {}
 
     effect::LawPointer read() const {
-        // Which keys are known depends on the place where the law acts, so `acts_on` is read before keys are checked.
+        // The known keys depend on the place where the law acts, so `acts_on` is read before keys are checked.
         const toml::TomlReader open(root_, "", root_.keys);
         if (!open.has_entry("schema") || open.text("schema") != law_file_schema)
             open.fail("schema", "must be \"" + law_file_schema + "\"");
@@ -198,6 +199,7 @@ private:
         return id;
     }
 
+    /// Optional list of texts; empty if the key is absent.
     static std::vector<std::string> texts_or_none(const toml::TomlReader& document, const char* key) {
         return document.has(key) ? document.texts(key) : std::vector<std::string>();
     }
@@ -217,6 +219,7 @@ private:
             if (table.has("unit")) text.states.back().unit = table.text("unit");
         }
         std::vector<std::string> names;
+        // A place has one or several keys by which a law may state its result; exactly one of them must be given.
         for (const law::ResultKey& key : law::result_keys(place)) {
             names.push_back(key.key);
             if (!document.has(key.key)) continue;

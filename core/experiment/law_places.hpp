@@ -13,9 +13,8 @@ namespace myo::experiment {
 /// @param expression  the TOML string, with the place at which it begins
 /// @param key         of the expression, such as "force_N" or "let[1]"
 /// @param source      text of the whole file
-/// @return            without a column in the file if the string contains escapes, so that its text is not in the
-/// source;
-///                    the sentence then states the column of the expression
+/// @return            without a column in the file if the string contains escapes, so that the source does not hold its
+///                    text; the sentence then states the column of the expression
 Error error_in_expression(const toml::TomlValue& expression, const std::string& key, const std::string& source,
                           const law::ExpressionError& error);
 

@@ -112,6 +112,7 @@ private:
 
     /// An amount with a direction is a shift; other vectors are places, optional ones off the body.
     Vector3d vector(const EffectParameterEntry& entry) const {
+        // A shift is upwards, against gravity.
         if (is_amount(entry)) return plausible(effect_.draw) * up_;
         const Box& body = place_.body;
         const bool at_end = effect_.kind == effect::EffectKind::force;

@@ -54,6 +54,7 @@ Result<void> put(const fs::path& folder, const std::string& text, const NewTrial
     };
     if (const Result<void> written = write_file(tried, text); !written) return take_back(written.error());
     if (const Result<Experiment> read = read_experiment(tried); !read) return take_back(read.error());
+    // Only a declaration that has been read without error replaces the present one.
     const Result<void> written = write_file(folder / declaration_file, text);
     if (!written) return take_back(written.error());
     fs::remove(tried, code);

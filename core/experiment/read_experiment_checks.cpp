@@ -96,6 +96,7 @@ void check_muscles(const Experiment& experiment) {
 void check_columns(const Experiment& experiment, const std::string& trial_path, measurement::ColumnLayout& columns) {
     const std::string key = trial_path + ".columns.markers";
     const std::vector<std::string> names = recorded_names(experiment);
+    // A word that is the name of one marker and the label of another means the name.
     for (std::string& word : columns.labels) {
         for (const MarkerDeclaration& marker : recorded_markers(experiment.markers))
             if (word == marker.label && !contains(names, word)) word = marker.name;
@@ -119,6 +120,7 @@ void check_actuation(const Experiment& experiment, const std::string& trial_path
     for (const ActuationStep& step : trial.actuation_steps) {
         const std::string key = trial_path + ".actuation_step." + step.muscle;
         const auto found = std::find(names.begin(), names.end(), step.muscle);
+        // The message names only what this experiment could have.
         const bool only_muscles = experiment.chambers.empty() && experiment.tendons.empty();
         if (found == names.end())
             fail(experiment, key,
@@ -165,6 +167,8 @@ void check_predicted_levels(const Experiment& experiment, const std::string& tri
         if (trial.condition.empty())
             fail(experiment, key,
                  "the free level of a validate trial is predicted from its `condition`, which is missing");
+        // One fit trial with a common condition suffices. A condition that not all fit trials with this free level
+        // state is not interpolated over: the prediction then takes their mean level.
         const bool found = std::any_of(
             experiment.trials.begin(), experiment.trials.end(), [&](const TrialDeclaration& other) {
                 const bool shared = std::any_of(trial.condition.begin(), trial.condition.end(), [&](const auto& entry) {

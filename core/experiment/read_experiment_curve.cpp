@@ -9,6 +9,7 @@ fibre::Signal read_curve(const toml::TomlReader& table, const std::string& key) 
     if (rows.cols() < 2) table.fail(key, "needs at least two rows [t_s, value]; what is constant needs no curve");
     for (const auto& row : rows.colwise()) {
         const std::size_t count = curve.times_s.size();
+        // Equal times are allowed: the value jumps there.
         if (count > 0 && row(0) < curve.times_s.back())
             table.fail(key, "its times must ascend, but " + format_number(row(0)) + " s follows " +
                                 format_number(curve.times_s.back()) + " s");

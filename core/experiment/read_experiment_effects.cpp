@@ -76,7 +76,7 @@ std::vector<effect::EffectDeclaration> read_effects(const toml::TomlReader& docu
         effect.id = table.text("id");
         effect.law = effect::find_law(effect.id, laws);
         const effect::Effect* const entry = effect::find_effect(effect);
-        // These ids exist in the output of the diagnosis and are easily copied from there.
+        // Both ids exist in the output of the diagnosis and are easily copied from there.
         if (effect.id == "none" || effect.id == "unknown")
             table.fail("id", "\"" + effect.id + "\" is a verdict, not an effect the model can have");
         if (entry == nullptr)

@@ -10,6 +10,7 @@ namespace {
 
 /// Block of kind = "box", whose lengths are in m already.
 BoxGeometry read_box(const toml::TomlReader& geometry) {
+    // A box is in m and along the axes; these keys would have no effect.
     for (const char* key : {"file", "unit", "rotation"})
         geometry.reject(key, "belongs to kind = \"stl\" or \"volume\", not to \"box\"");
     BoxGeometry box;

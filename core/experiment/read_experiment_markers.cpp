@@ -48,9 +48,10 @@ MarkersDeclaration read_markers(const toml::TomlReader& document, bool recorded)
     if (markers.has("compare"))
         declared.compare = markers.choice<Comparison>(
             "compare", {{"position", Comparison::position}, {"displacement", Comparison::displacement}});
+    // Without recordings markers are optional: they are then only places of interest.
     if (recorded || markers.has("rest_m")) declared.on_body = read_positions(markers, "rest_m");
     if (recorded && declared.on_body.empty()) markers.fail("rest_m", "at least one marker is needed");
-    // Behind the recorded markers: read_trial() keeps this order, and appends the probes' empty tracks.
+    // Behind the recorded markers on the body; read_trial() adds tracks without samples for them in this order.
     if (markers.has("probe_m"))
         for (MarkerDeclaration& probe : read_positions(markers, "probe_m")) {
             probe.probe = true;

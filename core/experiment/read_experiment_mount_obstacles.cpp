@@ -12,6 +12,7 @@ struct ObstacleKeys {
     std::vector<const char*> keys;
 };
 
+/// Kinds with their words and keys; a key of one kind is refused in all others.
 const std::vector<ObstacleKeys>& obstacle_keys() {
     static const std::vector<ObstacleKeys> all{{ObstacleKind::plane, "plane", {"point_m", "normal"}},
                                                {ObstacleKind::sphere, "sphere", {"centre_m", "radius_m"}},

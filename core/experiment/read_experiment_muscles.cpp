@@ -61,6 +61,7 @@ fibre::Signal read_signal(const toml::TomlReader& table, const std::filesystem::
     const std::filesystem::path file = table.file("signal", folder);
     const Result<measurement::ActuationTable> read = measurement::read_actuation_csv(file);
     if (!read) table.fail("signal", read.error().text());
+    // A file may hold the signals of several muscles, each under its name.
     const auto column = std::find(read->muscles.begin(), read->muscles.end(), name);
     if (column == read->muscles.end())
         table.fail("signal", file.filename().string() + " has no column \"" + name + "\"");

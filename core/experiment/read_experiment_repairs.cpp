@@ -25,6 +25,7 @@ std::vector<measurement::TraceRepair> read_repairs(const toml::TomlReader& trial
             table.reject("window_s", "belongs to kind = \"smooth\"");
         repair.from_s = table.number("from_s");
         repair.to_s = table.number("to_s");
+        // One sample is a span of length zero.
         if (repair.to_s < repair.from_s)
             table.fail("to_s", "lies before from_s (" + format_number(repair.to_s) + " < " +
                                    format_number(repair.from_s) + ")");

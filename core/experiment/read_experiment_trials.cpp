@@ -116,6 +116,7 @@ TrialDeclaration read_trial(const toml::TomlReader& table, const std::filesystem
     if (trial.start_s && trial.end_s && *trial.start_s >= *trial.end_s)
         table.fail("end_s", "lies before start_s (" + format_number(*trial.start_s) +
                                 " >= " + format_number(*trial.end_s) + ")");
+    // Names and numbers are free: effects, laws and predicted levels read those that they need.
     if (table.has("condition")) {
         const toml::TomlReader condition = table.table_of_names("condition");
         for (const std::string& key : condition.keys()) trial.condition[key] = condition.number(key);
@@ -163,6 +164,7 @@ std::vector<TrialDeclaration> read_trials(const toml::TomlReader& document, cons
     if (!document.has("trial"))
         document.fail("trial", "required key is missing: at least one [[trial]], to fit or to simulate");
     std::vector<std::string> keys{"name", "role", "duration_s", "session_time_s", "condition", "load", "goal"};
+    // Keys of recordings are known for all roles, so that a simulated trial is refused with a reason.
     keys.insert(keys.end(), recording_keys.begin(), recording_keys.end());
     for (const std::string& key : command_keys()) keys.push_back(key);
     for (const toml::TomlReader& table : document.tables("trial", keys)) trials.push_back(read_trial(table, folder));

@@ -45,6 +45,7 @@ std::vector<UnknownDeclaration> read_unknowns(const toml::TomlReader& document) 
         UnknownDeclaration unknown{table.text("name"), table.optional_number("lowest"),
                                    table.optional_number("highest"),
                                    table.optional_number("tolerance", toml::positive())};
+        // Two tables for one value would contradict each other.
         for (const UnknownDeclaration& other : unknowns)
             if (other.name == unknown.name)
                 table.fail("name", "the bounds of \"" + unknown.name + "\" are declared already");
@@ -54,7 +55,7 @@ std::vector<UnknownDeclaration> read_unknowns(const toml::TomlReader& document) 
         if (unknown.lowest && unknown.highest && !(*unknown.lowest < *unknown.highest))
             table.fail("lowest", "is not below highest (" + format_number(*unknown.lowest) + ", " +
                                      format_number(*unknown.highest) + ")");
-        // Moduli are fitted by their logarithm, which no bound at or below zero has.
+        // A fit that reaches a modulus of zero could not be simulated.
         if (unknown.name.ends_with("youngs_modulus_Pa"))
             for (const auto& [key, bound] :
                  {std::pair{"lowest", unknown.lowest}, std::pair{"highest", unknown.highest}})

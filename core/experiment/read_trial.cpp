@@ -113,6 +113,7 @@ Result<measurement::Recording> read_trace_of(const Experiment& experiment, const
                                          "\" file, but one of format = \"" + content->format + "\"");
         return Error{key + ".trace: " + raw.error().what, raw.error().where};
     }
+    // Residuals of reconstruction are lengths and need no turn.
     if (trial.axes)
         for (Eigen::Matrix3Xd& track : raw->tracks) track = Eigen::Matrix3Xd(*trial.axes * track);
     return raw;

@@ -16,6 +16,7 @@ struct TrialCommands {
     const MuscleDeclaration* muscle(const Actuator& actuator) const {
         return actuator.kind == ActuatorKind::muscle ? &experiment.muscles[actuator.index] : nullptr;
     }
+    /// Muscles only: chambers and tendons are driven per trial.
     bool has_signal(const Actuator& actuator) const {
         return muscle(actuator) != nullptr && muscle(actuator)->signal.has_value();
     }
@@ -24,6 +25,7 @@ struct TrialCommands {
         return std::any_of(trial.actuation_steps.begin(), trial.actuation_steps.end(),
                            [&](const ActuationStep& step) { return step.muscle == actuator.name; });
     }
+    /// Constant or curve of an actuator in this trial; null if there is none.
     const ConstantCommand* constant(const Actuator& actuator) const {
         for (const ConstantCommand& command : trial.constant_commands)
             if (command.actuator == actuator.name) return &command;
@@ -48,6 +50,8 @@ std::string column_fault(const TrialCommands& commands, const std::string& colum
                 return "but the column of \"" + actuator.name + "\" is \"" + actuator.column + "\"";
             continue;
         }
+        // A recorded column of a muscle with a signal of its own is allowed and not used: the file may serve other
+        // experiments.
         if (commands.has_signal(actuator) || commands.recordable(actuator)) return "";
         const MuscleDeclaration* muscle = commands.muscle(actuator);
         if (muscle != nullptr && muscle->follows)
@@ -73,6 +77,7 @@ Result<void> fill_recorded(const TrialCommands& commands, const std::string& key
             return declaration_error(commands.experiment, key,
                                      file + " has no column \"" + actuator.name + "\", a declared muscle");
         }
+        // Rows are in the order of actuators(), whatever the order of the columns.
         const auto row = static_cast<Eigen::Index>(i);
         table.values.row(row) = recorded.values.row(column - recorded.muscles.begin());
         Eigen::Index lowest = 0;

@@ -76,8 +76,7 @@ Eigen::VectorXd noise_of_tracks(const Experiment& experiment, const TrialRecordi
 void put_names_back(const Experiment& experiment, const std::string& key, TrialRecording& read) {
     const measurement::Recording& recording = read.recording;
     // First the exchanges that positions alone show: the search for the others predicts each marker from the rest,
-    // whose
-    // names must be right by then.
+    // whose names must be right by then.
     std::vector<measurement::Exchange> exchanges = measurement::put_back_exchanges(read.recording.tracks);
     const std::vector<measurement::Exchange> hidden = measurement::put_back_hidden_exchanges(
         read.recording.tracks, noise_of_tracks(experiment, read));
@@ -93,7 +92,7 @@ void put_names_back(const Experiment& experiment, const std::string& key, TrialR
     }
 }
 
-/// Stretches beside gaps in which the cameras followed something else.
+/// Stretches next to gaps in which the cameras followed something else.
 void leave_out_false_stretches(const Experiment& experiment, const std::string& key, TrialRecording& read) {
     measurement::Recording& recording = read.recording;
     for (const measurement::FalseStretch& stretch :
@@ -110,6 +109,7 @@ void leave_out_false_stretches(const Experiment& experiment, const std::string& 
 void leave_out_spikes(const Experiment& experiment, const std::string& key, TrialRecording& read) {
     for (std::size_t i = 0; i < read.recording.labels.size(); ++i) {
         Eigen::Matrix3Xd& track = read.recording.tracks[i];
+        // The noise is estimated from the track as the corrections before have left it.
         const measurement::Spikes spikes = measurement::find_spikes(track, read.recording.time_s,
                                                                     noise_of(experiment, read, track));
         if (spikes.samples.empty()) continue;

@@ -63,10 +63,12 @@ enum class MountMotion { fixed, markers };
 
 /// Rigid obstacle that stands still.
 struct ObstacleDeclaration {
+    /// Half-space behind a plane.
     struct Plane {
-        Eigen::Vector3d point_m;
-        Eigen::Vector3d normal;  // unit, towards the body
+        Eigen::Vector3d point_m;  // any point of the plane
+        Eigen::Vector3d normal;   // unit, towards the body
     };
+    /// Solid ball.
     struct Sphere {
         Eigen::Vector3d centre_m;
         double radius_m = 0.0;  // > 0

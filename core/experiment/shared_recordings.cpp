@@ -41,6 +41,7 @@ std::vector<SharedRecording> shared_recordings(const Experiment& experiment) {
             if (trials[f].role != TrialRole::fit || !windows_meet(trials[f], trials[v]) ||
                 !is_same_content(trials[f].trace, trials[v].trace))
                 continue;
+            // One fit trial suffices to make the prediction no test.
             found.push_back({f, v});
             break;
         }

@@ -214,6 +214,7 @@ VolumeMesh to_tet10(const VolumeMesh& mesh) {
 
     // Mid-side nodes are numbered by the sorted list of edges, found again by binary search.
     using Edge = std::pair<int, int>;
+    // Lower node first, so that an edge has one key in all cells.
     const auto edge_of = [&](Eigen::Index cell, std::size_t e) {
         const int a = mesh.cells(tetrahedron_edges[e][0], cell);
         const int b = mesh.cells(tetrahedron_edges[e][1], cell);

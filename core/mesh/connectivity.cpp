@@ -154,6 +154,7 @@ private:
                                     ends + 3 * static_cast<std::ptrdiff_t>(a) + 3, end);
         const auto in_b = std::find(ends + 3 * static_cast<std::ptrdiff_t>(b),
                                     ends + 3 * static_cast<std::ptrdiff_t>(b) + 3, end);
+        // The corner of a quadrilateral opposite to the node is no end of an edge at the node.
         if (in_a == ends + 3 * static_cast<std::ptrdiff_t>(a) + 3 ||
             in_b == ends + 3 * static_cast<std::ptrdiff_t>(b) + 3)
             return;

@@ -75,6 +75,7 @@ std::optional<std::vector<Loop>> loops_of(const PlaneView& view, const std::vect
         for (std::size_t e = first;;) {
             used[e] = true;
             loop.push_back(edges[e].first);
+            // Closed at its first vertex.
             if (edges[e].second == edges[first].first) break;
             e = next_edge(view, edges, edges[e], used);
             if (e == edges.size()) return std::nullopt;

@@ -13,7 +13,7 @@ struct FaceTable {
     Eigen::VectorXi cell;    // cell of each face
     Eigen::VectorXi beyond;  // cell on the other side; -1 on the boundary
 };
-/// Face table of a mesh; one sort of all faces.
+/// Face table of a mesh; one sort of all faces. Faces are equal if they have the same corners.
 /// @return  faces per cell times m columns
 FaceTable face_table(const VolumeMesh& mesh);
 

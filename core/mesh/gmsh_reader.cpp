@@ -149,6 +149,7 @@ private:
         }
         if (dimension == 0) return {};
         if (!count(bounding)) return garbled;
+        // Boundaries of an entity are read to reach the next one.
         for (long long k = 0; k < bounding; ++k)
             if (!text_.integer(physical)) return garbled;
         return {};

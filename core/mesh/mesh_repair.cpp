@@ -54,6 +54,7 @@ Result<VolumeMesh> with_positive_cells(VolumeMesh mesh, const std::string& where
         if (!(std::abs(volumes[c]) > 1e-14 * extent * extent * extent)) {
             return Error{"cell " + std::to_string(c).append(" (counted from 0) has no volume"), where};
         }
+        // Files of other programs may number the nodes in the opposite sense.
         if (volumes[c] < 0.0) turn_round(mesh.type, mesh.cells.col(c));
     }
     return mesh;

@@ -42,6 +42,7 @@ std::vector<Patch> flat_patches(const Eigen::Matrix3Xd& X) {
 // Face parameters of a point on the patch: linear on the patch, then corrected by Newton's method for the bilinear map
 // of a quadrilateral.
 Vector2 parameters_of(const Patch& patch, const Eigen::Matrix3Xd& X, const Vector3& x) {
+    // Coordinates of the point in the patch, by the normal equations.
     const Vector3 e1 = patch.x[1] - patch.x[0], e2 = patch.x[2] - patch.x[0], r = x - patch.x[0];
     Eigen::Matrix2d G;
     G << e1.dot(e1), e1.dot(e2), e1.dot(e2), e2.dot(e2);

@@ -93,6 +93,7 @@ bool intersect(const Triangle& a, const Plane& A, const Triangle& b, const Plane
     const auto away = [&](const Plane& plane, const Triangle& t) {
         return std::max({std::abs(plane.depth(t[0])), std::abs(plane.depth(t[1])), std::abs(plane.depth(t[2]))});
     };
+    // Both lie in one plane: they intersect if they share an area.
     if (away(A, b) <= tolerance && away(B, a) <= tolerance) {
         // Neighbours in one plane share no area; a thousandth allows for rounding.
         return shared_area(a, b, A.normal) > 1e-3 * std::min(area(a), area(b));

@@ -117,6 +117,7 @@ private:
                 return Eigen::Vector3d((p[1] - p[0]).cross(p[2] - p[0]));
             };
             const Eigen::Vector3d before = normal(false), after = normal(true);
+            // A triangle without area has no normal along which its displacement could be limited.
             if (!(before.norm() > 0.0) || std::abs(before.dot(step)) > deviation * before.norm()) return false;
             // 0.87: normals turn by less than 30 degrees; 1e-6: no triangle degenerates to a line.
             if (!(before.dot(after) > 0.87 * before.norm() * after.norm()) || after.norm() < 1e-6 * before.norm())

@@ -29,6 +29,7 @@ PolygonSoup read_binary(const std::string& content, std::size_t count) {
         for (int i = 0; i < 3; ++i) {
             soup.vertices.emplace_back(double{corners[3 * i]}, double{corners[3 * i + 1]}, double{corners[3 * i + 2]});
         }
+        // Every triangle has vertices of its own; weld() merges them.
         const int first = static_cast<int>(soup.vertices.size()) - 3;
         soup.triangles.push_back({first, first + 1, first + 2});
     }

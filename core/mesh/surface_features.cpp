@@ -126,6 +126,7 @@ std::vector<int> corners_of(const SurfaceMesh& surface, const std::vector<std::p
     // Lines are divided at their true corners only: knots that are added on one line must not divide another.
     const std::set<int> fixed = corners;
     std::set<int> seen;
+    // Chains between corners are visited from both ends.
     const auto visit = [&](int start, int next) {
         const std::vector<int> chain = chain_from(start, next, neighbours, fixed);
         seen.insert(chain.begin(), chain.end());

@@ -87,8 +87,7 @@ bool enters(const SurfaceMesh& surface, int a, int b, const ClosedPart& part, co
     for (int i = 0; i < 3; ++i) {
         const Eigen::Vector3d p = X.col(i), along = X.col((i + 1) % 3) - p;
         // Points on the side of `a` a little before and behind the crossing: one of them lies in the part, unless the
-        // parts
-        // only touch.
+        // parts only touch.
         const double slope = normal.dot(along);
         if (slope == 0.0) continue;
         const double at = normal.dot(Y.col(0) - p) / slope;
@@ -119,6 +118,7 @@ std::optional<std::pair<std::size_t, std::size_t>> overlapping(const SurfaceMesh
     for (const auto& [a, b] : self_intersections(surface, 1e-8 * diagonal)) {
         const int first = topology.part[static_cast<std::size_t>(a)],
                   second = topology.part[static_cast<std::size_t>(b)];
+        // A part that intersects itself is reported by check_surface().
         if (first == second) continue;
         if (++looked_at > overlap_policy.most_pairs) break;
         if (reaches(a, b) || reaches(b, a))
@@ -150,6 +150,7 @@ Result<FacingParts> facing_parts(const SurfaceMesh& surface) {
                      ""};
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const bool outward = parts[i].volume > 0.0;
+        // Solids face outward, cavities inward; depth counts the parts around.
         if (outward == (parts[i].depth % 2 == 0)) continue;
         for (std::size_t t = 0; t < topology.part.size(); ++t)
             if (topology.part[t] == static_cast<int>(i)) {

@@ -15,7 +15,7 @@ struct PatchPolicy {
 inline constexpr PatchPolicy patch_policy;
 
 /// Faces of a body in the plain sense: connected triangles that face almost the same way.
-/// A box of a clamp or a load around one of them is what a person means by pointing at it.
+/// The box around one of them is what a person selects in the window by pointing at it.
 class SurfacePatches {
 public:
     /// @param surface  welded; copied

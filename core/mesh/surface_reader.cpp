@@ -32,6 +32,7 @@ Result<PolygonSoup> read_polygons(const std::filesystem::path& path) {
 
 Result<SurfaceMesh> read_surface(const std::filesystem::path& path, double metres_per_unit,
                                  const Eigen::Matrix3d& rotation, std::vector<std::string>* warnings) {
+    // Both come from declarations and command lines, hence an error instead of an assertion.
     if (!(metres_per_unit > 0.0) || !std::isfinite(metres_per_unit))
         return Error{"the length unit must be positive", path.string()};
     if (!rotation.allFinite() || !(rotation.transpose() * rotation).isIdentity(1e-6) || rotation.determinant() < 0.0) {

@@ -46,6 +46,7 @@ void shift_to_volume(RemeshedSurface& remeshed, const SurfaceDistance& original,
     std::vector<bool> held(static_cast<std::size_t>(count), false);
     for (const auto& [a, b] : remeshed.features.edges)
         held[static_cast<std::size_t>(a)] = held[static_cast<std::size_t>(b)] = true;
+    // Normals at the vertices, weighted by the areas of their triangles.
     Eigen::Matrix3Xd normals = Eigen::Matrix3Xd::Zero(3, count);
     for (const auto& t : surface.triangles.colwise()) {
         const Eigen::Matrix3d X = surface.vertices(Eigen::all, t);
@@ -57,6 +58,7 @@ void shift_to_volume(RemeshedSurface& remeshed, const SurfaceDistance& original,
     for (const auto& t : surface.triangles.colwise())
         for (int i = 0; i < 3; ++i) {
             const int a = t[i], b = t[(i + 1) % 3];
+            // Each edge once: it belongs to two triangles, which run along it in opposite directions.
             if (a > b) continue;
             const Eigen::Vector3d middle = 0.5 * (surface.vertices.col(a) + surface.vertices.col(b));
             const Eigen::Vector3d away = original.nearest(middle).point - middle;

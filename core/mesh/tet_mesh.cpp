@@ -286,6 +286,7 @@ Result<VolumeMesh> tetrahedralize(const SurfaceMesh& surface, const TetOptions& 
         }
         if (!mesh && best && !progress.cancelled()) break;
         if (!mesh) return mesh.error();
+        // Without a wanted edge length there is nothing to correct.
         if (!options.edge || options.max_volume) {
             best = std::move(*mesh);
             break;

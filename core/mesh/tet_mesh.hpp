@@ -29,7 +29,7 @@ struct TetOptions {
 
 /// Cell volume limit [m3] that gives a mean edge close to `edge` [m]. Measured, see tet_mesh.cpp.
 double tet_volume_for_edge(double edge);
-/// Inverse of tet_volume_for_edge().
+/// Inverse of tet_volume_for_edge(): mean edge [m] for a cell volume limit [m3].
 double tet_edge_for_volume(double max_volume);
 
 /// Tetrahedral mesh inside a closed surface, made by TetGen in a separate process (myoloop-tetgen).

@@ -41,6 +41,7 @@ Result<CellSoup> read_tetgen(const std::filesystem::path& path) {
     if (!nodes.integer(count) || !nodes.integer(dimension) || dimension != 3 || count < 1) {
         return nodes.error("expected '<number of points> 3 ...'");
     }
+    // A point takes more than one character; a larger count is an error of the file, found before memory is allocated.
     if (static_cast<std::size_t>(count) > node_text.size())
         return nodes.error("the file is shorter than its number of points says");
     nodes.next_line();

@@ -39,6 +39,7 @@ Result<VolumeMesh> read_volume(const std::filesystem::path& path, double metres_
     const int per_cell = nodes_per_cell(mesh.type);
     mesh.cells = Eigen::Map<const Eigen::MatrixXi>(soup->cells.data(), per_cell,
                                                    static_cast<Eigen::Index>(soup->cells.size()) / per_cell);
+    // Numbers of only some of the cells could not be assigned.
     if (static_cast<Eigen::Index>(soup->regions.size()) == mesh.cell_count()) mesh.regions = soup->regions;
     // Checks node numbers and volumes, and repairs the orientation of mirrored cells.
     return with_positive_cells(std::move(mesh), path.string());

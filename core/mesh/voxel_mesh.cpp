@@ -83,6 +83,7 @@ private:
         const auto from = [](const std::vector<double>& p, double low) {
             return static_cast<std::size_t>(std::lower_bound(p.begin(), p.end(), low) - p.begin());
         };
+        // Ray positions ascend, so the rays within the bounds of the triangle are one range per axis.
         const double x_high = std::max({a[0], b[0], c[0]}), y_high = std::max({a[1], b[1], c[1]});
         for (std::size_t j = from(y_, std::min({a[1], b[1], c[1]})); j < y_.size() && y_[j] <= y_high; ++j) {
             for (std::size_t i = from(x_, std::min({a[0], b[0], c[0]})); i < x_.size() && x_[i] <= x_high; ++i) {

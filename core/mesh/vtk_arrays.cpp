@@ -37,6 +37,7 @@ NumberKind number_kind(std::string_view type) {
 /// Appends the numbers of one type, with byte order conversion.
 template <class T>
 void append_as(std::string_view bytes, bool big_endian, VtkArray& numbers) {
+    // Bytes are copied one by one: the data are not aligned.
     const bool swap = big_endian != (std::endian::native == std::endian::big);
     for (std::size_t at = 0; at < bytes.size(); at += sizeof(T)) {
         std::array<char, sizeof(T)> raw{};

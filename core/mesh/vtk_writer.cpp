@@ -47,6 +47,7 @@ Result<void> write_vtu(const std::filesystem::path& path, const VolumeMesh& mesh
     points->SetDataTypeToDouble();
     points->SetNumberOfPoints(mesh.node_count());
     for (Eigen::Index i = 0; i < mesh.node_count(); ++i) points->SetPoint(i, mesh.nodes.col(i).data());
+    // Nodes are in VTK's order already.
     vtkNew<vtkCellArray> cells;
     std::vector<vtkIdType> ids(static_cast<std::size_t>(mesh.cells.rows()));
     for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {

@@ -329,7 +329,7 @@ VtkArray regions_of(const XmlVtkParser& parser, const Piece& piece) {
     const int chosen = region_array(names);
     if (chosen < 0) return {};
     const Result<VtkArray> numbers = parser.decode(*arrays[static_cast<std::size_t>(chosen)]);
-    return numbers ? *numbers : VtkArray{};  // values beside the geometry never make a mesh unreadable
+    return numbers ? *numbers : VtkArray{};  // values besides the geometry never make a mesh unreadable
 }
 
 /// Appends the points of a piece.

@@ -42,6 +42,7 @@ void set_zero_matrix(const BlockRows& rows, BlockPattern& pattern) {
     int position = 0;
     for (std::size_t column = 0; column < rows.size(); ++column)
         for (int s = 0; s < 3; ++s) {
+            // Scalar columns of a block column follow each other; blocks above the diagonal are not stored.
             matrix.outerIndexPtr()[3 * static_cast<int>(column) + s] = position;
             for (std::size_t k = 0; k < rows[column].size(); ++k)
                 for (int r = (k == 0 ? s : 0); r < 3; ++r) {

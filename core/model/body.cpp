@@ -13,6 +13,7 @@ void set_guided(const std::vector<GuidedNode>& guided, Body& body) {
     for (const auto& [node, axes] : held) {
         const auto i = static_cast<std::size_t>(node);
         if (axes[0] && axes[1] && axes[2]) body.clamped[i] = true;
+        // A node of the clamp needs no guide.
         if (!body.clamped[i] && (axes[0] || axes[1] || axes[2])) body.guided.push_back({node, axes});
     }
 }

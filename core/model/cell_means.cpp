@@ -49,6 +49,8 @@ void add_integrals(const PackedCells<Geometry>& cells, int pack, const Model& mo
     Pack now = 0.0;
     elastic.visit(points, [&](const PointState& point) {
         const material::Matrix3<Pack> F_transposed = point.F.transpose();
+        // Kirchhoff stress is P F'; its integral over the rest volume is that of the Cauchy stress over the present
+        // one.
         kirchhoff += product(elastic.stress_at(point), F_transposed) * point.weight;
         if (elastic.mean()) mean_part += product(point.law.volume.gradient, F_transposed) * point.weight;
         // J from the first column of F and its cofactors.

@@ -113,6 +113,7 @@ private:
     Matrix3d by_position(const SampledPoint& point, const Touch& t) const {
         const Vector3d &n = t.gap.normal, &v = t.slide.velocity, &w = t.slide.direction;
         const Matrix3d& C = t.gap.curvature_1_m;
+        // The normal turns with the position by the curvature, and with it the part of the velocity across.
         const Matrix3d turned = (Matrix3d::Identity() - w * w.transpose()) / t.slide.speed *
                                 (n.dot(v) * C + n * (C * v).transpose());
         return -law_.friction * point.area * law_.stiffness_Pa_m *

@@ -30,7 +30,7 @@ struct DirectionalMass {
 DirectionalMass added_mass(const Body& body, const std::vector<int>& faces, double surface_density_kg_m2);
 
 /// Inertia of a body suspended from a thread; acts along the thread only, whose direction stays that at rest.
-/// @param share      per node, sums to 1
+/// @param share      per node, sums to 1; the mass is lumped at the nodes
 /// @param direction  of the thread, any length except 0
 /// @param mass_kg    >= 0
 DirectionalMass line_mass(const Eigen::VectorXd& share, const Eigen::Vector3d& direction, double mass_kg);

@@ -97,6 +97,7 @@ public:
 
 private:
     const PackElasticity& in_;
+    // See split(), mean() and at_points().
     bool split_ = false, mean_ = false, at_points_ = false;
     Pack inverse_volume_ = 0.0, point_kappa_ = 0.0;
     Pack theta_ = 0.0, factor_ = 0.0;  // averages over the points of each cell

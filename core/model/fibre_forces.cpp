@@ -88,7 +88,7 @@ struct CellMatrix {
             }
     }
 
-    /// Adds the matrix to that of the body; each thread of fibres is sequential, so it owns all columns.
+    /// Adds the matrix to that of the body. Fibres are assembled one after the other, so this call owns all columns.
     void assemble(const Body& body, int cell, solver::SymmetricSparse& matrix) const {
         const CellBlocks<N> blocks(body.pattern, body.mesh.cells, cell, {0, body.pattern.free_count}, matrix);
         // Index of the pair (r, s) in the packed symmetric storage.

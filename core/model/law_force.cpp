@@ -246,6 +246,7 @@ private:
     /// Derivative of the force by the place of its point in a time step, in which dv/dx is given.
     Matrix3d by_motion(const ForceState& at, std::size_t lane, const Run& run) const {
         Matrix3d G = run.matrix(law_->by_x, lane);
+        // Within a step the velocity follows the position, so its derivative counts as well.
         if (at.v && at.velocity_factor_1_s != 0.0) G += at.velocity_factor_1_s * run.matrix(law_->by_v, lane);
         return G;
     }

@@ -76,6 +76,7 @@ bool is_symmetric(const LawPrograms& programs, const Eigen::VectorXd& numbers) {
     for (int k = 0; k < law_symmetry_policy.states; ++k) {
         const std::vector<double> values = law::run_once(programs.tangent, drawn_state(programs.law, numbers, random));
         for (const std::size_t block : {programs.by_x, programs.by_v}) {
+            // The force does not depend on this variable.
             if (block == 0) continue;
             double size = 0.0, skew = 0.0;
             for (std::size_t i = 0; i < 3; ++i)

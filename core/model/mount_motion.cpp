@@ -19,6 +19,7 @@ public:
         : motion_(std::move(motion)), vibrations_(std::move(vibrations)) {}
 
     MountPose at(double time_s) const override {
+        // A mount without a motion of its own stands at the origin of the laboratory, unturned.
         MountPose pose = motion_ ? motion_->at(time_s) : MountPose{};
         for (const MountVibration& vibration : vibrations_) {
             const double omega = 2.0 * std::numbers::pi * vibration.frequency_Hz;

@@ -24,7 +24,7 @@ const double* factors_of(const PackedCells<Geometry>&, int pack, const Eigen::Ve
     return factors.size() > 0 ? factors.data() + pack * Geometry::points * pack_width : nullptr;
 }
 
-/// Law, moduli and factors of the model itself for the cells of a pack.
+/// Law, moduli and factors of the model itself for the cells of a pack; refers to the model.
 template <class Geometry>
 PackElasticity elasticity_of(const PackedCells<Geometry>& cells, int pack, const Model& model) {
     return {model.material.get(), pack_of(cells, pack, [&](std::size_t c) { return model.moduli[c].mu; }),

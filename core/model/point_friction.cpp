@@ -86,6 +86,7 @@ ForceElementPointer point_friction(const Body& body, int cell, const std::vector
                                    const std::optional<Vector3d>& normal, double friction_force_N, double v0_m_s) {
     assert(v0_m_s > 0.0);
     Matrix3d across = Matrix3d::Identity();
+    // Projection on the plane across the normal; without one friction acts against the whole velocity.
     if (normal) across -= normal->normalized() * normal->normalized().transpose();
     return std::make_shared<PointFriction>(loaded_nodes(body, cell, nodes), shares, across, friction_force_N, v0_m_s);
 }

@@ -45,6 +45,7 @@ public:
     void add_tangent(const Body& body, const ForceState& at, const VectorXd& change,
                      Matrix3Xd& gradient) const override {
         const OneSided pushed = compression(body, at);
+        // A wider gap reduces the compression.
         add_force(-change(0) * pushed.slope + stiffness_ * pushed.second * change(1), gradient);
     }
 

@@ -102,6 +102,7 @@ void pull_by_capstan(const TendonPath& path, double friction, const VectorXd& fa
                      std::vector<Vector3d>& by_position) {
     double by_passed = 0.0;  // adjoint of the bends up to a leg: they act on all legs beyond
     for (std::size_t leg = path.legs() - 1; leg >= 1; --leg) {
+        // From the anchor to the motor: a bend changes the tension of all legs behind it.
         by_passed -= friction * factors(static_cast<Index>(leg)) * by_factor(static_cast<Index>(leg));
         const Vector3d by_difference = by_passed * bend_before(path, leg).by_difference;
         const Vector3d after = turning(path, leg) * by_difference, before = turning(path, leg - 1) * by_difference;

@@ -32,6 +32,7 @@ public:
         add_force(stiffness_ * stretch * d, out.gradient);
         if (kind == HessianKind::none) return;
         double across = stretch / length;  // transverse (geometric) stiffness; negative if the spring is compressed
+        // Only the transverse stiffness can be negative, so clipping it gives the positive part.
         if (kind != HessianKind::exact) across = std::max(0.0, across);
         const Matrix3d H = stiffness_ * (d * d.transpose() + across * (Matrix3d::Identity() - d * d.transpose()));
         add_face_hessian(body, at_, out.hessian, [&](std::size_t a, std::size_t b) {

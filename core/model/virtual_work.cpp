@@ -37,6 +37,7 @@ PackWork pack_work(const PackedCells<Geometry>& cells, int pack, const Model& mo
         work.mu += point.weight * material::double_dot(point.law.distortion.gradient, dF);
         // Laws without a split have no bulk function: their derivative by kappa is the volume gradient itself.
         const Pack change = material::double_dot(point.law.volume.gradient, dF);
+        // Change of the mean volume measure of the cell, as its points are passed.
         if (elastic.mean()) mean_change += point.share * change;
         if (!elastic.split()) {
             work.kappa += point.weight * point.factor * change;

@@ -30,6 +30,7 @@ Error row_error(const experiment::Experiment& experiment, const std::string& key
 Result<void> check_recorded_activation(const experiment::Experiment& experiment,
                                        const experiment::TrialDeclaration& trial,
                                        const measurement::ActuationTable& table) {
+    // Row by row, so that the first bad line of the file is reported.
     for (Eigen::Index row = 0; row < table.values.cols(); ++row)
         for (std::size_t m = 0; m < experiment.muscles.size(); ++m) {
             const double a = table.values(static_cast<Eigen::Index>(m), row);

@@ -23,8 +23,8 @@ struct IntegrationCheck {
     std::vector<std::string> warnings;
 };
 
-/// Checks whether a run with this step will grow or lose more energy to the scheme than to the material. Linear theory
-/// of the first vibration about the rest shape, without muscles.
+/// Checks whether a run with this step will grow or lose more energy to the scheme than to the material, by the linear
+/// theory of the first vibration about the rest shape.
 ///
 /// @param h_s  time step [s]
 /// Errors: none; without modes frequency_Hz stays 0.

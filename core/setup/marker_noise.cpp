@@ -13,7 +13,7 @@
 namespace myo::setup {
 namespace {
 
-/// Noise of a track per coordinate [m]; empty if the track is too short or too regular to show it.
+/// Noise of a track per coordinate [m]; empty if too few consecutive samples are seen, or if it is zero.
 std::optional<double> noise(const measurement::Recording& recording, Eigen::Index marker) {
     const measurement::NoiseEstimate estimate = measurement::estimate_track_noise(
         recording.tracks[static_cast<std::size_t>(marker)]);

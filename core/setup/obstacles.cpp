@@ -38,6 +38,7 @@ std::vector<model::ForceElementPointer> obstacle_contacts(const experiment::Expe
         law.static_bed_Pa_m = contact_policy.static_bed * law.stiffness_Pa_m;
     std::vector<model::ForceElementPointer> contacts;
     for (const experiment::ObstacleDeclaration& obstacle : experiment.obstacles) {
+        // Friction is the only number that obstacles declare; all others follow from body and mesh.
         law.friction = obstacle.friction;
         contacts.push_back(model::contact(body, model::free_faces(body), distance_from(obstacle, edge_m), law));
     }

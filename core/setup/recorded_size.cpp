@@ -65,6 +65,7 @@ double motion_ratio(const measurement::Recording& recording, double body_m, doub
             low = low ? Vector3d(low->cwiseMin(track.col(t))) : Vector3d(track.col(t));
             high = high ? Vector3d(high->cwiseMax(track.col(t))) : Vector3d(track.col(t));
         }
+        // Diagonal of the box that the marker moves in.
         if (low) largest_m = std::max(largest_m, (*high - *low).norm());
     }
     return largest_m / (recorded_size_policy.body_lengths * (body_m + standoff_m));
@@ -87,7 +88,7 @@ Result<void> check_recorded_size(const experiment::Experiment& experiment,
     const std::string size = distances
                                  ? "has its markers " + format_number(ratio, 4) + " times as far apart as declared"
                                  : "has a motion of " + format_number(ratio, 4) + " times what the body's size allows";
-    // The unit whose length over the stated one is the ratio.
+    // Numbers that are too large by the ratio are in a unit that is smaller by it.
     const std::string likely = measurement::unit_word(recording.metres_per_unit / ratio,
                                                       recorded_size_policy.same_unit),
                       stated = measurement::unit_word(recording.metres_per_unit);

@@ -66,7 +66,7 @@ Result<void> find_start(const experiment::Experiment& experiment, const experime
     trial.start_s = start.time_s;
     // The start remains uncertain by a few frames; the fit may shift it, see free_parameters().
     trial.start_found = start.found;
-    // A body that moves all along, or never, still gives a time to start from; nothing at all is an error.
+    // Without any marker to look at there is no time to start from; other doubtful starts are used, with their message.
     if (!start.found && start.last_still < 0 && start.movers.empty())
         return experiment::declaration_error(
             experiment, experiment::trial_key(experiment, declaration) + ".start_s",
@@ -152,6 +152,7 @@ Result<void> find_mount(const experiment::Experiment& experiment, const experime
     const std::vector<experiment::MarkerDeclaration>& fixed = experiment.markers.fixed;
     measurement::Recording seen;
     seen.time_s = placed.time_s;
+    // Tracks of the fixed markers follow those of the markers on the body.
     seen.tracks.assign(placed.tracks.end() - static_cast<std::ptrdiff_t>(fixed.size()), placed.tracks.end());
     Eigen::Matrix3Xd rest(3, static_cast<Eigen::Index>(fixed.size()));
     for (Eigen::Index i = 0; i < rest.cols(); ++i) rest.col(i) = fixed[static_cast<std::size_t>(i)].rest_m;

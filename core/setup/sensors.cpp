@@ -43,8 +43,7 @@ VectorXd interpolated(const std::vector<double>& time_s, const std::vector<doubl
     for (Index i = 0; i < at_s.size(); ++i) {
         const double t = at_s[i];
         // The ends of the run count, whatever the rounding of sampled times. Up to them the first and last value
-        // extend:
-        // reactions are known in the middle of steps only.
+        // extend: reactions are known in the middle of steps only.
         if (!(t >= first_s - 1e-12 && t <= last_s + 1e-12)) continue;
         const auto above = static_cast<std::size_t>(std::upper_bound(time_s.begin(), time_s.end(), t) - time_s.begin());
         if (above == 0 || above == time_s.size()) {
@@ -79,6 +78,7 @@ void reaction(const model::Model& model, const dynamics::Trace& trace, int axis,
     const std::vector<model::MassSpan> masses = model::mass_spans(model);
     const auto mass_at = [&](double t) -> const model::MassMatrix& { return masses[model::span_at(masses, t)].mass; };
     const Matrix3Xd rest = Matrix3Xd::Zero(3, trace.positions.front().cols());
+    // At rest the reaction balances all other external forces.
     if (trace.times_s.size() == 1) {
         time_s.push_back(trace.times_s[0]);
         const double t = trace.times_s[0];

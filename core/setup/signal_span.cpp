@@ -36,6 +36,7 @@ fibre::Signal with_times(fibre::Signal signal, double shift_s, double factor) {
 // Tries the two usual mistakes: times of the recording's clock, and times in milliseconds.
 SignalClock clock_of(const fibre::Signal& signal, const PreparedTrial& trial, double end_s,
                      const SignalSpanPolicy& policy) {
+    // Without a shift of the start both clocks are one.
     if (trial.start_s != 0.0 && meets(with_times(signal, trial.start_s, 1.0), end_s, policy))
         return SignalClock::of_the_recording;
     if (meets(with_times(signal, 0.0, 1e-3), end_s, policy)) return SignalClock::milliseconds;

@@ -36,6 +36,7 @@ std::vector<Tendon> find_tendons(const experiment::Experiment& experiment, const
         const double of_body = experiment.material.youngs_modulus_Pa * mesh::enclosed_volume(surface) /
                                (length * length);
         tendon.stiffness_N_m = declared.stiffness_N_m.value_or(tendon_policy.rigid_stiffness * of_body);
+        // Stretch of the thread under the tension that strains the body by smoothed_strain.
         tendon.slack_m = tendon_policy.smoothed_strain * length * of_body / tendon.stiffness_N_m;
         // Couplings of a tendon follow those of the tendons before it, in the order of couplings().
         coupling += model::tendon_couplings(tendon.route.guides, tendon.by_shortening).size();

@@ -91,7 +91,7 @@ std::vector<EffectNumber> effect_numbers(const effect::EffectDeclaration& effect
 }
 
 double signal_size(const Setup& setup, const effect::EffectDeclaration& effect) {
-    // Commands of muscles are not among recorded_commands, so an effect on muscles alone has the size 1.
+    // Activations of muscles are not among recorded_commands, so an effect on the signal of a muscle has the size 1.
     const std::string only = effect::has(effect.parameters, "signal") ? effect::text(effect.parameters, "signal") : "";
     const std::vector<std::string> names = actuator_names(setup.experiment);
     double largest = 0.0;
