@@ -15,6 +15,7 @@ namespace {
 using commands::DeclarationEdit;
 using commands::DeclaredCommand;
 
+/// Key of a command in the declaration. A step has a table of its own; constants and curves share that of the quantity.
 toml::TomlPath command_path(const DeclaredActuator& actuator, std::size_t trial, DeclaredCommand::Kind kind,
                             const std::string& name) {
     return {"trial", trial, kind == DeclaredCommand::Kind::step ? "actuation_step" : actuator.command, name};
@@ -41,12 +42,14 @@ void remove_commands(const commands::Scene& scene, const DeclaredActuator& actua
             edits.push_back(commands::RemoveDeclared{command_path(actuator, t, command->kind, actuator.name)});
 }
 
+/// TOML text of guides [m], 3 x n.
 std::string path_text(const Eigen::Matrix3Xd& path_m) {
     std::vector<Eigen::Vector3d> guides;
     for (const auto& guide : path_m.colwise()) guides.emplace_back(guide);
     return toml::toml_list(guides, commands::place_text);
 }
 
+/// Name of an edit, for undo: "tendon/remove".
 std::string item_of(const DeclaredActuator& actuator, const char* edit) {
     return std::string(actuator.table) + "/" + edit;
 }
@@ -105,6 +108,7 @@ void set_tendon_drive(PanelContext& context, std::size_t tendon, bool by_shorten
 
 void rename_actuator(PanelContext& context, const DeclaredActuator& actuator, const std::string& wanted) {
     const commands::Scene& scene = *context.state.scene;
+    // Trials refer to the actuator by its name, so each command is written again under the new one.
     std::vector<DeclarationEdit> edits;
     remove_commands(scene, actuator, edits);
     for (std::size_t t = 0; t < scene.declared.commands.size(); ++t)
@@ -127,6 +131,7 @@ void set_command(PanelContext& context, const DeclaredActuator& actuator, std::s
     std::vector<DeclarationEdit> edits;
     const DeclaredCommand* const before = declared_in(*context.state.scene, actuator, trial);
     const auto steps = [](const DeclaredCommand& c) { return c.kind == DeclaredCommand::Kind::step; };
+    // A constant and a curve replace each other under one key. Only a change from or to a step leaves a key behind.
     if (before && (!command || steps(*before) != steps(*command)))
         edits.push_back(commands::RemoveDeclared{command_path(actuator, trial, before->kind, actuator.name)});
     if (command)

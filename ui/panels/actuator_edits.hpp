@@ -15,7 +15,10 @@ struct DeclaredActuator {
     std::size_t index = 0;     // in the table
     const char* command = "";  // table of a trial with constants: "pressure_Pa", "tension_N" or "shortening_m"
 };
+/// A chamber of the declaration by its index in the table, which must exist.
 DeclaredActuator declared_chamber(const commands::Scene& scene, std::size_t index);
+/// A tendon of the declaration by its index in the table, which must exist. Its command is the quantity that its motor
+/// prescribes.
 DeclaredActuator declared_tendon(const commands::Scene& scene, std::size_t index);
 
 /// First of "chamber1", "chamber2", ... that neither a muscle nor a chamber nor a tendon has.
@@ -27,17 +30,25 @@ void add_chamber(PanelContext& context, const commands::SceneCavity& cavity);
 void add_tendon(PanelContext& context, const Eigen::Matrix3Xd& path_m);
 /// Replaces the guides of a tendon.
 ///
-/// @param item  name of the edit
+/// @param tendon   index in the declaration
+/// @param path_m   guides [m], 3 x n, motor's end first
+/// @param item     name of the edit
+/// @param goes_on  continues a drag: undo takes both edits as one
 void set_tendon_path(PanelContext& context, std::size_t tendon, const Eigen::Matrix3Xd& path_m, const std::string& item,
                      bool goes_on = false);
-/// Lets the motor of a tendon prescribe the other quantity. Commands of the former one are removed.
+/// Lets the motor of a tendon prescribe the other quantity. Commands of the former one are removed, and so is the
+/// thread's stiffness where the motor prescribes the tension.
 void set_tendon_drive(PanelContext& context, std::size_t tendon, bool by_shortening);
 
 /// Renames a chamber or tendon, also in the commands of the trials.
 void rename_actuator(PanelContext& context, const DeclaredActuator& actuator, const std::string& wanted);
 /// Removes a chamber or tendon and its commands.
 void remove_actuator(PanelContext& context, const DeclaredActuator& actuator);
-/// Sets the command of a chamber or tendon in a trial; empty: at rest.
+/// Sets the command of a chamber or tendon in a trial; empty: at rest. A command from the trial's actuation file is no
+/// part of the declaration and stays.
+///
+/// @param trial    index in Scene::trials
+/// @param goes_on  continues a drag: undo takes both edits as one
 void set_command(PanelContext& context, const DeclaredActuator& actuator, std::size_t trial,
                  const std::optional<commands::DeclaredCommand>& command, bool goes_on);
 

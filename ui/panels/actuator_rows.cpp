@@ -18,6 +18,9 @@ std::string command_now(const commands::WorkbenchState& state, const std::string
     return plot::value_label(shown.signal.value(state.time_s) / shown.per_unit, 3) + " " + shown.unit;
 }
 
+/// Row of an actuator: square in its colour, name, kind, and at the right its command at the shown time.
+///
+/// @param actuator  index of its colour: chambers first, then tendons
 void draw_row(PanelContext& context, std::size_t actuator, const std::string& name, const std::string& kind,
               const std::string& tip) {
     const platform::Theme& theme = context.theme;
@@ -46,6 +49,7 @@ void draw_actuators(PanelContext& context) {
     heading(context.theme, actuators.tendons.empty()    ? "Chambers"
                            : actuators.chambers.empty() ? "Tendons"
                                                         : "Chambers and tendons");
+    // Colours are numbered over chambers and tendons together, as in the view.
     std::size_t actuator = 0;
     for (const commands::ShownChamber& chamber : actuators.chambers)
         draw_row(context, actuator++, chamber.name, "chamber",

@@ -26,6 +26,7 @@ void axis_ticks(PanelContext& context, const char* label, const char* tip, const
         if (axis > 0) ImGui::SameLine();
         const std::string name = axis_names[axis];
         if (ImGui::Checkbox((name + "##" + item).c_str(), &after[axis])) {
+            // All axes are what holds without the key, so the key is removed.
             const bool all = after[0] && after[1] && after[2];
             const commands::DeclarationEdit edit = all ? commands::DeclarationEdit(commands::RemoveDeclared{key})
                                                        : commands::DeclarationEdit(

@@ -16,6 +16,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Sizes of handles on the screen, and steps in which sides move.
 struct BoxToolPolicy {
     float radius = 5.0f, reach = 9.0f;  // of a handle, drawn and to be pressed [pixels at scale 1]
     double steps_per_m = 1e5;           // sides are rounded to 0.01 mm, so that their texts are short
@@ -40,6 +41,7 @@ std::optional<double> along_axis(const viewport::ViewportState& view, const Eige
 constexpr std::array<std::array<int, 2>, 12> box_edges{
     {{0, 1}, {2, 3}, {4, 5}, {6, 7}, {0, 2}, {1, 3}, {4, 6}, {5, 7}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
 
+/// A corner by its number: bit k stands for the upper side along axis k.
 Eigen::Vector3d corner_of(const Box& box, int corner) {
     Eigen::Vector3d at = box.lowest;
     for (int axis = 0; axis < 3; ++axis)
@@ -72,6 +74,7 @@ std::optional<BoxTool::Handle> BoxTool::handle_at(const platform::Theme& theme, 
 
 bool BoxTool::takes(const commands::WorkbenchState& state, const platform::Theme& theme,
                     const viewport::ViewportState& view, const Eigen::Vector2d& pixel) const {
+    // Live play, brush and measuring have the mouse first; Shift leaves the drag to the camera.
     return !state.live && state.brush.tool == commands::BrushTool::none && !view.measuring &&
            !ImGui::GetIO().KeyShift && handle_at(theme, view, pixel).has_value();
 }
@@ -92,17 +95,21 @@ void BoxTool::update(PanelContext& context, const viewport::ViewportState& view)
     if (pressed && takes(context.state, context.theme, view, view.mouse)) {
         const Handle handle = *handle_at(context.theme, view, view.mouse);
         const Eigen::Vector3d place = place_of(boxes_[handle.box].box, handle.axis, handle.upper);
+        // The offset keeps the side in place although the mouse is not exactly on the middle of its handle.
         if (const auto at = along_axis(view, view.mouse, place, handle.axis))
             drag_ = Drag{handle, boxes_[handle.box], place(handle.axis) - *at, place(handle.axis)};
     } else if (drag_ && held) {
         const Eigen::Vector3d place = place_of(drag_->at_start.box, drag_->handle.axis, drag_->handle.upper);
         if (const auto at = along_axis(view, view.mouse, place, drag_->handle.axis)) {
+            // Sides are multiples of a step: a difference of more than half a step is a move, a smaller one is
+            // rounding.
             const double side = std::round((*at + drag_->offset_m) * box_tool_policy.steps_per_m) /
                                 box_tool_policy.steps_per_m;
             drag_->moved = drag_->moved || std::abs(side - drag_->side_m) > 0.5 / box_tool_policy.steps_per_m;
             drag_->side_m = side;
         }
     }
+    // Escape drops the drag before anything is emitted, so that the declaration stays as it was.
     if (drag_ && escape_closes()) drag_.reset();
     draw(context, view);
     if (!drag_ || held) return;
@@ -118,6 +125,8 @@ void BoxTool::draw(PanelContext& context, const viewport::ViewportState& view) c
     const ImU32 color = platform::packed(theme.accent), dark = IM_COL32(0, 0, 0, 160);
     const auto hovered = drag_ || !view.hovered ? std::nullopt : handle_at(theme, view, view.mouse);
     for (std::size_t b = 0; b < boxes_.size(); ++b) {
+        // The list of boxes may differ from that at the press, so the dragged box is found by its place in the
+        // declaration.
         const bool is_dragged = drag_ && boxes_[b].path == drag_->at_start.path;
         const Box box = is_dragged ? dragged() : boxes_[b].box;
         for (const auto& [from, to] : box_edges) {
@@ -134,6 +143,7 @@ void BoxTool::draw(PanelContext& context, const viewport::ViewportState& view) c
                 const float radius = (lit ? 1.4f : 1.0f) * box_tool_policy.radius * theme.scale;
                 list.AddCircleFilled(*at, radius + 1.5f * theme.scale, dark);
                 list.AddCircleFilled(*at, radius, color);
+                // Tests press within the reach of the handle, which is wider than its circle.
                 const float reach = box_tool_policy.reach * theme.scale;
                 context.items.add("view/" + boxes_[b].name + "/" + axis_names[static_cast<std::size_t>(axis)] +
                                       (upper ? "_to" : "_from"),

@@ -32,23 +32,27 @@ private:
         int axis = 0;  // 0 to 2
         bool upper = false;
     };
+    /// A drag in progress, from the press on a handle to the release.
     struct Drag {
         Handle handle;
-        HandledBox at_start;
+        HandledBox at_start;    // box at the press
         double offset_m = 0.0;  // from the mouse to the side, along the axis
         double side_m = 0.0;    // coordinate of the side now
         bool moved = false;
     };
+    /// Middle of a side of a box [m], where its handle is drawn.
     static Eigen::Vector3d place_of(const Box& box, int axis, bool upper);
+    /// The nearest handle within reach of a pixel; empty: none.
     std::optional<Handle> handle_at(const platform::Theme& theme, const viewport::ViewportState& view,
                                     const Eigen::Vector2d& pixel) const;
     /// The box of a drag with its side where the mouse is.
     Box dragged() const;
+    /// Draws edges and handles of all boxes, the dragged one with its side where the mouse is.
     void draw(PanelContext& context, const viewport::ViewportState& view) const;
 
-    std::vector<HandledBox> boxes_;
-    std::optional<Drag> drag_;
-    bool was_held_ = false;  // the button was held by a tool in the last frame
+    std::vector<HandledBox> boxes_;  // see offer()
+    std::optional<Drag> drag_;       // empty: nothing is dragged
+    bool was_held_ = false;          // the button was held by a tool in the last frame
 };
 
 }  // namespace myo::ui::panels

@@ -10,8 +10,11 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Gauge pressure of a chamber, -1 MPa to 10 MPa. A new command is 10 kPa; dragging changes it by at least 0.1 kPa per
+/// pixel.
 const CommandField pressure{commands::Dimension::pressure, "kPa", "Pressure", {-1e6, 1e7}, 0.1, 1e4};
 
+/// Volume of a cavity at rest.
 std::string volume_text(const commands::SceneCavity& cavity) {
     return plot::value_label(1e6 * cavity.volume_m3, 3) + " cm\xc2\xb3";
 }
@@ -38,6 +41,7 @@ void ChamberPanel::draw(PanelContext& context) {
 }
 
 void ChamberPanel::uncut(PanelContext& context) {
+    // A cut that the user made stays; only that of the tool is undone.
     if (!cut_ || context.placing.sets(Placing::Kind::cavity)) return;
     cut_ = false;
     commands::ViewOptions view = context.state.view;
@@ -57,7 +61,7 @@ void ChamberPanel::draw_pick(PanelContext& context) {
         if (!picks) {
             context.placing.kind = Placing::Kind::cavity;
             commands::ViewOptions view = context.state.view;
-            // Walls of a cavity are inside the body.
+            // Walls of a cavity are inside the body: the plane goes through the first cavity that is no chamber yet.
             if (!view.clip.on) {
                 view.clip.on = true;
                 view.clip.position_m = view.clip.normal.dot(open->inside_m);

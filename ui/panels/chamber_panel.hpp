@@ -20,14 +20,17 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    /// Switch of the tool that picks a cavity in the view, with the body cut open. Draws nothing if all cavities are
+    /// chambers.
     void draw_pick(PanelContext& context);
     /// Closes the body again once picking has ended.
     void uncut(PanelContext& context);
+    /// A cavity by its index in DeclaredParts::cavities: rows of its chamber, or the button that makes it one.
     void draw_cavity(PanelContext& context, std::size_t cavity);
 
-    NumberEdits edits_;
-    NameEdit names_;
-    bool cut_ = false;  // picking cut the body open
+    NumberEdits edits_;  // of the pressures
+    NameEdit names_;     // of the chambers
+    bool cut_ = false;   // picking cut the body open
 };
 
 }  // namespace myo::ui::panels

@@ -8,7 +8,7 @@ namespace myo::ui::panels {
 
 /// Icon and colour of a state.
 const char* check_icon(commands::CheckState state);
-/// Reference into the theme.
+/// Colour of a state: a reference into the theme, which must outlive it.
 const ImVec4& check_color(const platform::Theme& theme, commands::CheckState state);
 
 /// Draws icon and words in the colour of the state.

@@ -4,6 +4,7 @@
 
 namespace myo::ui::panels {
 
+// Texts that the summary in the menu bar and the panel share.
 inline constexpr const char* checks_panel_name = "checks";  // panel name
 inline constexpr const char* no_checks_text =
     "Checks appear once an experiment is open: whether its units, support, mesh, time step, start and recordings can "

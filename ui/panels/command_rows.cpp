@@ -14,6 +14,7 @@ const char* const step_id = "step";
 const char* const curve_id = "curve";
 const char* const file_id = "file";
 
+/// Id of the kind of a command; null: none.
 const char* id_of(const DeclaredCommand* command) {
     if (!command) return rest_id;
     return command->kind == DeclaredCommand::Kind::constant ? constant_id
@@ -36,6 +37,7 @@ void command_rows(PanelContext& context, const DeclaredActuator& actuator, const
         {constant_id, "Constant", "Also before the start, so that an equilibrium includes it."},
         {step_id, "From the start on", "Zero before t = 0 and this value from then on."},
         {curve_id, "A curve", "Rows of time and value, linear in between."}};
+    // The file is listed only where it is in use: a column of it cannot be made here.
     if (command && command->kind == DeclaredCommand::Kind::file)
         choices.push_back({file_id, "From the trial's file", "A column of the trial's actuation file."});
     std::string chosen = id_of(command);
@@ -44,6 +46,7 @@ void command_rows(PanelContext& context, const DeclaredActuator& actuator, const
     if (choice_row(context, field.quantity, name + "/kind", label + ".", choices, chosen) && chosen != before &&
         chosen != file_id) {
         std::optional<DeclaredCommand> wanted;
+        // A change of kind keeps the value. A zero one, as of a curve that begins at 0, would show no motion.
         const double value = command && command->value != 0.0 ? command->value : field.usual;
         if (chosen == curve_id)
             wanted = DeclaredCommand{DeclaredCommand::Kind::curve, 0.0, new_curve(value)};
@@ -52,6 +55,7 @@ void command_rows(PanelContext& context, const DeclaredActuator& actuator, const
                 chosen == constant_id ? DeclaredCommand::Kind::constant : DeclaredCommand::Kind::step, value};
         set_command(context, actuator, trial, wanted, false);
     }
+    // Neither rest nor a file has numbers to edit.
     if (!command || command->kind == DeclaredCommand::Kind::file) return;
     DeclaredCommand changed = *command;
     if (command->kind == DeclaredCommand::Kind::curve) {

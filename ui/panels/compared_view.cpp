@@ -10,6 +10,7 @@ namespace {
 /// The state as if the run of the record were shown.
 commands::WorkbenchState with_record(const commands::WorkbenchState& state, const commands::JobRecord& record) {
     commands::WorkbenchState other = state;
+    // Neither is drawn, and both may be long.
     other.log.clear();
     other.history.clear();
     other.job.reset();  // the best iterate of a running search would be shown instead
@@ -44,6 +45,7 @@ const commands::JobRecord* ComparedView::record(const commands::WorkbenchState& 
 void ComparedView::update(const commands::WorkbenchState& state, const platform::Theme& theme,
                           const commands::Backend& backend, const viewport::DrawnScene& shown, std::uint64_t revision) {
     if (drawn_ == revision && !fields_.waits()) return;
+    // The scene is also made again while values of the field are awaited, to take them as soon as they are there.
     drawn_ = revision;
     const commands::WorkbenchState other = with_record(state, *record(state));
     const std::shared_ptr<const commands::FieldFrame> field = fields_.update(other, backend);
@@ -60,6 +62,7 @@ void ComparedView::update(const commands::WorkbenchState& state, const platform:
 }
 
 void ComparedView::draw(PanelContext& context, viewport::ViewportState& shown) {
+    // Both views have one camera: that of the shown view is taken before, and a turn by the mouse is given back after.
     viewport_.camera = shown.camera;
     viewport_.zoom_to_data_requested = false;
     platform::ItemRectangles own;  // the names of the items are those of the shown view
@@ -73,10 +76,12 @@ void ComparedView::draw(PanelContext& context, viewport::ViewportState& shown) {
 }
 
 Result<void> ComparedView::render(const platform::Theme& theme, int height, bool moving) {
+    // A view that has no place in the window yet has no size to render.
     if (viewport_.size().width < 2 || viewport_.size().height < 2) return {};
     const auto drawn = renderer_.update(scene_, revision_, viewport::view_colors(theme), viewport_.camera,
                                         viewport_.size(), moving ? 0 : 4, static_cast<double>(theme.scale));
     if (!drawn) return drawn;
+    // OpenGL counts rows from the bottom of the window, ImGui from its top.
     renderer_.blit_to_window(static_cast<int>(viewport_.pixels.lowest.x),
                              height - static_cast<int>(viewport_.pixels.highest.y));
     return {};

@@ -9,7 +9,7 @@ namespace myo::ui::panels {
 
 /// A change of a curve by its rows.
 struct CurveEdit {
-    fibre::Signal curve;
+    fibre::Signal curve;   // all rows, the changed one included
     bool goes_on = false;  // continues a drag
 };
 
@@ -22,7 +22,7 @@ struct CurveEdit {
 std::optional<CurveEdit> curve_rows(PanelContext& context, const NumberField& value, NumberEdits& edits,
                                     const fibre::Signal& curve, const std::string& subject);
 
-/// A curve that rises from 0 to a value after the start.
+/// A curve that rises linearly from 0 at t = 0 to a value, within the time of CurveRowPolicy. Unit: that of the value.
 fibre::Signal new_curve(double value);
 
 }  // namespace myo::ui::panels

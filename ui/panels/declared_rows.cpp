@@ -11,12 +11,14 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Size of a box around an end of the body, relative to the body.
 struct EndBoxPolicy {
     double depth = 0.01;   // of an end, over the length of the body: the layer of cells that a support holds
     double margin = 0.01;  // around the body, over its length, so that rounding leaves nothing outside
 };
 constexpr EndBoxPolicy end_box_policy;
 
+/// Emits a value of the declaration. `item`: name of the edit; `text`: TOML.
 void emit_value(PanelContext& context, const DeclaredPlace& place, const std::string& item, std::string text,
                 bool goes_on) {
     context.emit(commands::EditDeclaration{{commands::SetDeclared{place.path, std::move(text)}}, item, goes_on});
@@ -39,6 +41,7 @@ void vector_rows(PanelContext& context, const DeclaredPlace& place, const std::s
 }
 
 void box_rows(PanelContext& context, const DeclaredPlace& place, NumberEdits& edits, const Box& value) {
+    // Offers the box to the view, where BoxTool draws its handles in the next frame.
     context.window.boxes.push_back({place.path, place.name, value});
     for (Eigen::Index k = 0; k < 3; ++k)
         for (const bool upper : {false, true}) {
@@ -61,6 +64,7 @@ void pick_box_button(PanelContext& context, const DeclaredPlace& place, const st
     const bool picks = context.placing.sets_box(place.path);
     ImGui::BeginDisabled(!context.state.body);
     if (toggle_button(context.theme, "Pick in the view##" + place.name, picks)) {
+        // A second press ends the picking; a press during another tool takes its place.
         context.placing = {};
         if (!picks) {
             context.placing.kind = Placing::Kind::box;
@@ -93,8 +97,10 @@ BodyEnd free_end(const commands::Scene& scene) {
     const Box body = mesh::bounding_box(scene.surface.vertices);
     BodyEnd end;
     body.size().maxCoeff(&end.axis);
+    // A clamp whose sides are reversed holds nothing, so that the longest axis decides.
     if (!scene.clamp_m || (scene.clamp_m->lowest.array() > scene.clamp_m->highest.array()).any()) return end;
     const Eigen::Vector3d middle = 0.5 * (body.lowest + body.highest);
+    // The support lies off the middle most along one axis; the free end is the opposite one.
     const Eigen::Vector3d held = 0.5 * (scene.clamp_m->lowest + scene.clamp_m->highest) - middle;
     held.cwiseAbs().maxCoeff(&end.axis);
     end.upper = held(end.axis) < 0.0;

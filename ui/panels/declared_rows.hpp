@@ -18,7 +18,8 @@ struct DeclaredPlace {
     std::string name;  // item name for tests, without the coordinate
 };
 
-/// Three rows for a vector. `label`: "Force"; `field`: unit and limits of a component, its label and name are ignored.
+/// Three rows for a vector in SI units. `label`: "Force"; `field`: unit and limits of a component, its label and name
+/// are ignored.
 void vector_rows(PanelContext& context, const DeclaredPlace& place, const std::string& label, const NumberField& field,
                  NumberEdits& edits, const Eigen::Vector3d& value);
 
@@ -35,6 +36,7 @@ std::string box_text(const Box& box);
 
 /// Thin box at the end of the body along an axis, for a support or a load.
 ///
+/// @param body   box around the body at rest [m]
 /// @param axis   0 to 2
 /// @param upper  the end with the larger coordinate
 Box end_box(const Box& body, int axis, bool upper);

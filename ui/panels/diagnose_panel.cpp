@@ -48,7 +48,6 @@ bool can_be_added(const commands::DiagnosisRow* row) {
     return row && row->fitted && row->kind == commands::DiagnosisRow::Kind::effects;
 }
 
-/// The effects of the row are those of the settings.
 /// Fitted value as far as the cell has room; the tooltip shows all of it.
 std::string value_text(const commands::DiagnosisRow& row, float width) {
     const bool fits = ImGui::CalcTextSize(row.value.c_str()).x <= width;

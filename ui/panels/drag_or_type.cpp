@@ -13,6 +13,7 @@ struct FieldItem {
     bool hovered = false;
 };
 
+/// Adds a frame to the layout of the window and makes it an item of ImGui.
 FieldItem add_item(const char* label) {
     const ImGuiID id = ImGui::GetID(label);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -29,6 +30,7 @@ bool reached_by_tab(ImGuiID id) {
            GImGui->NavActivateInputId == id;
 }
 
+/// Gives mouse and keyboard to an item that was pressed.
 void take_mouse(ImGuiID id) {
     ImGuiWindow* window = ImGui::GetCurrentWindow();
     ImGui::SetActiveID(id, window);
@@ -36,6 +38,7 @@ void take_mouse(ImGuiID id) {
     ImGui::FocusWindow(window);
 }
 
+/// Background in the colour of the item's state, as ImGui's own fields have it.
 void draw_frame(const FieldItem& item) {
     const ImGuiCol color = ImGui::GetActiveID() == item.id ? ImGuiCol_FrameBgActive
                            : item.hovered                  ? ImGuiCol_FrameBgHovered
@@ -62,6 +65,7 @@ DragOrType drag_number(const char* id, const DraggedNumber& number) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool clicked = item.hovered && io.MouseClicked[0];
     const bool opened = reached_by_tab(item.id) || (clicked && (io.KeyCtrl || io.MouseClickedCount[0] == 2));
+    // A press that opens the text must not begin a drag as well.
     if (clicked && !opened) take_mouse(item.id);
     draw_frame(item);
     const bool dragged = !opened &&
@@ -84,12 +88,14 @@ DragOrType type_number(const char* id, const platform::Theme& theme, std::span<c
     if (active || opens) {
         // InputText takes the keyboard as after Tab.
         if (opens) GImGui->LastItemData.StatusFlags |= ImGuiItemStatusFlags_FocusedByTabbing;
+        // Text that was typed here before would be continued; without its id ImGui begins with the given one.
         if (opens && GImGui->TempInputId == item.id) GImGui->TempInputId = 0;
         const bool entered = ImGui::TempInputText(item.frame, item.id, id, text.data(), static_cast<int>(text.size()),
                                                   ImGuiInputTextFlags_AutoSelectAll |
                                                       ImGuiInputTextFlags_EnterReturnsTrue |
                                                       ImGuiInputTextFlags_NoMarkEdited);
         const bool goes_on = ImGui::TempInputIsActive(item.id);
+        // ImGui releases the field in the frame of the key; Enter is reported by it, Escape only by the key.
         done = goes_on                                       ? DragOrType::typing
                : entered                                     ? DragOrType::entered
                : ImGui::IsKeyPressed(ImGuiKey_Escape, false) ? DragOrType::cancelled
@@ -100,6 +106,7 @@ DragOrType type_number(const char* id, const platform::Theme& theme, std::span<c
     if (refused) {
         ImGui::PopStyleColor();
         if (item.visible)
+            // The red frame is drawn over the field's own in all of its states.
             ImGui::GetWindowDrawList()->AddRect(item.frame.Min, item.frame.Max, platform::packed(theme.failure),
                                                 ImGui::GetStyle().FrameRounding, 0, theme.scale);
     }

@@ -20,6 +20,7 @@ namespace {
 
 constexpr float catalogue_height = 320.0f;  // [pixels at scale 1]
 
+/// Item name of an effect: "effect/declared/0". `list`: "declared" or "added".
 std::string item_of(const char* list, std::size_t index) {
     return std::string("effect/") + list + "/" + std::to_string(index);
 }
@@ -37,6 +38,7 @@ const effect::Effect* entry_of(const commands::Scene& scene, const std::string& 
     return offered ? effect::find_effect(*offered) : effect::find_effect(id);
 }
 
+/// Summary of an entry as a sentence; empty for an effect that this version does not know.
 std::string summary_of(const effect::Effect* entry) {
     if (!entry) return {};
     std::string sentence = entry->summary;
@@ -44,6 +46,7 @@ std::string summary_of(const effect::Effect* entry) {
     return sentence + ".";
 }
 
+/// Whether a fit can move at least one parameter, that is one with a scale.
 bool can_be_fitted(const effect::Effect* entry) {
     return entry && std::any_of(entry->parameters.begin(), entry->parameters.end(),
                                 [](const effect::EffectParameterEntry& p) { return p.scale > 0.0; });
@@ -100,6 +103,7 @@ void EffectPanel::draw_declared(PanelContext& context, std::size_t index) {
     const std::string item = item_of("declared", index);
     const bool on = !commands::is_off(state.settings.off, state.scene->effects.declared, index);
     bool removed = false;
+    // The switch changes the settings and not the declaration, which keeps the effect with its values.
     if (effect_heading(context, item, effect.id, on, removed)) {
         commands::Settings settings = state.settings;
         settings.off = commands::switched(std::move(settings.off), {index, effect.id}, !on);
@@ -175,10 +179,12 @@ void add_effect(PanelContext& context, const effect::EffectDeclaration& start) {
     if (state.scene->is_experiment) {
         context.emit(commands::EditDeclaration{{commands::AppendDeclared{{"effect"}, commands::new_effect_text(start)}},
                                                "effect/add"});
+        // The new entry will be the last of the list.
         return open_item(context, item_of("declared", state.scene->effects.declared.size()));
     }
     commands::AddedEffect added;
     added.declaration.id = start.id;
+    // Optional parameters are left out until the user gives them.
     for (const effect::EffectParameterEntry& parameter : effect::find_effect(start)->parameters)
         if (!parameter.optional) added.declaration.parameters[parameter.name] = start.parameters.at(parameter.name);
     added.name = effect::effect_name(start.id);
@@ -223,6 +229,7 @@ void EffectPanel::draw_catalogue(PanelContext& context) {
     for (std::size_t i = 0; i < effects.offered.size(); ++i) {
         const effect::Effect* const entry = effect::find_effect(effects.offered[i]);
         if (!entry || !is_wanted(*entry, wanted_)) continue;
+        // An entry of another kind than the one before begins a group.
         if (const std::string kind = to_string(entry->kind); kind != group)
             heading(context.theme, effect::effect_name(group = kind));
         if (!draw_entry(context, *entry, i < effects.lacking.size() ? effects.lacking[i] : "")) continue;

@@ -20,7 +20,10 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    /// An effect of the experiment's declaration by its index. Switched off, it stays declared: the settings leave it
+    /// out.
     void draw_declared(PanelContext& context, std::size_t index);
+    /// An effect that the settings add to the experiment or to a plain mesh, by its index in Settings::effects.
     void draw_added(PanelContext& context, std::size_t index);
     /// Button that opens the catalogue, and the catalogue.
     void draw_catalogue(PanelContext& context);

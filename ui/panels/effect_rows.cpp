@@ -28,6 +28,10 @@ struct ShownNumber {
     double factor = 1.0;  // number of the field per SI value of the parameter
 };
 
+/// Field of a number of an effect.
+///
+/// @param item  item name of the effect
+/// @param part  coordinate or number of a component; empty for a parameter with one number
 ShownNumber shown_number(const EffectParameterEntry& entry, const std::string& item, const std::string& part) {
     const effect::ReadableQuantity quantity = effect::readable_quantity(entry.name);
     ShownNumber shown;
@@ -35,6 +39,7 @@ ShownNumber shown_number(const EffectParameterEntry& entry, const std::string& i
     field.label = effect::effect_name(quantity.name) + (part.empty() ? "" : " " + part);
     field.name = item + "/" + entry.name + (part.empty() ? "" : "/" + part);
     field.tip = entry.name;
+    // The unit must mean the same to both modules, otherwise typed units would be converted wrongly.
     const commands::Dimension dimension = commands::dimension_of_unit(quantity.unit);
     const commands::Unit* const unit = commands::find_unit(dimension, quantity.unit);
     if (!quantity.unit.empty() && unit && std::abs(quantity.factor * unit->si() - 1.0) < 1e-9) {
@@ -44,6 +49,7 @@ ShownNumber shown_number(const EffectParameterEntry& entry, const std::string& i
         shown.factor = quantity.factor;
         if (!quantity.unit.empty()) field.label += " [" + quantity.unit + "]";
     }
+    // The upper bound of a signal's parameter holds for muscles, whose unit is 1; pressures and forces may exceed it.
     field.limits = {shown.factor * std::max(-unbounded, entry.lowest),
                     shown.factor * std::min(unbounded, entry.of_signal ? unbounded : entry.highest)};
     if (entry.kind == EffectParameterKind::direction) field.limits = {-1.0, 1.0};
@@ -60,6 +66,7 @@ bool number_of_effect(PanelContext& context, const ShownNumber& shown, NumberEdi
     return true;
 }
 
+/// A row per component of a vector or list: x, y and z, or 1, 2, ... in a list.
 void vector_of_effect(PanelContext& context, const EditedEffect& edited, const EffectParameterEntry& entry,
                       const Eigen::VectorXd& value, NumberEdits& edits) {
     for (Eigen::Index k = 0; k < value.size(); ++k) {
@@ -95,6 +102,7 @@ bool name_row(PanelContext& context, const std::string& label, const std::string
     return choice_row(context, label, item, "", choices, chosen) && chosen != before;
 }
 
+/// Row of a parameter that is the name of a marker, trial or actuator. The empty choice leaves out an optional one.
 void draw_name(PanelContext& context, const EditedEffect& edited, const EffectParameterEntry& entry) {
     const auto given = edited.effect.parameters.find(entry.name);
     std::string chosen = given != edited.effect.parameters.end() ? std::get<std::string>(given->second) : "";
@@ -106,6 +114,7 @@ void draw_name(PanelContext& context, const EditedEffect& edited, const EffectPa
     edited.change(entry.name, chosen.empty() ? nullptr : &value, false);
 }
 
+/// Rows of a parameter that names two markers.
 void draw_pair(PanelContext& context, const EditedEffect& edited, const EffectParameterEntry& entry,
                const std::vector<std::string>& pair) {
     for (std::size_t k = 0; k < pair.size(); ++k) {
@@ -119,6 +128,7 @@ void draw_pair(PanelContext& context, const EditedEffect& edited, const EffectPa
     }
 }
 
+/// Row of a parameter that is a coordinate axis: 0, 1 or 2.
 void draw_axis(PanelContext& context, const EditedEffect& edited, const EffectParameterEntry& entry, double axis) {
     std::vector<commands::Choice> choices;
     for (std::size_t k = 0; k < axis_names.size(); ++k) choices.push_back({std::to_string(k), axis_names[k], ""});
@@ -132,6 +142,7 @@ void draw_axis(PanelContext& context, const EditedEffect& edited, const EffectPa
     edited.change(entry.name, &value, false);
 }
 
+/// Whether the value of a parameter is a single name.
 bool is_name(EffectParameterKind kind) {
     return kind == EffectParameterKind::marker || kind == EffectParameterKind::trial ||
            kind == EffectParameterKind::actuator;
@@ -149,9 +160,11 @@ bool draw_given(PanelContext& context, const EditedEffect& edited, const EffectP
     context.items.mark(edited.item + "/" + entry.name + "/given");
     if (given != before && given) edited.change(entry.name, &edited.start->parameters.at(entry.name), false);
     if (given != before && !given) edited.change(entry.name, nullptr, false);
+    // A parameter that was just given has its rows from the next frame on, when the state has its value.
     return given && before;
 }
 
+/// Rows of one parameter. Its kind decides about names and axes, the type of its value about the rest.
 void draw_parameter(PanelContext& context, const EditedEffect& edited, const EffectParameterEntry& entry,
                     NumberEdits& edits) {
     if (is_name(entry.kind)) return draw_name(context, edited, entry);

@@ -13,6 +13,7 @@ namespace {
 
 using commands::ShapeFormat;
 
+/// Whether the shown trial has at least one simulated frame.
 bool has_frames(const commands::WorkbenchState& state) {
     const commands::SimulatedTrial* const trial = state.simulated_trial();
     return trial && !trial->frames.empty();
@@ -61,6 +62,7 @@ void ExportDialog::draw_content(PanelContext& context) const {
                                       state.scene_trial()->name
                                 : "the body at t = " + plot::value_label(state.time_s, 4) + " s";
     const std::optional<commands::FieldKind> field = commands::shown_field(state, context.backend);
+    // STL has no values, and the force of a diagnosis is not exported.
     if (field && has_frames(state) && what_.format != ShapeFormat::stl && !commands::of_diagnosis(*field))
         content += ", with " + field->label;
     text_row(context.theme, "Content", content);
@@ -68,6 +70,7 @@ void ExportDialog::draw_content(PanelContext& context) const {
 
 void ExportDialog::ask_for_file(PanelContext& context) const {
     commands::ShapeExport asked = what_;
+    // The choice of frames stays in what_ for the next VTU file; other formats ignore it.
     asked.all_frames = what_.format == ShapeFormat::vtu && what_.all_frames;
     const std::string ending = asked.all_frames                   ? ".pvd"
                                : asked.format == ShapeFormat::vtu ? ".vtu"
@@ -86,6 +89,7 @@ void ExportDialog::draw(PanelContext& context) {
     draw_content(context);
     ImGui::Spacing();
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+    // All frames need a run; a single shape can be the body at rest.
     const bool no_frames = what_.format == ShapeFormat::vtu && what_.all_frames && !has_frames(context.state);
     ImGui::BeginDisabled(no_frames);
     if (primary_button(context.theme, "Save as\xe2\x80\xa6", {width, 0.0f})) {

@@ -16,14 +16,17 @@ public:
     void draw(PanelContext& context);
 
 private:
+    /// Tabs of the file formats.
     void draw_formats(PanelContext& context);
     /// Rows that depend on the format.
     void draw_options(PanelContext& context);
+    /// Row that says what the file will contain: which frames, with which field.
     void draw_content(PanelContext& context) const;
+    /// Requests the dialog for the file. The name of the trial, or else of the scene, is proposed.
     void ask_for_file(PanelContext& context) const;
 
     bool open_ = false;
-    commands::ShapeExport what_;
+    commands::ShapeExport what_;  // as chosen; the path is set by the file dialog
 };
 
 }  // namespace myo::ui::panels

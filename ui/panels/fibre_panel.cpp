@@ -114,6 +114,7 @@ void draw_colors(PanelContext& context, const commands::Muscle& muscle) {
     }
 }
 
+/// Row of the stiffness w of the selected muscle [Pa], shown in kPa.
 void draw_stiffness(PanelContext& context, NumberEdits& edit) {
     double stiffness = context.state.chosen_muscle()->stiffness_Pa;
     bool goes_on = false;
@@ -292,6 +293,7 @@ void FibrePanel::draw_muscle(PanelContext& context) {
 void FibrePanel::draw_paint_actions(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const fibre::CellPaint* const paint = state.chosen_paint();
+    // Neither exists before the body is meshed.
     const bool ready = paint && state.ground;
     if (ready)
         text_row(context.theme, "Painted",

@@ -13,6 +13,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Directions of the fibres, in the order of the enumeration in BrushSettings, as choose() requires.
 const std::vector<commands::Choice>& direction_choices() {
     static const std::vector<commands::Choice> choices{
         {"stroke", "Along the stroke",
@@ -24,6 +25,7 @@ const std::vector<commands::Choice>& direction_choices() {
     return choices;
 }
 
+/// Planes of the mirror, in the order of the enumeration in BrushSettings, as choose() requires.
 const std::vector<commands::Choice>& mirror_choices() {
     static const std::vector<commands::Choice> choices{
         {"none", "Off", "Paint where the mouse is."},
@@ -45,6 +47,7 @@ bool choose(PanelContext& context, const char* label, const char* name, const ch
     return true;
 }
 
+/// A tool of the brush and its button.
 struct Tool {
     commands::BrushTool tool;
     const char* icon;

@@ -29,9 +29,10 @@ bool enter_pressed() {
            (ImGui::IsKeyPressed(ImGuiKey_Enter, false) || ImGui::IsKeyPressed(ImGuiKey_KeyPadEnter, false));
 }
 
-/// `again`: Enter was pressed once for this file.
+/// Says next to the file name that the file exists. `again`: Enter was pressed once for this file.
 void draw_replacement_warning(PanelContext& context, const fs::path& target, bool again) {
     const platform::Theme& theme = context.theme;
+    // The two buttons of the foot keep their place at the right; the text is shortened to the room before them.
     const float room = ImGui::GetWindowContentRegionMax().x - ImGui::GetItemRectMax().x + ImGui::GetWindowPos().x -
                        240.0f * theme.scale;
     ImGui::SameLine();
@@ -262,6 +263,7 @@ std::optional<fs::path> FileBrowser::draw_path() {
     if (ImGui::InputText("##path", &typed_, ImGuiInputTextFlags_EnterReturnsTrue)) {
         std::error_code ignored;
         const fs::path typed = typed_;
+        // An experiment is chosen as a folder, a file by its path; any other folder is shown.
         const bool experiment = dialog_->experiments && fs::exists(typed / "experiment.toml", ignored);
         missing_.clear();
         if (experiment || (fs::is_regular_file(typed, ignored) && !writes()))

@@ -17,7 +17,7 @@ FileDialog save_dialog(const commands::WorkbenchState& state);
 FileDialog picture_dialog(const PictureRequest& request, const std::string& name);
 /// Dialog that saves a part of the window as a PNG image. `part` in pixels of the window.
 FileDialog part_dialog(std::string title, const std::string& name, const platform::Rectangle& part);
-/// Dialog that writes a text, such as a table or a drawing, to a file.
+/// Dialog that writes a text, such as a table or a drawing, to a file. Success and failure are logged.
 ///
 /// @param title  for example "Save the markers' errors"
 /// @param name  proposed file name without extension

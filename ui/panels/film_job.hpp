@@ -53,10 +53,10 @@ private:
     double time_s() const { return request_.from_s + done_ * request_.speed / request_.rate_Hz; }
     /// Renders one scene with its annotations.
     Result<platform::Image> picture(const viewport::DrawnScene& scene);
-    /// Draws annotations over the rendered scene.
+    /// Draws annotations over the rendered scene, which is still in the renderer's framebuffer.
     void draw_overlay(const viewport::DrawnScene& scene);
 
-    PictureRequest request_;
+    PictureRequest request_;                           // its size in pixels, never 0
     std::optional<FilmedView> filmed_;                 // empty: no job runs
     float scale_ = 1.0f;                               // of lines and text
     std::unique_ptr<platform::FilmWriter> writer_;     // null: a single image

@@ -109,6 +109,7 @@ void draw_optimize_rows(PanelContext& context, NumberEdits& edit, commands::Opti
                 request.highest);
 }
 
+/// Row of the maximum number of runs of the search.
 void draw_evaluations_row(PanelContext& context, NumberEdits& edit, commands::OptimizeRequest& request) {
     // Number fields edit doubles; the request has an integer.
     double evaluations = request.max_evaluations;

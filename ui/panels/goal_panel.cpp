@@ -16,6 +16,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Rounding of places and times that the panel writes.
 struct NewGoalPolicy {
     // Places and times of a new goal are rounded, so that their texts are short. The inverse of a step divides exactly.
     double steps_per_m = 1e6;
@@ -23,10 +24,12 @@ struct NewGoalPolicy {
 };
 constexpr NewGoalPolicy new_goal_policy;
 
+/// Key of a goal of the shown trial in the declaration.
 toml::TomlPath goal_path(const commands::WorkbenchState& state, std::size_t index) {
     return {"trial", static_cast<std::size_t>(state.trial), "goal", index};
 }
 
+/// `value` to a multiple of 1 / steps, in the unit of which there are `steps`.
 double rounded(double value, double steps) { return std::round(value * steps) / steps; }
 
 /// Where the chosen marker is at the shown time in the shown run [m]; at rest where there is none.
@@ -65,6 +68,7 @@ std::vector<commands::DeclarationEdit> path_edits(const toml::TomlPath& goal, co
         path.emplace_back(name);
         return path;
     };
+    // Keys of the other form are removed: a goal with both would be refused.
     if (times_s.size() == 1)
         return {commands::RemoveDeclared{key("times_s")}, commands::RemoveDeclared{key("places_m")},
                 commands::SetDeclared{key("place_m"), toml::toml_vector(places_m.col(0))},
@@ -173,6 +177,7 @@ void GoalPanel::draw_goal(PanelContext& context, std::size_t index) {
 void GoalPanel::draw_path_buttons(PanelContext& context, std::size_t index) {
     const commands::SceneGoal& goal = context.state.scene_trial()->goals[index];
     const bool is_hold = context.state.scene_trial()->time_s.size() < 2;
+    // The points of a file are not in the declaration, and a hold has one pose only.
     if (goal.from_file || is_hold) return;
     const std::string item = "goal/" + std::to_string(index);
     const double time_s = rounded(context.state.time_s, new_goal_policy.steps_per_s);
@@ -184,6 +189,7 @@ void GoalPanel::draw_path_buttons(PanelContext& context, std::size_t index) {
             // A span at one place is its two ends; a single place keeps its time.
             Eigen::VectorXd times(count + 1);
             Eigen::Matrix3Xd places(3, count + 1);
+            // The times of a path ascend, so the new point goes between those before and after it.
             const Eigen::Index before = (goal.time_s.array() < time_s).count();
             times << goal.time_s.head(before), time_s, goal.time_s.tail(count - before);
             places << goal.place_m.leftCols(before), place, goal.place_m.rightCols(count - before);

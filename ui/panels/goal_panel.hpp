@@ -29,7 +29,7 @@ private:
     /// The marker and the button that adds a goal for it.
     void draw_add(PanelContext& context);
 
-    NumberEdits edits_;
+    NumberEdits edits_;  // edits in progress in the fields of all goals
 };
 
 }  // namespace myo::ui::panels

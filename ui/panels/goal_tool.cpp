@@ -32,6 +32,7 @@ void draw_two_lines(ImDrawList& list, const ImVec2& a, const ImVec2& b, ImU32 co
     list.AddLine(a, b, color, width);
 }
 
+/// A cross in a ring: the mark of a goal.
 void draw_cross(ImDrawList& list, const platform::Theme& theme, const ImVec2& at, ImU32 color) {
     const float s = theme.scale, radius = 8.0f * s;
     list.AddCircle(at, radius, IM_COL32(0, 0, 0, 160), 0, 4.0f * s);
@@ -63,6 +64,7 @@ std::optional<GoalTool::Handle> GoalTool::handle_at(const commands::WorkbenchSta
 
 bool GoalTool::takes(const commands::WorkbenchState& state, const platform::Theme& theme,
                      const viewport::ViewportState& view, const Eigen::Vector2d& pixel) const {
+    // Live play, brush and measuring have the mouse first; Shift leaves the drag to the camera.
     return !state.live && state.brush.tool == commands::BrushTool::none && !view.measuring &&
            !ImGui::GetIO().KeyShift && handle_at(state, theme, view, pixel).has_value();
 }
@@ -82,12 +84,14 @@ void GoalTool::press(const commands::WorkbenchState& state, const platform::Them
     if (!takes(state, theme, view, view.mouse)) return;
     const Handle handle = *handle_at(state, theme, view, view.mouse);
     const Eigen::Vector3d place = state.scene_trial()->goals[handle.goal].place_m.col(handle.point);
+    // The offset keeps the goal in place although the mouse is not exactly on it.
     drag_ = Drag{handle, place - viewport::in_image_plane(view.camera, view.size(), view.mouse, place), place};
 }
 
 void GoalTool::release(PanelContext& context) {
     const commands::SceneTrial& trial = *context.state.scene_trial();
     const Handle handle = drag_->handle;
+    // Undo or another trial may have removed the goal during the drag.
     if (drag_->moved && handle.goal < trial.goals.size()) {
         const commands::SceneGoal& goal = trial.goals[handle.goal];
         const Eigen::Matrix3Xd moved = places(goal, handle.goal);
@@ -133,7 +137,8 @@ void GoalTool::draw(PanelContext& context, const viewport::ViewportState& view) 
             if (a && b) draw_two_lines(list, *a, *b, color, 1.0f * theme.scale);
             if (b && !goal.from_file) list.AddCircleFilled(*b, 3.5f * theme.scale, color);
         }
-        // The place for the shown time, within the span of the goal.
+        // The place for the shown time, within the span of the goal. The line to it is the distance that remains in the
+        // shown run.
         const double time_s = std::clamp(context.state.time_s, goal.time_s(0), goal.time_s(goal.time_s.size() - 1));
         const Eigen::Vector3d place = commands::at_time(at, commands::place_in_time(goal.time_s, time_s));
         const auto end = window_pixel(view, place);

@@ -26,23 +26,28 @@ private:
         std::size_t goal = 0;
         Eigen::Index point = 0;  // of a path
     };
+    /// A drag in progress, from the press on a goal to the release.
     struct Drag {
         Handle handle;
-        Eigen::Vector3d offset_m;  // from the point under the mouse to the place
-        Eigen::Vector3d place_m;   // now
+        Eigen::Vector3d offset_m;  // from the point under the mouse to the place [m]
+        Eigen::Vector3d place_m;   // now [m]
         bool moved = false;
     };
+    /// The nearest place of a goal within reach of a pixel; empty: none. Goals from a file cannot be moved.
     static std::optional<Handle> handle_at(const commands::WorkbenchState& state, const platform::Theme& theme,
                                            const viewport::ViewportState& view, const Eigen::Vector2d& pixel);
-    /// Places of a goal with the drag in progress.
+    /// Places of a goal with the drag in progress [m], 3 x n.
     Eigen::Matrix3Xd places(const commands::SceneGoal& goal, std::size_t index) const;
+    /// Begins a drag if the press is on a goal.
     void press(const commands::WorkbenchState& state, const platform::Theme& theme,
                const viewport::ViewportState& view);
+    /// Ends the drag; emits the new place of a goal that has moved.
     void release(PanelContext& context);
+    /// Draws paths, goals and the lines from the markers to them.
     void draw(PanelContext& context, const viewport::ViewportState& view) const;
 
-    std::optional<Drag> drag_;
-    bool was_held_ = false;  // the button was held by a tool in the last frame
+    std::optional<Drag> drag_;  // empty: nothing is dragged
+    bool was_held_ = false;     // the button was held by a tool in the last frame
 };
 
 }  // namespace myo::ui::panels

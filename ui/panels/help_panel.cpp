@@ -16,6 +16,7 @@ namespace {
 
 using Part = HelpRequest::Part;
 
+/// A part of the help and its button.
 struct PartTab {
     Part part;
     const char* label;
@@ -56,6 +57,7 @@ void HelpPanel::draw(PanelContext& context) {
     const float cross = ImGui::CalcTextSize(platform::icon::remove).x + 2.0f * ImGui::GetStyle().FramePadding.x;
     const float corner = ImGui::GetWindowContentRegionMax().x - cross,
                 tabs_end = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
+    // In a narrow panel the button that closes gets a line of its own.
     if (tabs_end + ImGui::GetStyle().ItemSpacing.x < corner) ImGui::SameLine(corner);
     // Escape belongs to the panel only while the mouse or the keyboard is in it: elsewhere it ends tools.
     const bool escape = ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows) && escape_closes();
@@ -109,7 +111,8 @@ void HelpPanel::draw_manual(PanelContext& context) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float half = 0.5f * (ImGui::GetContentRegionAvail().x - style.ItemSpacing.x);
     const float needed = ImGui::CalcTextSize(title.c_str()).x + 2.0f * style.FramePadding.x + ImGui::GetFrameHeight();
-    const bool beside = needed < half;  // else one list below the other
+    // Otherwise one list stands below the other.
+    const bool beside = needed < half;
     ImGui::SetNextItemWidth(beside ? half : -1.0f);
     const bool pages = ImGui::BeginCombo("##page", title.c_str());
     context.items.mark("help/page");
@@ -126,6 +129,7 @@ void HelpPanel::draw_manual(PanelContext& context) {
     context.items.mark("help/section");
     if (sections) {
         for (std::size_t b = 0; b < blocks_.size(); ++b) {
+            // The title of the page is left out: it is its first line.
             if (blocks_[b].kind != help::Block::Kind::heading || blocks_[b].level < 2) continue;
             const std::string indent(blocks_[b].level == 2 ? 0 : 4, ' ');
             if (ImGui::Selectable((indent + blocks_[b].text + "##" + std::to_string(b)).c_str()))

@@ -10,10 +10,11 @@
 
 namespace myo::ui::panels {
 
-/// Help at the right edge of the window: the tutorial, the pages of the manual, and the list of shortcuts. It lies
-/// beside the view and covers nothing.
+/// Help at the right edge of the window: the tutorial, the pages of the manual, and the list of shortcuts. It lies next
+/// to the view and covers nothing.
 class HelpPanel {
 public:
+    /// Opens the help at the part, page and phrase of a request. A phrase that the page does not contain is ignored.
     void open(const HelpRequest& request);
     void close() { open_ = false; }
     bool is_open() const { return open_; }
@@ -23,13 +24,18 @@ public:
     void draw(PanelContext& context);
 
 private:
+    /// The steps with their ticks, and the button that starts the tutorial again.
     void draw_tutorial(PanelContext& context);
+    /// A step by its index. The next one to do has a button that shows its task.
     void draw_step(PanelContext& context, std::size_t index);
+    /// Lists of pages and sections, and below them the text of the page.
     void draw_manual(PanelContext& context);
+    /// Table of the keys of all actions, and of those that belong to none.
     void draw_shortcuts(PanelContext& context);
+    /// Reads a page unless it is shown already.
     void show_page(const std::string& name);
 
-    bool open_ = false;
+    bool open_ = false;  // see is_open()
     HelpRequest::Part part_ = HelpRequest::Part::tutorial;
     TutorialProgress progress_;
     std::string page_;                   // name of the page that is shown

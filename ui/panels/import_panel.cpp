@@ -15,6 +15,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Units of length that a recording may have.
 const std::vector<commands::Choice> units{{"mm", "mm", ""}, {"cm", "cm", ""}, {"dm", "dm", ""},
                                           {"m", "m", ""},   {"um", "um", ""}, {"inch", "inch", ""}};
 constexpr std::array<double, 6> unit_lengths{1e-3, 1e-2, 1e-1, 1.0, 1e-6, 0.0254};  // metres, in the order of `units`
@@ -44,6 +45,9 @@ bool either_row(PanelContext& context, const char* label, const std::string& nam
     return is_first != before;
 }
 
+/// Dialog that chooses the folder of the new experiment.
+///
+/// @param scene  path of the open body: the folder is proposed next to it
 FileDialog new_folder_dialog(const commands::ImportChoices& choices, const std::filesystem::path& scene) {
     FileDialog dialog;
     dialog.title = "A new folder for the experiment";
@@ -168,6 +172,7 @@ void ImportPanel::draw_file(PanelContext& context) {
                     "rate"},
                    edit_, reading.rate_Hz, goes_on);
     if (file.asks_rate) {
+        // Files without a rate are plain tables, some of which write zeros where a marker was not seen.
         row_label(context.theme, "0, 0, 0");
         ImGui::Checkbox("is a gap##import", &reading.zero_is_occluded);
         context.items.mark("import/zero");

@@ -21,6 +21,7 @@ public:
 
 private:
     // Parts of the panel in the order of the work. They change a copy of the choices; draw() emits it once.
+    /// File, content, and what the file does not state: unit, rate, meaning of zeros. A change reads the file again.
     void draw_file(PanelContext& context);
     /// Rotation of the cameras' frame to the body.
     void draw_placing(PanelContext& context, commands::ImportChoices& choices);

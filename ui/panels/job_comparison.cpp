@@ -50,6 +50,7 @@ void set_up_comparison(const platform::Theme& theme, const std::vector<Compared>
     heading_row(theme, headings);
 }
 
+/// Row of a setting in which the columns differ: its name and the value of each column.
 void difference_row(PanelContext& context, const commands::SettingDifference& row) {
     const platform::Theme& theme = context.theme;
     ImGui::TableNextRow();

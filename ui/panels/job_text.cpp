@@ -17,14 +17,14 @@ struct TimeLeftPolicy {
 };
 constexpr TimeLeftPolicy time_left_policy;
 
-/// A unit of time and the steps in which it is told.
+/// A unit of time and the steps in which times are stated.
 struct TimeStep {
     double unit_s;
     const char* unit;
     double step;  // in the unit
 };
 
-/// The coarsest step that still tells times up to this one apart.
+/// The coarsest step that still separates times up to this one.
 TimeStep step_for(double seconds) {
     if (seconds <= 90.0) return {1.0, "s", 5.0};
     if (seconds <= 600.0) return {60.0, "min", 1.0};
@@ -32,6 +32,7 @@ TimeStep step_for(double seconds) {
     return {3600.0, "h", 1.0};
 }
 
+/// Number of units, rounded to a multiple of the step: down, or up to at least one step.
 std::string in_steps(const TimeStep& step, double seconds, bool up) {
     const double steps = seconds / (step.unit_s * step.step);
     return std::to_string(std::lround((up ? std::max(1.0, std::ceil(steps)) : std::floor(steps)) * step.step));

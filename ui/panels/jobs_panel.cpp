@@ -27,7 +27,7 @@ const char* record_icon(const commands::JobRecord& record) {
     return state_of(record) == commands::CheckState::green ? platform::icon::done : check_icon(state_of(record));
 }
 
-/// The colour of the icon; the same severity as in record_icon().
+/// Colour of the icon, by the severity that record_icon() shows.
 ImVec4 record_color(const platform::Theme& theme, const commands::JobRecord& record) {
     if (record.outcome == commands::JobOutcome::failed) return theme.failure;
     return record.outcome == commands::JobOutcome::stopped ? theme.warning : check_color(theme, state_of(record));

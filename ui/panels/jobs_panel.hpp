@@ -18,6 +18,8 @@ public:
 
 private:
     /// @param size  of the list [pixels]; 0: the available size
+    /// Table of all jobs.
+    ///
     void draw_list(PanelContext& context, const ImVec2& size);
 };
 

@@ -15,6 +15,8 @@ Layout make_layout(float width, float height, float scale, const commands::Layou
     // Narrow windows show icons only for the tasks.
     const float steps = std::round((layout.narrow ? 44.0f : 128.0f) * scale);
     // The limits keep room for the view and for a usable panel, in a window of any size.
+    // With the tasks the side panel takes at most 60 % of the width; alone it has at least 240 pixels at scale 1, less
+    // only where tasks and panel would exceed half of the window.
     const float rail = steps + std::round(std::clamp(sizes.rail * scale, std::min(240.0f * scale, 0.5f * width - steps),
                                                      0.6f * width - steps));
     const float strip = std::round(

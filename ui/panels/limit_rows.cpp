@@ -33,6 +33,7 @@ constexpr std::array limit_kinds{
     LimitKind{"shortening_m", "Shortening up to", "Largest shortening of a tendon that Optimise may use [mm].",
               commands::Dimension::length, "mm", 10.0, 0.02, 1e-4}};
 
+/// Whether the experiment has a chamber, or a tendon with this drive, to which the limit applies.
 bool has_kind(const commands::DeclaredParts& parts, const std::string& key) {
     if (key == "pressure_Pa") return !parts.chambers.empty();
     return std::any_of(parts.tendons.begin(), parts.tendons.end(), [&](const commands::DeclaredTendon& tendon) {
@@ -40,6 +41,7 @@ bool has_kind(const commands::DeclaredParts& parts, const std::string& key) {
     });
 }
 
+/// Row of one limit, with a button that removes it; without a limit the button that sets one.
 void draw_limit(PanelContext& context, const LimitKind& kind, NumberEdits& edits) {
     const commands::DeclaredParts& parts = context.state.scene->declared;
     const auto declared = parts.limits.find(kind.key);

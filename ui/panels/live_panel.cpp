@@ -8,6 +8,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Stiffnesses of the spring that can be typed [N/m].
 constexpr commands::Limits spring_limits_N_m{1e-3, 1e6};
 
 }  // namespace
@@ -69,10 +70,12 @@ void LivePanel::draw_levels(PanelContext& context) {
         field.tip = actuator.quantity + ", acts at once.";
         field.quantity = actuator.quantity;
         field.limits = {actuator.lowest, actuator.highest};
+        // A drag over at most 1000 pixels covers the range.
         field.smallest_step = 1e-3 * (actuator.highest - actuator.lowest) / actuator.per_unit;
         double level = live.controls.levels[i];
         bool goes_on = false;
         bool changed = number_row(context, field, edits_, level, goes_on);
+        // Number and slider show the same level; the one that was moved decides.
         double shown = level / actuator.per_unit;
         if (slider_row(context, field.name + "/slider",
                        {actuator.lowest / actuator.per_unit, actuator.highest / actuator.per_unit}, false, slide_,

@@ -17,12 +17,15 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    /// Buttons that start, stop and restart the play.
     void draw_buttons(PanelContext& context);
+    /// Number and slider of the level of each actuator.
     void draw_levels(PanelContext& context);
+    /// Stiffness of the spring by which the mouse pulls the body.
     void draw_spring(PanelContext& context);
 
-    NumberEdits edits_;
-    OpenEdit slide_;
+    NumberEdits edits_;  // edits in progress in the number fields
+    OpenEdit slide_;     // drag in progress in one of the sliders
 };
 
 }  // namespace myo::ui::panels

@@ -13,11 +13,15 @@
 namespace myo::ui::panels {
 namespace {
 
-/// The nodes of the surface around the point that was hit, nearer ones with larger shares.
+/// The nodes of the surface around the point that was hit, nearer ones with larger shares: 1 - (d / reach)^2 at the
+/// distance d, scaled to the sum 1.
+///
+/// @param point_m  the point now, in the frame of the mesh
 commands::LiveGrip grip_at(const viewport::DrawnScene& scene, const viewport::SurfaceHit& hit,
                            const Eigen::Vector3d& point_m) {
     commands::LiveGrip grip;
     const double reach = commands::live_play_policy.hand_share * scene.extent.size().norm();
+    // Each node once, as it is a corner of several triangles.
     std::vector<int> nodes = scene.surface->corners;
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
@@ -30,7 +34,7 @@ commands::LiveGrip grip_at(const viewport::DrawnScene& scene, const viewport::Su
         const double distance = (scene.positions.col(node) - point_m).norm() / reach;
         if (distance < 1.0) take(node, 1.0 - distance * distance);
     }
-    // On a coarse mesh no node may be near.
+    // On a coarse mesh no node may be near: the triangle's corners then carry the force, none of them with share zero.
     for (int k = 0; k < 3 && grip.nodes.size() < 3; ++k)
         take(scene.surface->corners[static_cast<std::size_t>(3 * hit.triangle + k)], 1e-3 + hit.weights[k]);
     grip.shares = Eigen::Map<const Eigen::VectorXd>(shares.data(), static_cast<Eigen::Index>(shares.size()));
@@ -39,6 +43,7 @@ commands::LiveGrip grip_at(const viewport::DrawnScene& scene, const viewport::Su
     return grip;
 }
 
+/// How the play goes: time, step, and whether it keeps up with real time; otherwise what it waits for.
 std::string rate_text(const commands::LiveView& live) {
     if (!live.problem.empty()) return "Live playing stands still: " + live.problem;
     if (!live.ready) return "Preparing the model\xe2\x80\xa6";
@@ -81,6 +86,7 @@ void LiveTool::pull(PanelContext& context, const viewport::DrawnScene& scene, co
     if (!grip_) {
         const auto hit = commands::hit_on_body(context.state, scene, view.camera, view.size(), view.mouse);
         if (!hit) return;
+        // The plane stays where the pull began, so that the depth of the hand does not drift.
         plane_point_m_ = hit->place(*scene.surface, scene.positions);
         grip_ = grip_at(scene, *hit, plane_point_m_);
     }
@@ -101,6 +107,7 @@ void LiveTool::release(PanelContext& context) {
 void LiveTool::update(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view,
                       bool placing) {
     const commands::WorkbenchState& state = context.state;
+    // A drag that began elsewhere must not take the body when it passes over it.
     const bool held = view.tool_held && !placing && state.live && state.live->ready;
     if (held && (grip_ || !was_held_))
         pull(context, scene, view);

@@ -25,7 +25,9 @@ public:
                 bool placing);
 
 private:
+    /// Takes the patch under the mouse, if nothing is held yet, and moves the spring's end to the mouse.
     void pull(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view);
+    /// Lets go of the patch.
     void release(PanelContext& context);
 
     bool was_held_ = false;                         // the button was held in the last frame

@@ -11,6 +11,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Ids of the ways in which a force acts over time.
 const char* const constant_id = "constant";
 const char* const window_id = "window";
 const char* const curve_id = "curve";
@@ -23,11 +24,13 @@ struct NewWindowPolicy {
 };
 constexpr NewWindowPolicy new_window_policy;
 
+/// Key within a table of the declaration.
 toml::TomlPath inside(toml::TomlPath table, const char* key) {
     table.emplace_back(key);
     return table;
 }
 
+/// Id of the way that is declared. An open end of a window is infinite.
 const char* id_of(const commands::SceneLoad& load) {
     if (load.curve) return curve_id;
     return std::isfinite(load.from_s) || std::isfinite(load.until_s) ? window_id : constant_id;
@@ -36,6 +39,7 @@ const char* id_of(const commands::SceneLoad& load) {
 /// Replaces what says when the force acts.
 void set_kind(PanelContext& context, const std::string& kind, const toml::TomlPath& path, const std::string& item) {
     std::vector<commands::DeclarationEdit> edits;
+    // A window and a curve exclude each other, so the keys of both are removed first.
     for (const char* key : {"from_s", "until_s", "curve"}) edits.push_back(commands::RemoveDeclared{inside(path, key)});
     if (kind == window_id) {
         edits.push_back(commands::SetDeclared{inside(path, "from_s"), toml::toml_number(new_window_policy.from_s)});
@@ -89,6 +93,7 @@ void load_time_rows(PanelContext& context, const commands::SceneLoad& load, cons
     const std::string before = chosen;
     if (choice_row(context, "Acts", item + "/when", "When the force acts.", choices, chosen) && chosen != before)
         set_kind(context, chosen, path, item);
+    // The rows follow the state: those of a new way appear in the next frame.
     if (before == window_id)
         for (const bool starts : {true, false}) end_row(context, load, path, item, starts, edits);
     if (before != curve_id) return;

@@ -17,7 +17,7 @@ public:
     void draw(PanelContext& context) override;
 
 private:
-    /// For a new width of the lines or scale of the text.
+    /// Drops all measured heights, for a new width of the lines [pixels] or scale of the text.
     void forget_heights(float width, float scale);
 
     std::size_t seen_ = 0;  // messages that were shown already

@@ -11,6 +11,7 @@ namespace {
 
 using help::Block;
 
+/// A heading; the two outer levels have the accent colour and more room above.
 void draw_heading(const platform::Theme& theme, const Block& block) {
     ImGui::Dummy({0.0f, (block.level <= 2 ? 8.0f : 4.0f) * theme.scale});
     ImGui::PushFont(theme.strong);
@@ -20,6 +21,7 @@ void draw_heading(const platform::Theme& theme, const Block& block) {
     ImGui::PopFont();
 }
 
+/// An item of a list: its sign ends where the indent of its level does, so that texts align whatever the sign.
 void draw_item(const platform::Theme& theme, const Block& block) {
     const float indent = (18.0f + 18.0f * static_cast<float>(block.level)) * theme.scale;
     ImGui::Dummy({indent - ImGui::CalcTextSize(block.sign.c_str()).x, 0.0f});
@@ -54,6 +56,7 @@ float column_weight(const Block& block, std::size_t column) {
     return static_cast<float>(std::min(longest, most));
 }
 
+/// A table. Its first row is the heading, in the secondary colour.
 void draw_table(const platform::Theme& theme, const Block& block, std::size_t index) {
     std::size_t columns = 0;
     for (const auto& row : block.rows) columns = std::max(columns, row.size());
@@ -77,6 +80,7 @@ void draw_table(const platform::Theme& theme, const Block& block, std::size_t in
     ImGui::PopID();
 }
 
+/// @param index  of the block in the page: ImGui's id of code and tables
 void draw_block(const platform::Theme& theme, const Block& block, std::size_t index) {
     switch (block.kind) {
         case Block::Kind::heading: return draw_heading(theme, block);

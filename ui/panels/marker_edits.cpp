@@ -27,7 +27,8 @@ void add_marker(PanelContext& context, const std::string& name, const Eigen::Vec
     const commands::SceneMarker added{name, rest_m, name, has_recordings(scene)};
     context.emit(commands::EditDeclaration{{commands::SetDeclared{marker_path(added), commands::place_text(rest_m)}},
                                            "probe/add"});
-    // Probes stand behind the markers that recordings hold.
+    // Probes stand behind the markers that recordings hold: a new marker is the last before them, a new probe the last
+    // of all. The command is executed after the edit, when the marker exists.
     const auto before = std::count_if(scene.markers.begin(), scene.markers.end(),
                                       [&](const commands::SceneMarker& m) { return added.probe || !m.probe; });
     context.emit(commands::ChooseMarker{static_cast<int>(before)});

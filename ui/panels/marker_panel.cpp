@@ -39,6 +39,7 @@ void draw_axis_boxes(PanelContext& context, std::array<bool, 3>& shown, bool nar
     }
 }
 
+/// Icon whose tooltip explains the mouse in the plots.
 void draw_plot_help(PanelContext& context) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextColored(context.theme.muted, "%s", platform::icon::information);
@@ -252,6 +253,7 @@ void MarkerPanel::draw_legend(PanelContext& context) {
         const float width = plot::legend_width(entry, theme);
         if (&entry != &entries.front()) {
             ImGui::SameLine(0.0f, gap);
+            // Entries without room in the line continue in the next.
             if (ImGui::GetCursorPosX() + width > right) ImGui::NewLine();
         }
         const bool pressed = ImGui::InvisibleButton(entry.name.c_str(), {width, ImGui::GetTextLineHeight()});

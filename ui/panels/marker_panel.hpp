@@ -24,8 +24,9 @@ public:
 
 private:
     // Parts of the panel: controls first, then one plot per coordinate.
+    /// Line of controls: marker, coordinates, trials, zoom, export and repair.
     void draw_choice(PanelContext& context);
-    /// A trial in that popup, with the box that draws it.
+    /// A trial in the popup of draw_trials(), with the box that draws it.
     void draw_trial_row(PanelContext& context, std::size_t t);
     /// Popup that selects the other trials. `narrow`: buttons show icons.
     void draw_trials(PanelContext& context, bool narrow);
@@ -37,6 +38,7 @@ private:
     void draw_export(PanelContext& context, const std::string& name);
     /// Colour of another trial, chosen far in hue from measured, simulated and residual in both themes.
     static const ImVec4& overlay_color(const platform::Theme& theme, std::size_t trial);
+    /// Shows all data again in all plots.
     void show_all();
     /// Resets zoom and selection where another curve is shown. Those of an edited scene with the same trial stay.
     void follow(const commands::WorkbenchState& state);
@@ -45,10 +47,10 @@ private:
     /// Plot of one coordinate with its residual below. `size` in pixels.
     void draw_component(PanelContext& context, int axis, const ImVec2& size);
 
-    platform::Rectangle plots_;                    // area of the plots in the last frame, for export as PNG
-    std::array<bool, 3> shown_{true, true, true};  // x, y, z
-    std::set<int> overlaid_;                       // indices of other trials that are drawn, too
-    RepairPopup repair_;
+    platform::Rectangle plots_;                     // area of the plots in the last frame, for export as PNG
+    std::array<bool, 3> shown_{true, true, true};   // x, y, z
+    std::set<int> overlaid_;                        // indices of other trials that are drawn, too
+    RepairPopup repair_;                            // of the shown marker's recording
     plot::LinkedAxis time_;                         // time axis of all plots
     std::array<plot::PlotState, 3> main_;           // per coordinate
     std::array<plot::PlotState, 3> residual_;       // per coordinate

@@ -9,6 +9,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Number of the marker within `reach` [pixels] of a pixel; empty: none.
 std::optional<std::size_t> marker_under(const commands::WorkbenchState& state, const viewport::DrawnScene& scene,
                                         const viewport::ViewportState& view, const Eigen::Vector2d& pixel,
                                         double reach) {
@@ -32,6 +33,7 @@ void MarkerTool::update(const ToolView& tool, Placing& placing) {
         const auto place = surface_under_mouse(tool);
         return place ? std::optional(place->point) : std::nullopt;
     });
+    // Undo may have removed the marker during the drag.
     const auto held = static_cast<std::size_t>(std::max(0, drag_.point()));
     if (end != PointDrag::End::none && held < markers.size()) {
         tool.context.emit(commands::ChooseMarker{drag_.point()});
@@ -39,6 +41,7 @@ void MarkerTool::update(const ToolView& tool, Placing& placing) {
     } else if (tool.clicked() && !under) {
         if (const auto place = surface_under_mouse(tool)) {
             add_marker(tool.context, free_marker_name(*state.scene, placing.next_name), place->point);
+            // The typed name was for one marker; the next one gets a free name.
             placing.next_name.clear();
         }
     }

@@ -60,6 +60,7 @@ void MaterialPanel::draw_law_numbers(PanelContext& context) {
     if (law == state.materials.end()) return;
     for (const commands::ChoiceNumber& number : law->numbers) {
         commands::Settings settings = state.settings;
+        // A number that the settings lack has its usual value; it is written with the first edit only.
         double& value = settings.law.try_emplace(number.key, number.usual).first->second;
         const NumberField field{
             number.label, "model/" + number.key, commands::dimension_of_unit(number.unit), number.unit,

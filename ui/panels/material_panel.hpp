@@ -16,7 +16,7 @@ public:
     void draw(PanelContext& context) override;
 
 private:
-    /// Rows of the numbers that the chosen law has besides the moduli.
+    /// Rows of the numbers that the chosen law has in addition to the moduli.
     void draw_law_numbers(PanelContext& context);
 
     NumberEdits edit_;          // edits in progress in the material fields

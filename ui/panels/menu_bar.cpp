@@ -15,10 +15,10 @@
 namespace myo::ui::panels {
 namespace {
 
-// titles in order; the Tasks of the palette have no menu
+// Titles in order. The tasks that the palette offers have no menu.
 constexpr std::array<const char*, 5> menus{"File", "Edit", "View", "Run", "Help"};
 
-/// Submenus of File.
+/// Submenu of File with the files that were opened last.
 void draw_recent(PanelContext& context) {
     const auto& recent = context.state.preferences.recent;
     if (recent.empty() || !ImGui::BeginMenu("Open recent")) return;
@@ -151,6 +151,7 @@ void draw_scale_list(PanelContext& context, float width) {
     tooltip(context.theme, "Size of text and controls");
 }
 
+/// Button that switches to the other theme.
 void draw_theme_button(PanelContext& context, float width) {
     const commands::WorkbenchState& state = context.state;
     const bool dark = state.preferences.theme == platform::ThemeName::dark;
@@ -162,7 +163,7 @@ void draw_theme_button(PanelContext& context, float width) {
 
 constexpr float theme_button_width = 72.0f, scale_list_width = 84.0f, bar_gap = 12.0f;  // [pixels at scale 1]
 
-/// What the bar has room for besides its menus, which are always there.
+/// What the bar has room for in addition to its menus, which are always there.
 struct BarParts {
     bool name = true, theme = true, signs = true, scale = true;
 };

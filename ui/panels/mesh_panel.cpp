@@ -35,6 +35,7 @@ void MeshPanel::draw(PanelContext& context) {
 
 void MeshPanel::draw_resolution(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
+    // A floor, as a scene without a surface has no size until it is meshed.
     const double longest = std::max(commands::body_size(state).maxCoeff(), 1e-3);
     const commands::Limits range{longest / 120.0, longest / 3.0};
     const NumberField field{
@@ -51,6 +52,7 @@ void MeshPanel::draw_resolution(PanelContext& context) {
     bool goes_on = false;
     if (number_row(context, field, edit_, settings.resolution_m, goes_on))
         context.emit(commands::ChangeSettings{settings, "resolution", goes_on});
+    // Both controls edit the same number, so an edit has the same name for undo whichever is used.
     double shown = 1e3 * state.settings.resolution_m;
     if (slider_row(context, "body/resolution", {1e3 * range.lowest, 1e3 * range.highest}, true, slide_, shown,
                    goes_on)) {

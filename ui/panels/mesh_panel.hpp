@@ -20,6 +20,7 @@ public:
 private:
     /// Controls for element type and edge length, and the button that builds the mesh.
     void draw_mesh_settings(PanelContext& context);
+    /// Elements and degrees of freedom, counted or predicted, and the time per step that follows.
     void draw_mesh_size(PanelContext& context);
     /// Edge length of the elements: 3 to 120 elements along the longest side of the body.
     void draw_resolution(PanelContext& context);

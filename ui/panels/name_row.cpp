@@ -8,6 +8,7 @@ namespace myo::ui::panels {
 bool NameEdit::row(PanelContext& context, const std::string& label, const std::string& name, const std::string& tip,
                    std::string& value) {
     row_label(context.theme, label, tip);
+    // The typed text is kept apart from the value, which changes only when the field is left.
     std::string text = field_ == name ? typed_ : value;
     if (ImGui::InputText(("##" + name).c_str(), &text)) field_ = name, typed_ = text;
     context.items.mark(name);

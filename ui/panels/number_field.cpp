@@ -14,6 +14,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// What a typed text of the field may be: unit, limits, and the name for error messages.
 commands::QuantityRange range_of(const NumberField& field) {
     return {field.dimension, field.unit, field.quantity.empty() ? field.label : field.quantity, field.limits,
             field.whole_number};
@@ -28,7 +29,7 @@ std::string field_tip(const NumberField& field) {
     return field.tip + typing + ".";
 }
 
-/// Writes a sentence beside the last item: right of its window, where no other row is; below the item if there is no
+/// Writes a sentence next to the last item: right of its window, where no other row is; below the item if there is no
 /// room. Nothing moves.
 void explain_beside(PanelContext& context, const std::string& name, const std::string& sentence) {
     const platform::Theme& theme = context.theme;
@@ -125,6 +126,7 @@ bool draw_dragged(PanelContext& context, const NumberField& field, NumberEdits& 
 NumberEdits::Typed* NumberEdits::find(const std::string& name, double value, const std::string& subject) {
     const auto found = typed_.find(name);
     if (found == typed_.end()) return nullptr;
+    // A text that is being typed is kept whatever the value does: a job may change it meanwhile.
     if (found->second.subject == subject && (found->second.value == value || found->second.active))
         return &found->second;
     typed_.erase(found);
@@ -147,6 +149,7 @@ bool number_field(PanelContext& context, const NumberField& field, NumberEdits& 
     NumberEdits::Typed* typed = edits.find(field.name, value, owner);
     if (typed == nullptr) return draw_dragged(context, field, edits, value, goes_on, owner);
     goes_on = false;
+    // Typing ends a drag: the next one is an edit of its own.
     edits.drag.close();
     return draw_typed(context, field, edits, *typed, value);
 }

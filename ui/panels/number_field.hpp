@@ -27,6 +27,7 @@ struct NumberField {
 /// corrected. One object per group of fields, kept by the panel.
 class NumberEdits {
 public:
+    /// A text in one field.
     struct Typed {
         std::array<char, 128> text{};  // as typed, with a terminating zero
         std::string opened;            // the text that the field began with
@@ -40,11 +41,13 @@ public:
     /// The text of a field, null if its value is shown. Drops a refused text if the field has got another value or
     /// subject since, such as by undo.
     Typed* find(const std::string& name, double value, const std::string& subject);
+    /// Puts a text into a field in place of its value; the field gets the keyboard in the next frame.
     Typed& open(const std::string& name, const std::string& text, double value, const std::string& subject);
+    /// Shows the value of a field again.
     void drop(const std::string& name) { typed_.erase(name); }
 
     OpenEdit drag;          // drag in progress
-    std::string explained;  // name of the field whose refusal is explained beside it
+    std::string explained;  // name of the field whose refusal is explained next to it
 
 private:
     std::map<std::string, Typed> typed_;  // by the names of the fields
@@ -52,8 +55,8 @@ private:
 
 /// Draws the field alone, in an item whose width is set. Returns true if the value changed.
 ///
-/// Typed text is tried at Enter, Tab or when the field is left. What is refused stays there, red, with a sentence
-/// beside the field, and leaves the value as it is; Escape restores the old text. An accepted text is one edit.
+/// Typed text is tried at Enter, Tab or when the field is left. What is refused stays there, red, with a sentence next
+/// to the field, and leaves the value as it is; Escape restores the old text. An accepted text is one edit.
 ///
 /// @param value  SI; changed within the field's limits
 /// @param goes_on  set to whether the change continues a drag

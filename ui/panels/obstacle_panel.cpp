@@ -26,6 +26,7 @@ struct Downward {
     int axis = 2;
     double sign = -1.0;
 };
+/// @param gravity  [m/s²], in the frame of the mesh
 Downward downward(const Eigen::Vector3d& gravity) {
     Downward down;
     if (gravity.isZero()) return down;
@@ -34,6 +35,7 @@ Downward downward(const Eigen::Vector3d& gravity) {
     return down;
 }
 
+/// Shapes of obstacles that can be added.
 enum class Shape { plane, sphere, box };
 
 /// Lines of a new obstacle just below the body.
@@ -47,6 +49,7 @@ std::string new_obstacle(const commands::Scene& scene, Shape shape) {
     point(down.axis) = (down.sign < 0.0 ? body.lowest : body.highest)(down.axis);
     point += new_obstacle_policy.gap * diagonal * along;
     if (shape == Shape::plane)
+        // Adding zero turns the negative zeros of -along into zeros, so that the text has none.
         return "kind = \"plane\"\npoint_m = " + commands::place_text(point) +
                "\nnormal = " + toml::toml_vector(-along + Eigen::Vector3d::Zero()) + "\n";
     const Eigen::Vector3d centre = point + half * along;
@@ -56,15 +59,18 @@ std::string new_obstacle(const commands::Scene& scene, Shape shape) {
     return "kind = \"box\"\nbox_m = " + box_text({centre.array() - half, centre.array() + half}) + "\n";
 }
 
+/// Name of the shape in headings.
 const char* title_of(const commands::SceneObstacle& obstacle) {
     if (std::holds_alternative<commands::ScenePlane>(obstacle.shape)) return "Plane";
     return std::holds_alternative<commands::SceneSphere>(obstacle.shape) ? "Sphere" : "Box";
 }
 
+/// Field of a coordinate; vector_rows() adds label and name.
 NumberField place_field(const char* tip) {
     return {"", "", commands::Dimension::length, "mm", tip, {-10.0, 10.0}, 0.05};
 }
 
+/// Rows of the numbers of a shape. `path`: of the obstacle in the declaration.
 void draw_shape(PanelContext& context, const commands::SceneObstacle& obstacle, const toml::TomlPath& path,
                 const std::string& item, NumberEdits& edits) {
     const auto inside = [&](const char* key) {

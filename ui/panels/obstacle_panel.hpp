@@ -19,6 +19,7 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    /// Heading of an obstacle and, while it is open, its shape and friction. `index`: in Scene::obstacles.
     void draw_obstacle(PanelContext& context, std::size_t index);
 
     NumberEdits edits_;  // edits in progress in the fields of the open obstacle

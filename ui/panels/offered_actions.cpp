@@ -75,6 +75,7 @@ constexpr PlacingTool placing_tools[] = {
     {"tool/tendon", "Draw a tendon", commands::Task::fibres, Placing::Kind::guides},
     {"tool/chamber", "Pick the wall of a chamber", commands::Task::fibres, Placing::Kind::cavity}};
 
+/// Tools of the view: those of the menus, and those that panels switch on.
 void add_tools(std::vector<Action>& all, const commands::WorkbenchState& state) {
     if (!state.scene) return;
     // Tools that have a menu entry, under the word by which they are sought.
@@ -97,6 +98,7 @@ void add_tools(std::vector<Action>& all, const commands::WorkbenchState& state) 
     }
 }
 
+/// Pages of the manual.
 void add_pages(std::vector<Action>& all) {
     for (const help::ManualPage& page : help::manual_pages)
         all.push_back({std::string("page/") + page.name,

@@ -158,6 +158,8 @@ void PaintTool::draw_ring(const PanelContext& context, const viewport::DrawnScen
         }
         draw_outline(context, pixels);
     };
+    // A fill has no radius; a small ring shows the element that is clicked. The second ring is where the soft edge
+    // begins.
     if (state.brush.tool == commands::BrushTool::fill) return ring(0.25 * state.ground->places.edge_m);
     ring(state.brush.radius_m);
     if (state.brush.falloff > 0.0 && state.brush.falloff < 1.0)

@@ -37,9 +37,9 @@ private:
         Eigen::Vector3d rest_m;    // position at rest [m]
         Eigen::Vector3d outward;   // outward unit normal at rest
     };
-    /// The left button went down on the body.
+    /// The left button went down on the body: a stroke begins, or a region is filled.
     void press(PanelContext& context, const viewport::DrawnScene& scene, const Touch& touch);
-    /// The left button is held with the mouse on the body.
+    /// The left button is held with the mouse on the body: the stroke is extended.
     void go_on(const commands::WorkbenchState& state, const Touch& touch);
     /// Drops stroke and paint without emitting anything.
     void drop();

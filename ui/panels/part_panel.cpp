@@ -33,6 +33,7 @@ Box far_half(const commands::Scene& scene) {
     return half;
 }
 
+/// Key of a part in the declaration.
 toml::TomlPath key_of(std::size_t part, const char* key) { return {"part", part, key}; }
 
 /// A number of the part and how it is edited.
@@ -42,6 +43,7 @@ struct PartField {
     double commands::ScenePart::*value;
 };
 
+/// Numbers that every part has. The name of a field is completed by that of the part.
 const std::vector<PartField>& part_fields() {
     static const std::vector<PartField> fields{
         {{"Young's modulus E", "youngs_modulus", commands::Dimension::pressure, "kPa",
@@ -129,6 +131,7 @@ void PartPanel::draw_material(PanelContext& context, std::size_t index) {
     const bool before = own;
     ImGui::Checkbox("its own##part_damping", &own);
     context.items.mark(item + "/own_damping");
+    // A part that gets a damping of its own begins with that of the body, so that nothing changes until it is edited.
     if (own && !before) set("damping_s", context.state.settings.damping_s, item + "/own_damping", false);
     if (!own && before)
         context.emit(

@@ -21,8 +21,11 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    /// Heading of a part and, while it is open, its name, place and material. `index`: in Scene::parts.
     void draw_part(PanelContext& context, std::size_t index);
+    /// Row of the name; emitted when the field is left.
     void draw_name(PanelContext& context, std::size_t index);
+    /// Rows of modulus, Poisson's ratio, density and damping, and what a fit finds of them.
     void draw_material(PanelContext& context, std::size_t index);
 
     std::string typed_name_;          // of the open part, while it is typed

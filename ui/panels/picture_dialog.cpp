@@ -117,6 +117,7 @@ void PictureDialog::draw_motion(PanelContext& context) {
                 commands::Dimension::time,
                 "s",
                 "Time of the first picture",
+                // Each end limits the other, so that the range is never reversed.
                 {span[0], std::clamp(request_.to_s, span[0], span[1])},
                 1e-2,
                 "first time"},

@@ -38,7 +38,8 @@ bool assign_clicked(const PanelContext& context, const viewport::DrawnScene& sce
     return picked.has_value();
 }
 
-/// The body under the mouse, or next to it: markers sit on edges, and a click there often lies a pixel beside the body.
+/// The body under the mouse, or close to it: markers sit on edges, and a click there often misses the body by a pixel.
+/// Rings of growing radius around the mouse are tried, so that the nearest place is found first.
 std::optional<commands::PickedPlace> place_near(const PanelContext& context, const viewport::DrawnScene& scene,
                                                 const viewport::ViewportState& view) {
     constexpr int directions = 8;

@@ -7,6 +7,7 @@ namespace myo::ui::panels {
 
 using Kind = Placing::Kind;
 
+// Faces and cavities are taken by a click and not by a press, so a drag turns the camera.
 bool PlacingTools::takes(const PanelContext& context, const viewport::DrawnScene& scene,
                          const viewport::ViewportState& view, const Eigen::Vector2d& pixel) const {
     const double reach = static_cast<double>(marker_reach * context.theme.scale);
@@ -27,15 +28,18 @@ void PlacingTools::follow(PanelContext& context, viewport::ViewportState& view) 
         commands::BrushSettings none = state.brush;
         none.tool = commands::BrushTool::none;
         if (brush) context.emit(commands::ChangeBrush{none});
+        // Measuring or the brush was switched on later.
     } else if (context.placing.on() && (view.measuring || brush)) {
         context.placing = {};
     }
+    // Places are declared on the meshed body at rest, which an import or another experiment replaces.
     if (!state.body || state.import || state.scene->path != path_) context.placing = {};
     path_ = state.scene->path;
 }
 
 bool PlacingTools::update(PanelContext& context, const viewport::DrawnScene& scene, viewport::ViewportState& view) {
     follow(context, view);
+    // The first Escape drops what was begun, the second one ends the tool.
     if (context.placing.on() && escape_closes() && !cancel()) context.placing = {};
     kind_ = context.placing.kind;
     if (!context.placing.on()) {
@@ -57,6 +61,7 @@ void PlacingTools::show(const Placing& placing, const platform::Theme& theme, vi
 }
 
 bool PlacingTools::cancel() {
+    // Both are cancelled, not only the first that has something.
     const bool marker = markers_.cancel(), guide = guides_.cancel();
     return marker || guide;
 }

@@ -29,10 +29,10 @@ private:
     /// Drops what has been begun. Returns false if nothing has.
     bool cancel();
 
-    MarkerTool markers_;
-    TendonTool guides_;
-    RegionTool region_;
-    PickedSurface surface_;
+    MarkerTool markers_;                        // for Kind::markers
+    TendonTool guides_;                         // for Kind::guides
+    RegionTool region_;                         // for Kind::box and Kind::cavity
+    PickedSurface surface_;                     // of the open scene
     std::filesystem::path path_;                // of the scene in the last frame
     Placing::Kind kind_ = Placing::Kind::none;  // in the last frame
 };

@@ -19,6 +19,7 @@ bool ToolView::clicked() const {
 
 const mesh::SurfacePatches& PickedSurface::of(const commands::Scene& scene) {
     const mesh::SurfaceMesh& surface = scene.surface;
+    // By value: every edit of the declaration makes another scene, mostly with the same surface.
     const bool same = patches_ && surface.vertices.cols() == surface_.vertices.cols() &&
                       surface.triangles.cols() == surface_.triangles.cols() && surface.vertices == surface_.vertices &&
                       surface.triangles == surface_.triangles;
@@ -40,6 +41,7 @@ std::optional<mesh::SurfaceDistance::Nearest> surface_under_mouse(const ToolView
 
 PointDrag::End PointDrag::follow(const viewport::ViewportState& view, const std::optional<std::size_t>& under_mouse,
                                  const std::function<std::optional<Eigen::Vector3d>(std::size_t)>& place) {
+    // After a cancel the point is taken again only by another press.
     if (!view.tool_held) refused_ = false;
     if (view.tool_held && !held_ && !refused_) {
         if (!under_mouse) return End::none;
@@ -49,6 +51,7 @@ PointDrag::End PointDrag::follow(const viewport::ViewportState& view, const std:
     }
     if (!held_) return End::none;
     const ImGuiIO& io = ImGui::GetIO();
+    // A hand that trembles during a click does not move the point.
     const bool moved = io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Left] >=
                        io.MouseDragThreshold * io.MouseDragThreshold;
     if (view.tool_held) {

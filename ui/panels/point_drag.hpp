@@ -21,17 +21,20 @@ struct ToolView {
     const viewport::ViewportState& view;
     const mesh::SurfacePatches& surface;  // declared surface of the body, at rest
 
-    double reach() const;  // within which a click selects a point [pixels]
-    bool clicked() const;  // on the view, with a body that can be picked
+    /// Distance within which a click selects a point [pixels].
+    double reach() const;
+    /// Whether the view was clicked in this frame, with a body that can be picked.
+    bool clicked() const;
 };
 
 /// The declared surface of the body for nearest points, kept until another body is shown.
 class PickedSurface {
 public:
+    /// The surface of a scene, prepared again if it differs from the last one. Valid until the next call.
     const mesh::SurfacePatches& of(const commands::Scene& scene);
 
 private:
-    mesh::SurfaceMesh surface_;
+    mesh::SurfaceMesh surface_;  // of patches_, to see whether a scene has another one
     std::unique_ptr<mesh::SurfacePatches> patches_;
 };
 
@@ -43,7 +46,11 @@ std::optional<mesh::SurfaceDistance::Nearest> surface_under_mouse(const ToolView
 class PointDrag {
 public:
     /// How the drag ended in this frame.
-    enum class End { none, click, drop };
+    enum class End {
+        none,   // goes on, or there is none
+        click,  // released without having moved
+        drop    // released at place_m()
+    };
 
     /// Follows the mouse.
     ///
@@ -58,16 +65,17 @@ public:
     int point() const { return point_; }
     /// Where it has been dragged to; empty: it has not moved.
     const std::optional<Eigen::Vector3d>& place_m() const { return place_m_; }
+    /// Whether a drag is in progress.
     bool held() const { return held_; }
     /// Changes whenever the dragged place does, so that the view is drawn again.
     int revision() const { return revision_; }
 
 private:
-    int point_ = -1;
-    bool held_ = false;
-    bool refused_ = false;  // cancelled while the button is still down
-    std::optional<Eigen::Vector3d> place_m_;
-    int revision_ = 0;
+    int point_ = -1;                          // see point()
+    bool held_ = false;                       // see held()
+    bool refused_ = false;                    // cancelled while the button is still down
+    std::optional<Eigen::Vector3d> place_m_;  // see place_m()
+    int revision_ = 0;                        // see revision()
 };
 
 /// Draws a ring around a place in the view.

@@ -8,13 +8,14 @@ namespace myo::ui::panels {
 
 namespace {
 
-/// There is nothing to compare with after the last sample of the shown trial.
+/// Longest preview of the shown trial [s]: there is nothing to compare with after its last sample.
 double longest_preview_s(const commands::WorkbenchState& state) {
     constexpr double without_trial_s = 1e3;
     const commands::SceneTrial* const trial = state.scene_trial();
     return trial && trial->time_s.size() > 0 ? trial->time_s[trial->time_s.size() - 1] : without_trial_s;
 }
 
+/// State of the preview in a place of two lines, so that the rows below do not move while it is computed.
 void draw_preview_state(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const commands::LivePreview& preview = state.preview;

@@ -14,6 +14,7 @@ namespace {
 
 constexpr int list_lines = 8;  // of the list before it scrolls
 
+/// Word in the list. Without recordings nothing is compared, so that all are called probes.
 const char* kind_of(const commands::SceneMarker& marker, bool recorded) {
     return marker.probe || !recorded ? "probe" : "marker";
 }
@@ -53,6 +54,7 @@ void ProbePanel::draw_placing(PanelContext& context) {
     const bool placing = context.placing.sets(Placing::Kind::markers);
     ImGui::BeginDisabled(!context.state.body);
     if (toggle_button(context.theme, placing ? "End adding by clicking" : "Add by clicking", placing)) {
+        // A second press ends the tool; a press during another tool takes its place.
         context.placing = {};
         if (!placing) context.placing.kind = Placing::Kind::markers;
     }
@@ -111,6 +113,7 @@ void ProbePanel::draw_recorded(PanelContext& context, const commands::SceneMarke
     if (ImGui::Checkbox("##probe/recorded", &recorded)) {
         commands::SceneMarker changed = marker;
         changed.probe = !recorded;
+        // A marker becomes a probe by moving to another table. A probe has no label, so that of the marker goes.
         context.emit(
             commands::EditDeclaration{{commands::RemoveDeclared{marker_path(marker)},
                                        commands::RemoveDeclared{{"markers", "labels", marker.name}},

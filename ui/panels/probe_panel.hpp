@@ -23,13 +23,15 @@ public:
 private:
     /// Switch of the tool, and the name of what is added next.
     void draw_placing(PanelContext& context);
+    /// All markers and probes; a click selects one. Scrolls beyond eight.
     void draw_list(PanelContext& context);
+    /// Name, place and recording of the selected one, and the button that removes it.
     void draw_marker(PanelContext& context, const commands::SceneMarker& marker);
     /// Whether recordings hold the marker, and under which label.
     void draw_recorded(PanelContext& context, const commands::SceneMarker& marker);
 
-    NumberEdits edits_;
-    NameEdit names_;
+    NumberEdits edits_;  // edits in progress in the places and the stand-off
+    NameEdit names_;     // of name and label
 };
 
 }  // namespace myo::ui::panels

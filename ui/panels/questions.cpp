@@ -13,11 +13,13 @@ namespace {
 /// Buttons of equal width next to each other.
 class ButtonRow {
 public:
+    /// @param count  of the buttons that add() will draw
     ButtonRow(PanelContext& context, int count)
         : context_(context),
           width_((ImGui::GetContentRegionAvail().x - static_cast<float>(count - 1) * ImGui::GetStyle().ItemSpacing.x) /
                  static_cast<float>(count)) {}
 
+    /// Draws the next button. Returns true if it was pressed.
     bool add(const char* label, const char* item, bool primary = false) {
         if (!first_) ImGui::SameLine();
         first_ = false;
@@ -33,7 +35,8 @@ private:
     bool first_ = true;
 };
 
-// Each question: a dialog whose answer is emitted as a command; the state then no longer asks.
+// Each question: a dialog whose answer is emitted as a command; the state then no longer asks. Escape cancels what
+// asked.
 void ask_unit(PanelContext& context) {
     if (!begin_dialog(context.theme, "Unit of the file", 400.0f)) return;
     wrapped_text(context.state.unit_question->filename().string() +

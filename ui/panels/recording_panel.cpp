@@ -35,6 +35,7 @@ plot::Plot component_plot(const PanelContext& context, int axis, const Eigen::Ma
     plot.id = std::string("recording/") + "xyz"[axis];
     plot.panel.y = {.label = std::string(1, "xyz"[axis]) + " of " + elided(recording.labels[label], 0.4f * width),
                     .unit = "mm"};
+    // The line in the plot is the start of the trial, not the shown time.
     plot.cursor = import.choices.start_s;
     plot.panel.series.push_back(
         plot::plot_series("recorded", recording.time_s, track.row(axis).transpose(), context.theme.measured, true));

@@ -27,6 +27,8 @@ private:
     void follow(const commands::RecordingImport& import);
     /// @param area  of the first plot, for the time axis
     /// @param height  of a row [pixels]
+    /// Rows of all labels below the plots.
+    ///
     void draw_gaps(PanelContext& context, const plot::PlotArea& area, float height);
 
     std::shared_ptr<const measurement::Recording> recording_;   // of seen_ and the zoom

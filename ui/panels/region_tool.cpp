@@ -20,6 +20,7 @@ const commands::SceneCavity* cavity_at(const commands::Scene& scene, int triangl
     return nullptr;
 }
 
+/// Box around the wall of a cavity [m], for the tint.
 Box box_of(const commands::SceneCavity& cavity) {
     Box box{cavity.inside_m, cavity.inside_m};
     for (const auto& wall : cavity.wall.triangles.colwise())
@@ -39,6 +40,7 @@ void RegionTool::update(const ToolView& tool, Placing& placing) {
 
 void RegionTool::update_box(const ToolView& tool, Placing& placing) {
     const auto under = tool.view.hovered ? surface_under_mouse(tool) : std::nullopt;
+    // The face is sought only when the mouse reaches another triangle.
     if (!under)
         hover(std::nullopt, -1);
     else if (under->triangle != triangle_)

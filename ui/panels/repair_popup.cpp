@@ -13,6 +13,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// How repairs are written, and limits of the fields.
 struct RepairWritingPolicy {
     double times_per_s = 1e6;         // to which the ends of a span are rounded: far below the interval of any camera
     double least_window_s = 1e-3;     // of smoothing
@@ -20,13 +21,15 @@ struct RepairWritingPolicy {
 };
 constexpr RepairWritingPolicy repair_writing_policy;
 
+/// Index of the shown trial in the declaration.
 std::size_t trial_index(const commands::WorkbenchState& state) { return static_cast<std::size_t>(state.trial); }
 
+/// Name of the shown marker, whose recording is repaired.
 const std::string& marker_name_of(const commands::WorkbenchState& state) {
     return state.scene->markers[static_cast<std::size_t>(state.marker)].name;
 }
 
-/// Time in the recording as it is written.
+/// Text of a time of the trial as a time of its recording, as repairs are declared.
 std::string file_time(const commands::SceneTrial& trial, double time_s) {
     const double per_s = repair_writing_policy.times_per_s;
     return toml::toml_number(std::round((time_s + trial.repairs.start_s) * per_s) / per_s);
@@ -71,6 +74,7 @@ void RepairPopup::draw(PanelContext& context, const char* label, std::optional<c
     draw_repairs(context, trial, span.value_or(chart::Range{}));
     ImGui::EndDisabled();
     draw_made(context, trial);
+    // The popup covers the head of the side panel, where a refused edit is reported otherwise.
     if (!context.state.refused.empty()) notice(context.theme, commands::LogLevel::warning, context.state.refused);
     ImGui::EndPopup();
 }
@@ -146,6 +150,7 @@ void RepairPopup::draw_swap(PanelContext& context, const commands::SceneTrial& t
     for (std::size_t m = 0; m < markers.size(); ++m)
         if (static_cast<int>(m) != context.state.marker) others.push_back({std::to_string(m), markers[m].name, ""});
     if (others.empty()) return;
+    // The marker chosen last may be the shown one by now.
     std::string chosen = std::to_string(with_);
     if (std::none_of(others.begin(), others.end(), [&](const commands::Choice& c) { return c.id == chosen; }))
         chosen = others.front().id;

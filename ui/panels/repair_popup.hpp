@@ -20,15 +20,18 @@ public:
     void draw(PanelContext& context, const char* label, std::optional<chart::Range>& span);
 
 private:
+    /// Rows of the first and last time, and a button for the whole trial.
     void draw_span(PanelContext& context, const commands::SceneTrial& trial, std::optional<chart::Range>& span);
     /// Buttons of the repairs. `span`: times of the trial [s].
     void draw_repairs(PanelContext& context, const commands::SceneTrial& trial, const chart::Range& span);
+    /// List of the other markers, and the button that exchanges the samples.
     void draw_swap(PanelContext& context, const commands::SceneTrial& trial, const chart::Range& span);
+    /// List of the repairs of the trial, each with a button that removes it.
     void draw_made(PanelContext& context, const commands::SceneTrial& trial);
 
     int with_ = 0;            // index of the marker to swap with
-    double window_s_ = 0.05;  // of smoothing
-    NumberEdits edits_;
+    double window_s_ = 0.05;  // width of the window of smoothing [s]
+    NumberEdits edits_;       // edits in progress in the times
 };
 
 }  // namespace myo::ui::panels

@@ -62,6 +62,7 @@ void ReportPanel::draw_folder(PanelContext& context) {
         dialog.button = "Choose";
         dialog.folders = true;
         dialog.start = std::filesystem::path(folder_).parent_path();
+        // Panels live as long as the window, and so longer than its dialogs.
         dialog.chosen = [this](PanelContext&, const std::filesystem::path& path) { folder_ = path.string(); };
         context.window.file = std::move(dialog);
     }

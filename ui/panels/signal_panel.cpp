@@ -57,6 +57,7 @@ FileDialog export_dialog(const commands::WorkbenchState& state) {
     return dialog;
 }
 
+/// List that selects the edited muscle.
 void draw_muscle_list(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const commands::Muscle& muscle = *state.chosen_muscle();
@@ -118,6 +119,8 @@ std::array<double, 2> knot_place(const plot::PlotArea& area, const ImVec2& mouse
 }
 
 /// @param grabbed  the dragged knot, which is larger
+/// Draws the knots over the plot, and records them for tests.
+///
 void draw_knots(PanelContext& context, const plot::PlotArea& area, const fibre::Signal& signal,
                 std::optional<std::size_t> grabbed) {
     const platform::Theme& theme = context.theme;

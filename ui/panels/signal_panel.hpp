@@ -30,6 +30,7 @@ private:
     /// Emits a new signal of the selected muscle. Empty: the signals recorded by the trials.
     static void give_signal(PanelContext& context, std::optional<fibre::Signal> signal, const std::string& what,
                             bool goes_on);
+    /// What a declared muscle's signal is: the recorded one, or an edited one with the button that restores it.
     void draw_recorded(PanelContext& context);
     /// Numbers of the recipe, those of its shape only.
     void draw_recipe(PanelContext& context);
@@ -42,6 +43,8 @@ private:
     /// The plot with the signals of all muscles.
     void draw_curve(PanelContext& context);
     /// @param plot  result of drawing the plot that the knots lie on
+    /// Draws the knots and moves, adds and removes them with the mouse.
+    ///
     void edit_knots(PanelContext& context, const fibre::Signal& signal, const plot::PlotResult& plot);
 
     commands::SignalRecipe recipe_;                         // of the generator

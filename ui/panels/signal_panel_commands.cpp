@@ -10,6 +10,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Time axis of a trial without duration.
 struct HeldPlotPolicy {
     double around_s = 0.5;  // time that is drawn before and behind a held pose
 };
@@ -21,6 +22,7 @@ std::map<std::string, plot::Plot> plots_of(const PanelContext& context, const co
     std::map<std::string, plot::Plot> plots;
     std::size_t actuator = 0;
     const auto add = [&](const std::string& name, const char* what) {
+        // Counted also where the trial has no command, as the colour belongs to the actuator.
         const viewport::Color color = commands::actuator_color(context.state, context.theme, actuator++);
         const auto found = trial.commands.find(name);
         if (found == trial.commands.end()) return;
@@ -54,6 +56,7 @@ bool SignalPanel::draw_commands(PanelContext& context) {
     std::map<std::string, plot::Plot> plots = plots_of(context, *trial);
     const auto count = static_cast<float>(plots.size());
     const float gap = ImGui::GetStyle().ItemSpacing.y;
+    // The plots share the height, whatever their number.
     const float height = (ImGui::GetContentRegionAvail().y - (count - 1.0f) * gap) / count;
     for (auto& [unit, plot] : plots) {
         const plot::PlotResult drawn = plot::draw_plot(plot, {ImGui::GetContentRegionAvail().x, height}, context.theme,

@@ -6,7 +6,7 @@
 namespace myo::ui::panels {
 namespace {
 
-/// In the order of commands::SignalShape.
+/// Shapes of a recipe, in the order of commands::SignalShape.
 const std::vector<commands::Choice>& shape_choices() {
     static const std::vector<commands::Choice> choices{
         {"constant", "Constant", "The same value at all times."},

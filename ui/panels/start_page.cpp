@@ -97,6 +97,7 @@ void draw_examples(PanelContext& context, float room) {
     }
 }
 
+/// List of the recent files: icon of their kind, name, and folder.
 void draw_recent_files(PanelContext& context, float width) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;

@@ -22,6 +22,7 @@ std::string trial_text(const commands::SceneTrial& trial) {
            (interval > 0.0 ? " at " + plot::plain_label(1.0 / interval, 4) + " Hz" : "");
 }
 
+/// All rows: name, mesh, settings and trials.
 std::vector<Row> summary_rows(const commands::WorkbenchState& state) {
     std::vector<Row> rows{{"Name", state.scene->name}};
     // A mesh of other settings would not be that of the rows below it.

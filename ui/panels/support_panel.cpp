@@ -31,6 +31,7 @@ constexpr std::array<AxisDirection, 6> directions{{{"x_low", "Low end of x", "Al
                                                    {"z_low", "Low end of z", "Along -z", 2, false},
                                                    {"z_high", "High end of z", "Along +z", 2, true}}};
 
+// Ids of the entries that are no axis.
 const char* const other = "other";
 const char* const none = "none";
 
@@ -70,11 +71,13 @@ void SupportPanel::draw_support(PanelContext& context) {
     const Box body = mesh::bounding_box(scene.surface.vertices);
     std::vector<commands::Choice> choices;
     std::string chosen = other;
+    // The declaration knows boxes only: the end is recognised by the text of its box.
     const std::string now = scene.clamp_m ? box_text(*scene.clamp_m) : "";
     for (const AxisDirection& d : directions) {
         choices.push_back({d.id, d.end, "Holds the end of the body, one hundredth of its length deep."});
         if (now == box_text(end_box(body, d.axis, d.upper))) chosen = d.id;
     }
+    // A reversed box holds nothing.
     const bool clamped = scene.clamp_m && (scene.clamp_m->lowest.array() <= scene.clamp_m->highest.array()).all();
     if (!clamped) chosen = none;
     choices.push_back({none, "None", "Without a clamp the supports below hold the body, or obstacles bear it."});
@@ -113,6 +116,7 @@ void SupportPanel::draw_gravity(PanelContext& context) {
         Eigen::Vector3d value = Eigen::Vector3d::Zero();
         for (const AxisDirection& d : directions)
             if (chosen == d.id) value = (d.upper ? 1.0 : -1.0) * standard_gravity_m_s2 * Eigen::Vector3d::Unit(d.axis);
+        // Adding zero turns negative zeros into zeros, so that the text has none.
         context.emit(commands::EditDeclaration{
             {commands::SetDeclared{path, toml::toml_vector(value + Eigen::Vector3d::Zero())}}, "support/gravity"});
     }

@@ -17,7 +17,9 @@ public:
     void draw(PanelContext& context) override;
 
 private:
+    /// Clamp: an end of the body, a box or none; and below it the other supports.
     void draw_support(PanelContext& context);
+    /// Direction and components of gravity.
     void draw_gravity(PanelContext& context);
 
     NumberEdits edits_;  // drag in progress in one of the number fields

@@ -11,7 +11,7 @@
 namespace myo::ui::panels {
 namespace {
 
-/// "y, z"
+/// Names of the held axes: "y, z".
 std::string axes_words(const std::array<bool, 3>& held) {
     std::string words;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -19,6 +19,7 @@ std::string axes_words(const std::array<bool, 3>& held) {
     return words;
 }
 
+/// Buttons that add a support: at the free end, or at a face that is clicked.
 void draw_add(PanelContext& context) {
     const commands::Scene& scene = *context.state.scene;
     const toml::TomlPath array{"support"};

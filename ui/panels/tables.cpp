@@ -62,6 +62,7 @@ void text_cell(const platform::Theme& theme, const std::string& text, const ImVe
 }
 
 bool begin_side_table(const char* id, int columns) {
+    // The table is wider than the panel's content by its padding, so that its texts align with the rows above.
     const float margin = ImGui::GetStyle().CellPadding.x, width = ImGui::GetContentRegionAvail().x;
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() - margin);
     return ImGui::BeginTable(id, columns, ImGuiTableFlags_RowBg | ImGuiTableFlags_PadOuterX,

@@ -20,10 +20,12 @@ struct NewTendonPolicy {
 };
 constexpr NewTendonPolicy new_tendon_policy;
 
+// Commands of the two drives, for the rows of a trial.
 const CommandField tension{commands::Dimension::force, "N", "Tension", {0.0, 1e4}, 0.01, new_tendon_policy.tension_N};
 const CommandField shortening{commands::Dimension::length,   "mm", "Shortening", {-1.0, 1.0}, 0.01,
                               new_tendon_policy.shortening_m};
 
+/// The path [m] without one of its guides.
 Eigen::Matrix3Xd without_guide(const Eigen::Matrix3Xd& path_m, Eigen::Index guide) {
     Eigen::Matrix3Xd left(3, path_m.cols() - 1);
     left << path_m.leftCols(guide), path_m.rightCols(path_m.cols() - guide - 1);
@@ -55,6 +57,7 @@ void TendonPanel::draw_new(PanelContext& context) {
     if (toggle_button(context.theme, drawing ? "Drawing a tendon\xe2\x80\xa6" : "Add by clicking##tendon", drawing)) {
         context.placing = {};
         if (!drawing) context.placing.kind = Placing::Kind::guides;
+        // The new tendon will be the last one; until it exists, draw() clamps the index.
         chosen_ = context.state.scene->declared.tendons.size();
     }
     ImGui::EndDisabled();
@@ -174,6 +177,7 @@ void TendonPanel::draw_guides(PanelContext& context, std::size_t t) {
                 set_tendon_path(context, t, changed, field.name, goes_on);
             ImGui::SameLine();
         }
+        // A thread needs two ends.
         ImGui::BeginDisabled(path_m.cols() <= 2);
         if (ImGui::Button(platform::icon::remove, {button, 0.0f}))
             set_tendon_path(context, t, without_guide(path_m, g), item + "/remove");

@@ -22,15 +22,17 @@ public:
 private:
     /// Switch of the tool that draws a new tendon.
     void draw_new(PanelContext& context);
+    /// Rows of a tendon by its index in the declaration.
     void draw_tendon(PanelContext& context, std::size_t tendon);
+    /// What the motor prescribes, stiffness and friction of the thread.
     void draw_drive(PanelContext& context, std::size_t tendon);
     /// Rows of the guides, and the switch that lets them be dragged.
     void draw_guides(PanelContext& context, std::size_t tendon);
 
-    NumberEdits edits_;
-    NameEdit names_;
+    NumberEdits edits_;       // edits in progress in all number fields
+    NameEdit names_;          // of the name
     std::size_t chosen_ = 0;  // tendon that is shown
-    double depth_m_ = 0.0;    // of new guides
+    double depth_m_ = 0.0;    // of new guides below the surface [m]
 };
 
 }  // namespace myo::ui::panels

@@ -14,14 +14,17 @@ constexpr double thread_width = 2.5;  // [pixels]
 constexpr float guide_radius = 5.0f;  // of the dot of a guide [pixels at scale 1]
 constexpr std::size_t least_guides = 2;
 
+/// Places as columns, 3 x n.
 Eigen::Matrix3Xd matrix_of(const std::vector<Eigen::Vector3d>& places) {
     Eigen::Matrix3Xd matrix(3, static_cast<Eigen::Index>(places.size()));
     for (std::size_t i = 0; i < places.size(); ++i) matrix.col(static_cast<Eigen::Index>(i)) = places[i];
     return matrix;
 }
 
+/// Whether a key was pressed for the view, and not for a text field.
 bool pressed(ImGuiKey key) { return ImGui::IsKeyPressed(key, false) && !ImGui::GetIO().WantTextInput; }
 
+/// Dots at the guides, with a ring around the one that was clicked last.
 void draw_guides(const ToolView& tool, const std::vector<Eigen::Vector3d>& places, int chosen) {
     const platform::Theme& theme = tool.context.theme;
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -74,6 +77,7 @@ void TendonTool::react_to_keys(const ToolView& tool, Placing& placing, const std
     if (pressed(ImGuiKey_Delete) && chosen_ >= 0 && chosen_ < static_cast<int>(places.size())) {
         std::vector<Eigen::Vector3d> left = places;
         left.erase(left.begin() + chosen_);
+        // A declared tendon keeps two guides; a new one may lose all.
         if (placing.tendon < 0)
             begun_m_ = left;
         else if (left.size() >= least_guides)
@@ -81,6 +85,7 @@ void TendonTool::react_to_keys(const ToolView& tool, Placing& placing, const std
         chosen_ = -1;
     }
     if (!pressed(ImGuiKey_Enter) && !pressed(ImGuiKey_KeyPadEnter)) return;
+    // Enter too early is ignored: a thread with one guide cannot be declared.
     if (placing.tendon < 0 && begun_m_.size() < least_guides) return;
     if (placing.tendon < 0) add_tendon(tool.context, matrix_of(begun_m_));
     begun_m_.clear();
@@ -92,6 +97,7 @@ void TendonTool::update(const ToolView& tool, Placing& placing) {
     const bool taken = drag_guides(tool, placing, places);
     if (tool.clicked() && !taken && placing.tendon < 0)
         if (const auto place = surface_under_mouse(tool)) {
+            // New guides lie below the clicked surface, as channels in a body do.
             begun_m_.push_back(place->point - placing.depth_m * tool.surface.normal(place->triangle));
             places = begun_m_;
             chosen_ = static_cast<int>(places.size()) - 1;
@@ -114,6 +120,7 @@ void TendonTool::show(const platform::Theme& theme, viewport::DrawnScene& drawn)
 
 bool TendonTool::cancel() {
     const bool any = drag_.held() || !begun_m_.empty();
+    // During a drag only the drag is dropped; the guides that were clicked stay.
     if (!drag_.held()) begun_m_.clear(), shown_m_.clear();
     drag_.cancel();
     chosen_ = -1;

@@ -85,6 +85,7 @@ void derived_row(PanelContext& context, const char* label, const char* item, con
     context.items.mark(item);
 }
 
+/// Row of the frequency error of the present step, with the state of its check.
 void draw_frequency_error(PanelContext& context, const commands::StepQuality& quality) {
     const platform::Theme& theme = context.theme;
     row_label(theme, "Frequency error",
@@ -115,6 +116,7 @@ void draw_stable_range(PanelContext& context, const commands::Limits& range, dou
     }
 }
 
+/// Tooltip of the curve, and its item for tests.
 void explain_measured_damping(PanelContext& context, const plot::PlotResult& drawn) {
     context.items.add("model/measured_damping", drawn.area.pixels);
     // Not while the line is dragged.
@@ -260,6 +262,7 @@ void TimePanel::update_damping_curve(const CurveKey& key, commands::Settings set
     curve_key_ = key;
     // Up to 20 ms, or to the limit of the step if the present one is longer.
     step_ms_ = Eigen::VectorXd::LinSpaced(41, 0.0, 1e3 * key.longest_s);
+    // The schemes are not defined for a step of zero.
     step_ms_(0) = 1e3 * commands::time_step_limits.lowest;
     ratio_.resize(step_ms_.size());
     for (Eigen::Index i = 0; i < ratio_.size(); ++i) {

@@ -32,8 +32,11 @@ private:
     void draw_damping_curve(PanelContext& context, const commands::Choice& scheme);
 
     struct CurveKey;
+    /// Computes the curve for another key, and resets its zoom.
     void update_damping_curve(const CurveKey& key, commands::Settings settings, const commands::Choice& scheme);
     /// @param measured  damping ratio of the measured vibration at its own frequency; NaN: none
+    /// Plot of the damping ratio over the step [ms], with a line at the present step.
+    ///
     plot::Plot damping_plot(const PanelContext& context, double measured) const;
 
     // Drags in progress: number fields, sliders, the line in the curve, and the preview length.
@@ -44,7 +47,7 @@ private:
 
     // Inputs of the damping curve; the curve is computed again if one of them changes.
     struct CurveKey {
-        std::string integrator;
+        std::string integrator;  // id of the time scheme
         double spectral_radius = 0.0;
         double frequency_Hz = 0.0;
         double longest_s = 0.0;  // greatest step of the curve
@@ -53,8 +56,8 @@ private:
     CurveKey curve_key_;               // inputs of the present curve
     Eigen::VectorXd step_ms_, ratio_;  // the damping curve: steps and damping ratios
     plot::LinkedAxis axis_;            // zoom of the curve
-    plot::PlotState plot_;
-    plot::HiddenSeries hidden_;
+    plot::PlotState plot_;             // zoom of the value axis
+    plot::HiddenSeries hidden_;        // curves switched off in the legend
 };
 
 }  // namespace myo::ui::panels

@@ -89,6 +89,7 @@ void draw_track(PanelContext& context, const std::array<double, 2>& span, float 
     list.AddCircleFilled({x, middle}, 7.0f * s, platform::packed(theme.accent), 24);
 }
 
+/// Buttons that go to the start and play. `start_s`: first time that can be shown.
 void draw_play_buttons(PanelContext& context, double start_s) {
     const commands::WorkbenchState& state = context.state;
     const float s = context.theme.scale;

@@ -23,8 +23,10 @@ struct NewTrialPolicy {
 };
 constexpr NewTrialPolicy new_trial_policy;
 
+/// Index of the shown trial in the declaration.
 std::size_t index_of(const commands::WorkbenchState& state) { return static_cast<std::size_t>(state.trial); }
 
+/// Key within a table of the declaration.
 toml::TomlPath inside(toml::TomlPath table, const char* key) {
     table.emplace_back(key);
     return table;
@@ -72,6 +74,7 @@ void TrialPanel::draw_list(PanelContext& context) {
                                           "\nrole = \"simulate\"\nduration_s = " +
                                           toml::toml_number(new_trial_policy.duration_s) + "\nstart = \"straight\"\n"}},
             "trial/add"});
+        // Executed after the edit, when the new trial is the last one.
         context.emit(commands::ChooseTrial{static_cast<int>(scene.trials.size())});
     }
     context.items.mark("trial/add");
@@ -106,6 +109,7 @@ void TrialPanel::draw_trial(PanelContext& context) {
     if (!ImGui::IsItemActive()) named_trial_ = -1;
     if (trial.role != "simulate") draw_role(context);
     if (trial.repairs.possible) draw_recording_end(context);
+    // A recording has its own duration.
     if (!(trial.duration_s > 0.0)) return;
     double duration_s = trial.duration_s;
     bool goes_on = false;

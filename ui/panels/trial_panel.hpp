@@ -23,8 +23,11 @@ private:
     void draw_list(PanelContext& context);
     /// Name and duration of the shown trial.
     void draw_trial(PanelContext& context);
+    /// Whether the recording is fitted or predicted.
     void draw_role(PanelContext& context);
+    /// Time after which the recording is not used.
     void draw_recording_end(PanelContext& context);
+    /// Loads of the shown trial, and buttons that add one.
     void draw_loads(PanelContext& context);
 
     std::string typed_name_;  // of the shown trial, while it is typed

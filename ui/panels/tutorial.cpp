@@ -8,6 +8,7 @@ namespace {
 using commands::Task;
 using commands::WorkbenchState;
 
+// Conditions of the steps. Each reads the state only, so that a step done by any means is ticked.
 bool has_open_body(const WorkbenchState& state) { return state.scene != nullptr; }
 
 bool has_mesh(const WorkbenchState& state) { return state.mesh_is_current(); }

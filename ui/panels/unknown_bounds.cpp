@@ -11,6 +11,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Ids of the ways in which bounds are given.
 const char* const usual_id = "usual";
 const char* const bounds_id = "bounds";
 const char* const tolerance_id = "tolerance";
@@ -22,6 +23,7 @@ struct NewBoundsPolicy {
 };
 constexpr NewBoundsPolicy new_bounds_policy;
 
+/// Way that the experiment declares for a value.
 const char* id_of(const commands::SceneUnknown& unknown) {
     if (unknown.declared_tolerance) return tolerance_id;
     return unknown.declared_lowest || unknown.declared_highest ? bounds_id : usual_id;
@@ -30,11 +32,13 @@ const char* id_of(const commands::SceneUnknown& unknown) {
 /// Unit in which values are shown.
 std::string shown_unit(const std::string& si) { return si == "Pa" ? "kPa" : si == "m" ? "mm" : si; }
 
+/// SI value of the shown unit; 1 for a value without a unit, or with one that no field knows.
 double si_per_shown(const std::string& si) {
     const commands::Unit* const unit = commands::find_unit(commands::dimension_of_unit(si), shown_unit(si));
     return unit ? unit->si() : 1.0;
 }
 
+/// Field of a bound or tolerance, in the unit of its value.
 NumberField field_of(const commands::SceneUnknown& unknown, const std::string& label, const std::string& name,
                      const char* tip) {
     // A modulus is positive; nothing else is known about a bound.
@@ -51,6 +55,7 @@ NumberField field_of(const commands::SceneUnknown& unknown, const std::string& l
     return field;
 }
 
+/// TOML lines of new bounds or of a tolerance. Bounds begin with those that hold now, where they are finite.
 std::string keys_text(const std::string& kind, const commands::SceneUnknown& unknown) {
     const double half = new_bounds_policy.half_width * (unknown.value != 0.0 ? std::abs(unknown.value) : 1.0);
     if (kind == tolerance_id) return "tolerance = " + toml::toml_number(half) + "\n";
@@ -71,6 +76,7 @@ void set_kind(PanelContext& context, const std::string& kind, const commands::Sc
     context.emit(commands::EditDeclaration{std::move(edits), item + "/kind"});
 }
 
+/// Row of one number of a declared unknown. `key`: in its table.
 void number(PanelContext& context, const commands::SceneUnknown& unknown, const NumberField& field, const char* key,
             double value, NumberEdits& edits) {
     bool goes_on = false;
@@ -82,6 +88,7 @@ void number(PanelContext& context, const commands::SceneUnknown& unknown, const 
             goes_on});
 }
 
+/// Bounds of a value as a button; while it is open, how they are given.
 void draw_unknown(PanelContext& context, const commands::SceneUnknown& unknown, NumberEdits& edits) {
     const std::string item = "unknown/bounds/" + unknown.name;
     const double per_unit = si_per_shown(unknown.unit);

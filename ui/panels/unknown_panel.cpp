@@ -12,6 +12,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// A value of the material, or the levels of the actuation, that a fit may find.
 struct Unknown {
     const char* id;  // in material.calibrate
     const char* label;

@@ -33,7 +33,8 @@ void draw_range_end(PanelContext& context, const commands::FieldKind& kind, Numb
     if (number_field(context, field, edits, shown, goes_on, kind.id)) value = scale * shown;
 }
 
-/// Two fields beside each other. The ends stay apart: an empty or reversed range has no colours.
+/// Two fields next to each other, in the order of the colours. The ends stay apart: an empty or reversed range has no
+/// colours.
 void draw_range_ends(PanelContext& context, const commands::FieldKind& kind, NumberEdits& edits,
                      std::array<double, 2>& range) {
     const double far = 1e15 * kind.per_unit, infinity = std::numeric_limits<double>::infinity();
@@ -102,6 +103,7 @@ std::string words_about(const commands::FieldKind& kind, const std::string& need
            (needed.empty() ? "" : "\n\n" + needed);
 }
 
+/// Entries of the open list: none, and all fields with what they need.
 void draw_field_entries(PanelContext& context, const std::vector<commands::FieldKind>& kinds,
                         commands::ViewOptions& view) {
     if (ImGui::Selectable("None", view.field.empty())) view.field.clear();

@@ -20,7 +20,7 @@ namespace {
 float label_width() { return std::floor(0.47f * ImGui::GetWindowContentRegionMax().x); }
 
 /// Right edge of the panel at the left of the window that the item belongs to, if a tooltip of this width [pixels] has
-/// room beside it; else 0.
+/// room next to it; else 0.
 float side_of_panel(float width, float scale) {
     const float display = ImGui::GetIO().DisplaySize.x, margin = 48.0f * scale;
     const ImGuiWindow* const panel = ImGui::GetCurrentWindow()->RootWindow;
@@ -38,7 +38,7 @@ void tooltip(const platform::Theme& theme, const std::string& text, float width)
     const ImVec2 lowest = ImGui::GetItemRectMin(), highest = ImGui::GetItemRectMax(),
                  display = ImGui::GetIO().DisplaySize;
     const float gap = 4.0f * theme.scale;
-    // What is beside a list of fields would be read next: in the side panel the tooltip stands over the view.
+    // The rows around a field would be read next: in the side panel the tooltip stands over the view.
     const float beside = side_of_panel(width * theme.scale, theme.scale);
     if (highest.y - lowest.y < 3.0f * ImGui::GetFrameHeight() && beside > 0.0f) {
         const bool above = highest.y > 0.6f * display.y;

@@ -59,8 +59,9 @@ const char* level_icon(commands::LogLevel level);
 /// Draws a message with the icon of its level.
 void notice(const platform::Theme& theme, commands::LogLevel level, const std::string& text);
 
-/// The same in a place of this many lines, whatever the text: nothing below it moves. A longer text is shortened; its
-/// tooltip has the whole. An empty text leaves the place free. Afterwards the place is ImGui's last item.
+/// Draws a message as notice() in a place of this many lines, whatever the text: nothing below it moves. A longer text
+/// is shortened; its tooltip has the whole. An empty text leaves the place free. Afterwards the place is ImGui's last
+/// item.
 void notice_in_place(const platform::Theme& theme, commands::LogLevel level, const std::string& text, int lines);
 
 /// A button in the accent colour, for the next thing to do. At most one should be visible at a time. Returns true if it

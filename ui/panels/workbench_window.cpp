@@ -51,6 +51,7 @@ constexpr std::pair<HelpRequest::Part, const char*> help_parts[] = {{HelpRequest
                                                                     {HelpRequest::Part::manual, "manual"},
                                                                     {HelpRequest::Part::shortcuts, "keys"}};
 
+/// The panel in front of the strip, in a child window that scrolls.
 void draw_front(PanelContext& context, Panel& panel) {
     ImGui::BeginChild(panel.name().c_str());
     panel.draw(context);

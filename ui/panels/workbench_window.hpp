@@ -80,7 +80,7 @@ public:
     const viewport::ViewportState& viewport() const { return viewport_; }
     /// The drawn scene, for tests.
     const viewport::DrawnScene& scene() const { return scene_; }
-    /// The compared run beside it, for tests.
+    /// The scene of the compared run, for tests.
     const viewport::DrawnScene& compared_scene() const { return compared_.scene(); }
     /// Whether values of the field that colours the body are still being computed.
     bool waits_for_field() const { return fields_.waits(); }
@@ -155,7 +155,7 @@ private:
     commands::Workbench* workbench_ = nullptr;  // not owned; outlives the window
     platform::Interface interface_;
     viewport::SceneRenderer renderer_;
-    ComparedView compared_;  // beside the shown run, if asked for
+    ComparedView compared_;  // next to the shown run, if asked for
     platform::FramePacer pacer_;
     std::vector<std::unique_ptr<Panel>> panels_;  // all panels, also those that are not shown
     commands::Task task_ = commands::Task::body;  // shown in the side panel
