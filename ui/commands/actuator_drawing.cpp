@@ -41,6 +41,7 @@ Matrix3Xd outline(const MeshedBody& body, const std::vector<int>& walls, const M
         }
     std::vector<Vector3d> points;
     for (const auto& [edge, faces] : faces_at) {
+        // Flat parts of a wall have no lines.
         if (faces.size() == 2 && normal_at_rest(body, faces[0]).dot(normal_at_rest(body, faces[1])) > sharp_cosine)
             continue;
         points.push_back(positions.col(edge.first));
@@ -52,6 +53,7 @@ Matrix3Xd outline(const MeshedBody& body, const std::vector<int>& walls, const M
     return line;
 }
 
+/// Place of a guide now [m]: the weighted mean of its nodes, or where it stands still.
 Vector3d place_of(const ThreadGuide& guide, const Matrix3Xd& positions) {
     if (guide.nodes.empty()) return guide.rest_m;
     Vector3d place = Vector3d::Zero();
@@ -63,6 +65,7 @@ Vector3d place_of(const ThreadGuide& guide, const Matrix3Xd& positions) {
 /// Adds the thread, and a small cross at each guide.
 void add_tendon(viewport::DrawnScene& drawn, const ShownTendon& tendon, const viewport::Color& color) {
     viewport::DrawnLine thread{Matrix3Xd(3, static_cast<Index>(tendon.guides.size())), color, 2.5}, marks = thread;
+    // Three bars along the axes, each of two points and a gap.
     marks.points.resize(3, 9 * thread.points.cols());
     const double half = 0.5 * guide_length * drawn.extent.size().norm();
     for (Index i = 0; i < thread.points.cols(); ++i) {

@@ -5,7 +5,9 @@
 
 namespace myo::ui::commands {
 
-/// Colour of a chamber or tendon: chambers first, then tendons, after the colours of the muscles.
+/// Colour of a chamber or tendon, one of the theme's colours of muscles.
+///
+/// @param actuator  index in BodyActuators: chambers first, then tendons. Colours continue behind those of the muscles.
 viewport::Color actuator_color(const WorkbenchState& state, const platform::Theme& theme, std::size_t actuator);
 
 /// Tints the walls of all chambers, outlines them, and draws all tendons along their guides. Does nothing without a

@@ -111,7 +111,7 @@ struct SceneLoad {
 /// One trial of an experiment: measured markers in the mesh frame over time. t = 0 is the release.
 struct SceneTrial {
     std::string name;
-    std::string role;                                      // "fit" or "validate"
+    std::string role;                                      // "fit", "validate" or "simulate"
     Eigen::VectorXd time_s;                                // T sample times [s], ascending
     std::vector<Eigen::Matrix3Xd> measured;                // per marker of the scene, 3 x T [m]; NaN = occluded
     std::map<std::string, fibre::Signal> activation = {};  // declared signals a(t) by muscle name
@@ -142,7 +142,7 @@ struct Scene {
     std::string description;
     mesh::SurfaceMesh surface;                               // surface of the body [m]; may be empty
     std::optional<Box> clamp_m;                              // box that holds the body; empty: none
-    SceneSupports supports;                                  // besides the clamp
+    SceneSupports supports;                                  // in addition to the clamp
     Eigen::Vector3d gravity_m_s2 = Eigen::Vector3d::Zero();  // world frame
     std::vector<SceneMarker> markers;                        // of the experiment
     std::vector<SceneTrial> trials;
@@ -152,7 +152,7 @@ struct Scene {
     double damping_ratio = std::numeric_limits<double>::quiet_NaN();
     // labels of the parameters that calibration changes; empty: nothing to calibrate
     std::vector<std::string> calibrated;
-    std::vector<SeekChoice> seekable;   // what Optimise can seek besides the signals
+    std::vector<SeekChoice> seekable;   // what Optimise can seek in addition to the signals
     bool is_experiment = false;         // with a declaration that can be edited; otherwise a plain mesh
     DeclaredParts declared;             // of an experiment: chambers, tendons, cavities
     std::vector<std::string> unknowns;  // material.calibrate: "youngs_modulus", "damping", ...
@@ -196,7 +196,7 @@ struct RunExtent {
     double end_s = 0.0;     // from 0 to this time of the trial [s]
 };
 
-/// An example experiment that comes with the program.
+/// Picture of a body for the start page: shaded triangles, projected into the plane of the picture.
 struct ExamplePicture {
     struct Triangle {
         std::array<float, 6> corners;  // x, y of each; the longer side of the picture is 1 long, y points down
@@ -335,8 +335,7 @@ public:
     virtual Result<SearchResult> calibrate(const Scene& scene, const MeshedBody& body, const Settings& settings,
                                            const Progress& progress, const LiveSearch& live) = 0;
     /// Finds muscle signals with which the markers of a trial reach its goals, or else follow their measured paths.
-    /// Cancelling works as in
-    /// calibrate().
+    /// Cancelling works as in calibrate().
     virtual Result<SearchResult> optimize(const Scene& scene, const MeshedBody& body, const Settings& settings,
                                           const OptimizeRequest& request, const Progress& progress,
                                           const LiveSearch& live) = 0;

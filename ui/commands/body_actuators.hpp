@@ -9,9 +9,9 @@ namespace myo::ui::commands {
 
 /// Guide of a thread: it moves with nodes of the mesh, or stands still.
 struct ThreadGuide {
-    std::vector<int> nodes;   // of the mesh; none: it stands still
-    Eigen::VectorXd weights;  // per node, sum to 1
-    Eigen::Vector3d rest_m = Eigen::Vector3d::Zero();
+    std::vector<int> nodes;                            // of the mesh; none: it stands still
+    Eigen::VectorXd weights;                           // per node, sum to 1
+    Eigen::Vector3d rest_m = Eigen::Vector3d::Zero();  // place at rest [m], mesh frame
 };
 
 /// A tendon on the meshed body.
@@ -28,12 +28,13 @@ struct ShownChamber {
     double wall_area_m2 = 0.0;  // at rest
 };
 
-/// What drives the body besides muscles, on its mesh.
+/// What drives the body in addition to muscles, on its mesh.
 struct BodyActuators {
     std::vector<ShownChamber> chambers;
     std::vector<ShownTendon> tendons;
 
     bool empty() const { return chambers.empty() && tendons.empty(); }
+    /// Number of chambers and tendons together.
     std::size_t count() const { return chambers.size() + tendons.size(); }
 };
 

@@ -10,6 +10,7 @@
 namespace myo::ui::commands {
 
 void BodyCut::apply(const WorkbenchState& state, MotionSummary& motion) {
+    // The centres of the cells come with the data for painting.
     if (!state.body || !state.ground || !motion.body) return;
     // Without a cut the original boundary is restored, but only if a cut is shown: a new pointer would upload it again.
     const ClipPlane& plane = state.view.clip;

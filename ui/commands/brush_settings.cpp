@@ -10,6 +10,7 @@ namespace myo::ui::commands {
 
 namespace {
 
+/// Area of all triangles [m²].
 double surface_area(const mesh::SurfaceMesh& surface) {
     double area_m2 = 0.0;
     for (Eigen::Index t = 0; t < surface.triangles.cols(); ++t) {

@@ -25,7 +25,7 @@ struct BrushSettings {
 
 /// Returns brush settings that suit a body: its size and how thick it is on average.
 ///
-/// @param surface  vertices [m]; a closed one tells the thickness
+/// @param surface  vertices [m]; the volume that a closed one encloses gives the thickness
 BrushSettings brush_for(const mesh::SurfaceMesh& surface);
 
 /// Converts the settings to a brush of the core. Radius and depth are at least a fraction of a cell.

@@ -64,8 +64,8 @@ struct ChangePreview {
 struct PlayLive {
     bool on = true;
 };
-/// Replaces what the model that plays live is told: levels of actuators, pull of the mouse. Step, damping and velocity
-/// force follow the settings.
+/// Replaces the controls of the model that plays live: levels of actuators, pull of the mouse. Step, damping and
+/// velocity force follow the settings.
 struct SteerLive {
     LiveControls controls;
 };
@@ -129,17 +129,18 @@ struct Pause {
 struct Unqueue {
     int id = 0;  // QueuedJob::id
 };
-/// Commands for an ended job, by JobRecord::id: show its settings and results again; draw its markers together with
-/// those of the shown run; remove it from the list.
+/// Shows the settings and results of an ended job again.
 struct RestoreRecord {
-    int id = 0;
+    int id = 0;  // JobRecord::id
 };
+/// Draws the markers of an ended job together with those of the shown run, or no longer.
 struct CompareRecord {
-    int id = 0;
+    int id = 0;  // JobRecord::id
     bool compared = true;
 };
+/// Removes an ended job from the list.
 struct ForgetRecord {
-    int id = 0;
+    int id = 0;  // JobRecord::id
 };
 /// Saves to the project's file. Asks for a name if there is none.
 struct Save {};

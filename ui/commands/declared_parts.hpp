@@ -18,16 +18,16 @@ struct DeclaredTendon {
     Eigen::Matrix3Xd path_m;              // guides at rest, 3 x n [m], motor's end first
     bool by_shortening = false;           // what the motor prescribes; otherwise the tension
     std::optional<double> stiffness_N_m;  // empty: the thread does not stretch
-    double friction = 0.0;
+    double friction = 0.0;                // capstan coefficient at the guides
 };
 
 /// A closed cavity of the body's surface.
 struct SceneCavity {
-    mesh::SurfaceMesh wall;
+    mesh::SurfaceMesh wall;                              // triangles of the body's surface around it, vertices [m]
     Eigen::Vector3d inside_m = Eigen::Vector3d::Zero();  // a point in it
-    double volume_m3 = 0.0;
-    double area_m2 = 0.0;
-    std::string chamber;  // that it is; empty: none
+    double volume_m3 = 0.0;                              // at rest
+    double area_m2 = 0.0;                                // of the wall at rest
+    std::string chamber;                                 // name of the chamber that it is; empty: none
 };
 
 /// What a trial declares as the command of a chamber or tendon.

@@ -91,13 +91,13 @@ struct DiagnosisView {
     std::shared_ptr<const void> page;     // page for the report, owned by the backend; may be null
     int worst_trial = 0, worst_marker = 0, worst_axis = 0;  // where the declared model has its largest error
 
-    /// Row with this key; null if there is none.
     /// The row of the verdict; null if it names none.
     const DiagnosisRow* chosen_row() const {
         for (const DiagnosisRow& each : rows)
             if (each.chosen) return &each;
         return nullptr;
     }
+    /// The row with this key; null if there is none.
     const DiagnosisRow* row(const std::string& key) const {
         for (const DiagnosisRow& each : rows)
             if (each.key == key) return &each;

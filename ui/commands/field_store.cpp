@@ -10,6 +10,7 @@
 namespace myo::ui::commands {
 namespace {
 
+/// Id of the field of a diagnosis, in project files.
 constexpr const char* force_field = "effect_force";
 
 // Number of frames that are searched for the range of a trial. Extremes change little from one frame to the next.
@@ -44,6 +45,7 @@ std::array<double, 2> range_over_trial(std::size_t count,
     std::array<double, 2> range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     const std::size_t samples = std::min(count, range_frames);
     for (std::size_t k = 0; k < samples; ++k) {
+        // Evenly spread, with the first and the last frame among them.
         const std::size_t frame = samples > 1 ? k * (count - 1) / (samples - 1) : 0;
         const auto here = range_of(values_at(frame));
         range = {std::min(range[0], here[0]), std::max(range[1], here[1])};
@@ -79,6 +81,7 @@ void FieldStore::take(Answer answer) {
     if (answer.range) range_ = answer.range;
     if (answer.values.size() > 0) frame_ = answer.frame;
     auto frame = std::make_shared<FieldFrame>();
+    // An answer holds values or a range; what it does not hold stays as it was.
     if (answer.values.size() > 0 || !shown_)
         frame->values = std::move(answer.values);
     else
@@ -88,6 +91,7 @@ void FieldStore::take(Answer answer) {
 }
 
 const std::shared_ptr<const FieldFrame>& FieldStore::update_force(const WorkbenchState& state) {
+    // An answer that is still being computed belongs to no source then, so that take() drops it.
     source_ = {};
     const ForceKey key{state.diagnosis, state.body, state.candidate, state.trial, state.time_s};
     if (!(force_key_ == key)) shown_ = force_frame(state);
@@ -126,6 +130,7 @@ std::shared_ptr<const FieldFrame> FieldStore::update(const WorkbenchState& state
     if (job_.valid() && job_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) take(job_.get());
     const SimulatedTrial* const trial = state.drawn_trial();
     if (state.view.field == force_field) return update_force(state);
+    // shown_ belongs to a run's field from here on.
     force_key_.reset();
     Source wanted{state.drawn_run(), state.body, state.view.field, static_cast<std::size_t>(state.trial)};
     if (wanted.field.empty() || !trial || trial->frames.empty() || !state.body) {

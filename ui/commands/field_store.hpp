@@ -85,7 +85,7 @@ private:
     /// Requests the range of a trial of `count` frames, which takes up to range_frames times as long.
     void request_range(const Source& wanted, std::size_t count, const Backend& backend);
 
-    Source source_;
+    Source source_;                               // what the values belong to, or will once they are there
     std::optional<ForceKey> force_key_;           // key of shown_ if that is a force
     std::optional<std::size_t> frame_;            // frame of shown_
     std::optional<std::array<double, 2>> range_;  // of the trial; empty: not known yet

@@ -22,6 +22,7 @@ Eigen::Matrix3Xd middles(const Eigen::Matrix3Xd& nodes, const Eigen::VectorXi& p
         sum.col(patch_of_node(i)) += nodes.col(i);
         count(patch_of_node(i)) += 1.0;
     }
+    // A patch without nodes has no centre; it stays at the origin, and no force acts on it.
     return sum * count.cwiseMax(1.0).cwiseInverse().asDiagonal();
 }
 

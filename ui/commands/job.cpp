@@ -17,6 +17,7 @@ std::optional<double> remaining_time(double fraction, double elapsed_s) {
     return elapsed_s * (1.0 - fraction) / fraction;
 }
 
+/// State that the two threads share. On the heap: its address must not change while the job's thread runs.
 struct Job::Content {
     std::string name;
     using Clock = std::chrono::steady_clock;
@@ -75,6 +76,7 @@ Job::Job(std::string name, Work work, std::function<Completion(const std::string
                 if (c->wake) c->wake();
             },
             &c->cancel);
+        // Solvers without a Progress of their own check the flag through the scope.
         const CancellationScope scope(&progress);
         Completion completion;
         try {

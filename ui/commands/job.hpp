@@ -19,7 +19,7 @@ enum class TimeLeft {
 
 /// State of a running job as it is shown.
 struct JobView {
-    std::string name;
+    std::string name;                   // as shown
     ProgressEvent progress;             // last report of the work
     double elapsed_s = 0.0;             // without pauses
     std::optional<double> remaining_s;  // empty while it cannot be estimated

@@ -22,8 +22,8 @@ enum class JobOutcome { done, stopped, failed };
 
 /// A mesh with the data derived from it and the settings that it was built with.
 struct PlacedBody {
-    std::shared_ptr<const MeshedBody> body;
-    std::shared_ptr<const PaintGround> ground;
+    std::shared_ptr<const MeshedBody> body;     // null: no mesh
+    std::shared_ptr<const PaintGround> ground;  // data for painting on it
     Settings settings;
 };
 

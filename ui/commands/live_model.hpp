@@ -65,6 +65,7 @@ struct LiveFrame {
 class LiveModel {
 public:
     virtual ~LiveModel() = default;
+    /// Muscles, chambers and tendons that can be moved, in the order of LiveControls::levels.
     virtual std::vector<LiveActuator> actuators() const = 0;
     /// Stiffness of the spring with which a hand pulls this body without tearing it [N/m].
     virtual double spring_N_m() const = 0;

@@ -14,6 +14,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// Real time between two points in time [s].
 double seconds_between(Clock::time_point from, Clock::time_point to) {
     return std::chrono::duration<double>(to - from).count();
 }
@@ -21,6 +22,7 @@ double seconds_between(Clock::time_point from, Clock::time_point to) {
 /// Simulated time over real time, of the last steps.
 class Rate {
 public:
+    /// Takes a step that ends at this simulated time [s]. Returns the rate over the last second, 0 for the first step.
     double after(double simulated_s) {
         const Clock::time_point now = Clock::now();
         steps_.push_back({now, simulated_s});
@@ -42,6 +44,7 @@ private:
 /// its cost.
 class StepLength {
 public:
+    /// Length of the next step [s]. A change of the setting starts the judgement again.
     double next(const LiveControls& controls) {
         if (controls.own_step || controls.time_step_s != set_s_) {
             set_s_ = length_s_ = controls.time_step_s;
@@ -49,11 +52,14 @@ public:
         }
         return length_s_;
     }
+    /// Takes the real time that a step took [s].
     void took(double seconds) {
         cost_s_ += seconds;
         if (++steps_ < live_play_policy.steps_before) return;
         const double load = cost_s_ / steps_ / length_s_;  // real time over simulated time
         steps_ = 0, cost_s_ = 0.0;
+        // A longer step that costs more per simulated time falls farther behind: the shorter one stays until the
+        // setting changes.
         if (!settled_ && shorter_s_ > 0.0 && load > shorter_load_) {
             length_s_ = shorter_s_;
             settled_ = true;
@@ -72,6 +78,7 @@ private:
 
 }  // namespace
 
+/// State that the two threads share. On the heap: its address must not change while the thread runs.
 struct LivePlay::Content {
     mutable std::mutex mutex;  // guards the following
     LiveControls controls;
@@ -95,6 +102,7 @@ struct LivePlay::Content {
         if (!made) return false;
         model = std::move(*made);
         shown.actuators = model->actuators();
+        // Levels that were set go on; those of a model with other actuators mean nothing for this one.
         if (controls.levels.size() != shown.actuators.size()) {
             controls.levels.clear();
             for (const LiveActuator& actuator : shown.actuators) controls.levels.push_back(actuator.level);
@@ -103,6 +111,7 @@ struct LivePlay::Content {
         return true;
     }
 
+    /// Shows a frame, or why there is none. A step without a solution leaves the last frame.
     void show(const Result<LiveFrame>& frame, double rate) {
         const std::lock_guard lock(mutex);
         if (!frame) {
@@ -118,11 +127,14 @@ struct LivePlay::Content {
     static Clock::duration duration_of(double seconds) {
         return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
     }
+    /// Longest sleep at once, so that a stop is followed soon.
     static Clock::duration pause() { return duration_of(live_play_policy.longest_pause_s); }
+    /// Sleeps until a time, or until the play is stopped.
     void wait_until(Clock::time_point due) const {
         while (!stop && Clock::now() < due) std::this_thread::sleep_until(std::min(due, Clock::now() + pause()));
     }
 
+    /// Work of the thread: makes models that are asked for, and steps the present one in real time.
     void play() {
         const Progress progress({}, &stop);
         std::unique_ptr<LiveModel> model;
@@ -134,6 +146,7 @@ struct LivePlay::Content {
                 wait_until(Clock::now() + pause());
                 continue;
             }
+            // A copy: the mutex must not be held during a step, as the UI thread steers and looks meanwhile.
             LiveControls now;
             {
                 const std::lock_guard lock(mutex);

@@ -9,7 +9,7 @@ namespace myo::ui::commands {
 
 /// What is shown of a model that plays live.
 struct LiveView {
-    LiveControls controls;
+    LiveControls controls;                   // that the next step follows
     std::vector<LiveActuator> actuators;     // empty until the model is ready
     bool ready = false;                      // the first frame is there
     std::shared_ptr<const LiveFrame> frame;  // the last one; null until ready
@@ -35,6 +35,7 @@ public:
     /// Makes the model on the thread, going on from the one that moved before (null: from its start state).
     using Make = std::function<Result<std::unique_ptr<LiveModel>>(const LiveModel* before, const Progress&)>;
 
+    /// Starts the thread, which makes the model and moves it. Failures appear as LiveView::problem.
     LivePlay(Make make, const LiveControls& controls);
     ~LivePlay();
     LivePlay(const LivePlay&) = delete;

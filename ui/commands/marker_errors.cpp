@@ -45,6 +45,7 @@ std::vector<MarkerError> marker_errors(const Scene& scene, const SceneTrial& tri
         MarkerError error;
         error.name = scene.markers[m].name;
         const Eigen::Matrix3Xd& measured = trial.measured[m];
+        // A run of another version of the experiment may have other markers or samples.
         const bool predicted = simulated && m < simulated->markers.size() &&
                                simulated->markers[m].cols() == measured.cols();
         const ErrorSums sums = error_sums(trial.time_s, measured, predicted ? &simulated->markers[m] : nullptr);

@@ -55,6 +55,7 @@ struct PaintedCells {
     std::vector<Index> faces, inside;
 };
 
+/// Sorts the cells that a muscle's paint gives a weight. Cells that the clip plane removes are left out.
 PaintedCells painted_cells(const viewport::DrawnScene& drawn, const mesh::VolumeMesh& mesh,
                            const fibre::CellPaint& paint) {
     const mesh::BoundaryFaces& boundary = drawn.body->faces;
@@ -85,6 +86,7 @@ void add_fibres(viewport::DrawnScene& drawn, const MeshedBody& body, const fibre
         const Index cell = boundary.cell(faces[i]);
         const Matrix3Xd corners = nodes_of(drawn.positions, boundary.nodes, faces[i]);
         const Vector3d normal = (corners.col(1) - corners.col(0)).cross(corners.col(2) - corners.col(0)).normalized();
+        // The direction at rest moves with the material: F d.
         Vector3d along = deformation(nodes_of(mesh.nodes, mesh.cells, cell),
                                      nodes_of(drawn.positions, mesh.cells, cell)) *
                          paint.directions.col(cell);
@@ -97,6 +99,8 @@ void add_fibres(viewport::DrawnScene& drawn, const MeshedBody& body, const fibre
         append(within, now.rowwise().mean(),
                half * deformation(nodes_of(mesh.nodes, mesh.cells, inside[i]), now) * paint.directions.col(inside[i]));
     }
+    // Fibres inside have the muscle's colour. On a face that is tinted in the same colour they would vanish, so they
+    // are darker.
     if (!within.empty()) drawn.lines.push_back(lines_of(within, color, width));
     if (!on_surface.empty()) drawn.lines.push_back(lines_of(on_surface, dark_fibre * color, width));
 }

@@ -22,18 +22,22 @@ constexpr int circles = 4;             // of latitude on each half of a sphere, 
 constexpr int pieces = 48;             // of a circle
 constexpr float grid_alpha = 0.6f;     // of the lines within a patch, over that of its edge
 
+/// A point that ends a polyline: lines are not drawn to it.
 Vector3d gap() { return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()); }
 
+/// Points as columns, 3 x n.
 Matrix3Xd columns(const std::vector<Vector3d>& points) {
     Matrix3Xd matrix(3, static_cast<Index>(points.size()));
     for (std::size_t i = 0; i < points.size(); ++i) matrix.col(static_cast<Index>(i)) = points[i];
     return matrix;
 }
 
+/// A square of the plane around the foot of the body's middle: grid, edge, and an arrow of the normal at a corner.
 std::vector<viewport::DrawnLine> plane_lines(const ScenePlane& plane, const Box& extent, const viewport::Color& color,
                                              double width) {
     const double diagonal = extent.size().norm(), half = patch_half * diagonal;
     const Vector3d middle = 0.5 * (extent.lowest + extent.highest);
+    // Foot of the perpendicular: a plane is infinite, and the patch is drawn where the body is.
     const Vector3d centre = middle - plane.normal.dot(middle - plane.point_m) * plane.normal;
     const Vector3d u = plane.normal.unitOrthogonal(), v = plane.normal.cross(u);
     const auto at = [&](double a, double b) { return Vector3d(centre + half * (a * u + b * v)); };
@@ -50,6 +54,7 @@ std::vector<viewport::DrawnLine> plane_lines(const ScenePlane& plane, const Box&
             {viewport::arrow_points(at(-1.0, -1.0), normal_length * diagonal * plane.normal), color, width}};
 }
 
+/// Circles of latitude and of longitude.
 std::vector<viewport::DrawnLine> sphere_lines(const SceneSphere& sphere, const viewport::Color& color, double width) {
     const auto at = [&](double latitude, double longitude) {
         return Vector3d(sphere.centre_m + sphere.radius_m * Vector3d(std::cos(latitude) * std::cos(longitude),

@@ -16,6 +16,7 @@ Eigen::Matrix3d corners(const mesh::SurfaceMesh& surface, int triangle) {
     return surface.vertices(Eigen::all, surface.triangles.col(triangle));
 }
 
+/// Bounding box of each triangle [m].
 std::vector<Box> boxes_of(const mesh::SurfaceMesh& surface) {
     std::vector<Box> boxes;
     for (int t = 0; t < static_cast<int>(surface.triangles.cols()); ++t)

@@ -13,12 +13,14 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// A number by a format of printf.
 std::string number(const char* format, double value) {
     char text[64];
     std::snprintf(text, sizeof text, format, value);
     return text;
 }
 
+/// Three numbers, each in this format: "1.00, 2.00, 3.00".
 std::string triple(const char* format, const Vector3d& v) {
     return number(format, v.x()) + ", " + number(format, v.y()) + ", " + number(format, v.z());
 }
@@ -39,6 +41,7 @@ void add_muscles_of_cell(std::vector<ReportLine>& lines, int cell, const Workben
     }
 }
 
+/// Lines about a place on the body: its nearest node, now and at rest, the field there, its cell and muscles.
 std::vector<ReportLine> lines_about_body(const PickedPlace& place, const WorkbenchState& state,
                                          const viewport::DrawnScene& scene) {
     const Vector3d rest = state.body->mesh.nodes.col(place.node), now = scene.positions.col(place.node);
@@ -56,6 +59,7 @@ std::vector<ReportLine> lines_about_body(const PickedPlace& place, const Workben
     return lines;
 }
 
+/// Lines about a marker: at rest, measured, simulated, and the errors. `error`: null: unknown.
 std::vector<ReportLine> lines_about_marker(int marker, const WorkbenchState& state, const MarkerError* error) {
     const auto m = static_cast<std::size_t>(marker);
     std::vector<ReportLine> lines{{"Marker", state.scene->markers[m].name},
@@ -120,6 +124,7 @@ std::optional<std::size_t> pick_one(const std::vector<Vector3d>& places_m, const
                                     const viewport::Camera& camera, const viewport::ViewSize& size,
                                     const Eigen::Vector2d& pixel, double reach) {
     const viewport::Ray ray = viewport::ray_through(camera, size, pixel);
+    // Where the ray meets the body: places clearly behind are hidden by it.
     const auto hit = scene.surface ? viewport::pick_surface(*scene.surface, scene.positions, ray) : std::nullopt;
     std::optional<std::size_t> seen, hidden;
     double nearest_seen = reach, nearest_hidden = reach;

@@ -16,6 +16,7 @@ std::shared_ptr<const fibre::CellPaint> PlacedPaint::of(const Muscle& muscle,
         const auto declared = body->muscles.find(muscle.declared);
         if (declared != body->muscles.end()) return {body, &declared->second};
     }
+    // Masks never change once they are made, so that the pointer identifies one.
     const auto known = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
         return entry.body == body && entry.mask == muscle.paint;
     });
@@ -30,6 +31,7 @@ void PlacedPaint::remember(const std::shared_ptr<const MeshedBody>& body,
                            const std::shared_ptr<const fibre::PaintedMask>& mask,
                            const std::shared_ptr<const fibre::CellPaint>& paint) {
     entries_.push_back({body, mask, paint});
+    // The oldest goes first, whatever it is used for: it is made again when it is needed.
     if (entries_.size() > max_kept) entries_.pop_front();
 }
 

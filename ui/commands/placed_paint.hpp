@@ -19,6 +19,7 @@ public:
                   const std::shared_ptr<const fibre::CellPaint>& paint);
 
 private:
+    /// Paint of one mask on one mesh. Masks are compared by pointer.
     struct Entry {
         std::shared_ptr<const MeshedBody> body;
         std::shared_ptr<const fibre::PaintedMask> mask;  // null: blank paint

@@ -63,8 +63,8 @@ struct ImportChoices {
 
 /// Consequences of the choices, computed by the backend.
 struct ImportView {
-    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  // cameras' frame to body frame
-    Eigen::Vector3d translation_m = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();   // cameras' frame to body frame
+    Eigen::Vector3d translation_m = Eigen::Vector3d::Zero();  // added after the rotation
     Eigen::Matrix3Xd before_m;   // 3 x labels: mean positions before the start, body frame; NaN = not seen
     Eigen::Matrix3Xd target_m;   // 3 x labels: marker positions at rest; NaN = unknown
     Eigen::VectorXd residual_m;  // per label, distance of the two [m]; NaN = unknown
@@ -73,7 +73,7 @@ struct ImportView {
     std::string problem;         // why the trial cannot be added yet; empty: it can
 };
 
-/// Converts a label to a marker name: letters, digits, - and _ only; other characters become _, except beside a -.
+/// Converts a label to a marker name: letters, digits, - and _ only; other characters become _, except next to a -.
 std::string marker_name(const std::string& label);
 
 /// Assigns the declared marker of this name to a label, and removes it from any other label.
@@ -81,9 +81,9 @@ void assign_marker(ImportChoices& choices, std::size_t label, const std::string&
 
 /// An import in progress. Replaced as a whole by each change.
 struct RecordingImport {
-    RecordingFile file;
-    ImportChoices choices;
-    ImportView view;
+    RecordingFile file;                 // as it was read
+    ImportChoices choices;              // of the user so far
+    ImportView view;                    // that follows from both
     std::vector<SceneMarker> declared;  // markers of the experiment; empty for a plain mesh
     int label = 0;                      // index of the selected label
     // a click in the view assigns the selected label to a declared marker, or places it on a plain mesh

@@ -10,6 +10,7 @@ Eigen::Matrix3Xd rest_outline(const MeshedBody& body) {
     const Eigen::MatrixXi& faces = body.boundary.nodes;
     // Faces with mid-side nodes list their three corners first.
     const Eigen::Index corners = faces.rows() == 6 ? 3 : faces.rows();
+    // Each edge belongs to two faces; the set keeps it once, whatever its direction.
     std::set<std::pair<int, int>> edges;
     for (Eigen::Index f = 0; f < faces.cols(); ++f)
         for (Eigen::Index i = 0; i < corners; ++i)

@@ -54,6 +54,7 @@ Eigen::Matrix3Xd trail(const Eigen::Matrix3Xd& track, const Eigen::VectorXd& tim
     return track.middleCols(first, std::max<std::ptrdiff_t>(0, last - first));
 }
 
+/// Adds a polyline. A single point is no line.
 void add_line(viewport::DrawnScene& scene, Eigen::Matrix3Xd points, const viewport::Color& color, double width) {
     if (points.cols() > 1) scene.lines.push_back({std::move(points), color, width});
 }
@@ -219,6 +220,7 @@ Eigen::Matrix3Xd positions_at_time(const WorkbenchState& state) {
 MotionSummary summarize_motion(const WorkbenchState& state) {
     MotionSummary motion;
     if (state.body) {
+        // Meshed bodies are drawn by their cells' faces, others by the surface that was read.
         motion.outline = std::make_shared<const Eigen::Matrix3Xd>(rest_outline(*state.body));
         motion.body = std::make_shared<viewport::DrawnBody>(viewport::DrawnBody{state.body->boundary, {}});
         motion.surface = std::make_shared<viewport::DrawnSurface>(viewport::drawn_surface(state.body->boundary));
@@ -228,6 +230,7 @@ MotionSummary summarize_motion(const WorkbenchState& state) {
     Bounds bounds = rest_bounds(state);
     motion.rest = bounds.box;
     if (const SceneTrial* trial = state.scene_trial()) {
+        // The view must hold the measured and the simulated motion at every time.
         for (const Eigen::Matrix3Xd& track : trial->measured) bounds.include(track);
     }
     if (const SimulatedTrial* trial = state.simulated_trial()) {

@@ -10,8 +10,8 @@
 #include "base/box.hpp"
 #include "effect/effect_declaration.hpp"
 
-// What an experiment declares besides body, support, markers and trials, as the window shows and edits it. SI units,
-// mesh frame.
+// What an experiment declares in addition to body, support, markers and trials, as the window shows and edits it. SI
+// units, mesh frame.
 
 namespace myo::ui::commands {
 

@@ -43,15 +43,15 @@ struct SearchResult {
     std::string title;                     // "Calibrated"
     std::vector<ParameterRow> parameters;  // with standard deviations, if they are known
     std::vector<std::string> notes;        // findings about signals, as sentences
-    double rms_before_m = 0.0;
-    double rms_after_m = 0.0;
-    int evaluations = 0;                // runs of the model
-    Settings settings;                  // with the values found
-    RunResult run;                      // with the values found
-    bool stopped = false;               // cancelled by the user: the best values up to then
-    std::string problem;                // what went wrong; empty: nothing
-    std::vector<std::string> warnings;  // what the user should know before relying on the values
-    std::shared_ptr<const void> page;   // page for the report, owned by the backend; may be null
+    double rms_before_m = 0.0;             // error of the markers with the start values
+    double rms_after_m = 0.0;              // error with the values found
+    int evaluations = 0;                   // runs of the model
+    Settings settings;                     // with the values found
+    RunResult run;                         // with the values found
+    bool stopped = false;                  // cancelled by the user: the best values up to then
+    std::string problem;                   // what went wrong; empty: nothing
+    std::vector<std::string> warnings;     // what the user should know before relying on the values
+    std::shared_ptr<const void> page;      // page for the report, owned by the backend; may be null
 };
 
 /// How to search for signals, and values of the body, with which the markers of a trial follow their measured paths.

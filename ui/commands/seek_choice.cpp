@@ -13,6 +13,7 @@ std::vector<SeekChoice> seek_choices(const std::vector<SeekChoice>& declared, co
         // Under the name that the muscle has now.
         for (const SeekChoice& choice : declared)
             if (!choice.muscle.empty() && choice.muscle == muscle.declared)
+                // The words end with the name in the experiment, which is replaced by the present one.
                 choices.push_back({choice.word.substr(0, choice.word.find(':') + 1) + muscle.name,
                                    choice.label.substr(0, choice.label.size() - muscle.declared.size()) + muscle.name,
                                    muscle.declared});

@@ -5,7 +5,7 @@
 
 #include "commands/settings.hpp"
 
-// What Optimise may change besides the signals of the actuators.
+// What Optimise may change in addition to the signals of the actuators.
 
 namespace myo::ui::commands {
 

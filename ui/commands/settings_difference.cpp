@@ -12,6 +12,7 @@ namespace {
 
 constexpr const char* none = "\xe2\x80\x93";
 
+/// Label of a choice; the id itself if the list does not have it.
 std::string label_of(const std::vector<Choice>& choices, const std::string& id) {
     const auto found = std::find_if(choices.begin(), choices.end(), [&](const Choice& c) { return c.id == id; });
     return found != choices.end() ? found->label : id;
@@ -26,7 +27,7 @@ public:
     /// Adds a row, unless it would not be of interest or no settings object has a value.
     ///
     /// @param words  the value of one settings object as text
-    /// @param alike  whether two are equal; texts may be equal although values differ
+    /// @param alike  whether two of them have equal values; texts may be equal although values differ
     void add(const std::string& name, const std::function<std::string(const Settings&)>& words,
              const std::function<bool(const Settings&, const Settings&)>& alike) {
         const auto same = [&](const Settings* s) { return alike(*of_.front(), *s); };
@@ -39,10 +40,14 @@ public:
                 if (row.values[before] == text && !alike(*of_[before], *s)) text += " (other)";
             row.values.push_back(std::move(text));
         }
+        // A setting that none of them has, such as a number of a law that none uses.
         if (std::all_of(row.values.begin(), row.values.end(), [](const std::string& v) { return v == none; })) return;
         rows_.push_back(std::move(row));
     }
 
+    /// Adds a row for a number of the settings.
+    ///
+    /// @param unit  SI value of the shown unit, whose name is `unit_name`
     void add_number(const std::string& name, double Settings::*number, double unit, const std::string& unit_name) {
         const auto words = [=](const Settings& s) {
             return plot::plain_label(s.*number / unit, 6) + (unit_name.empty() ? "" : " " + unit_name);
@@ -97,6 +102,7 @@ void add_law_numbers(const std::vector<Choice>& materials, Rows& rows) {
         }
 }
 
+/// Rows of the added effects, by name; settings without one show a dash.
 void add_effects(const std::vector<const Settings*>& of, Rows& rows) {
     for (const std::string& name : names_of(of, &Settings::effects, &AddedEffect::name)) {
         const auto effect = [name](const Settings& s) { return named(s.effects, &AddedEffect::name, name); };
@@ -124,6 +130,7 @@ void add_switched_off(Rows& rows) {
         [](const Settings& a, const Settings& b) { return a.off == b.off; });
 }
 
+/// A muscle's signal in short: its relation to a leader, or its range and number of knots.
 std::string signal_text(const Muscle& muscle) {
     if (!muscle.follows.empty()) return plot::plain_label(muscle.ratio, 3) + " \xc3\x97 " + muscle.follows;
     if (!muscle.signal || muscle.signal->values.empty()) return "as recorded";
@@ -132,6 +139,7 @@ std::string signal_text(const Muscle& muscle) {
            std::to_string(muscle.signal->values.size()) + " knots";
 }
 
+/// Rows of the muscles, by name: place, stiffness and signal.
 void add_muscles(const std::vector<const Settings*>& of, Rows& rows) {
     using Words = std::function<std::string(const Muscle&)>;
     using Alike = std::function<bool(const Muscle&, const Muscle&)>;
@@ -161,6 +169,7 @@ void add_muscles(const std::vector<const Settings*>& of, Rows& rows) {
     }
 }
 
+/// Rows of all settings, in the order of the panels. `with_equal`: also those that are equal everywhere.
 std::vector<SettingDifference> all_rows(const std::vector<const Settings*>& of, bool with_equal,
                                         const std::vector<Choice>& materials, const std::vector<Choice>& integrators) {
     Rows rows(of, with_equal);

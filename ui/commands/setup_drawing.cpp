@@ -35,17 +35,20 @@ struct Pen {
     viewport::Color color;
     double width;
 };
+/// Pen of an item of a panel. `color` and `alpha` while it is not edited.
 Pen pen_of(const WorkbenchState& state, const platform::Theme& theme, const std::string& item, const ImVec4& color,
            float alpha) {
     if (state.view.edited == item) return {viewport::color_of(theme.accent), edited_width};
     return {viewport::color_of(color, alpha), line_width};
 }
 
+/// Edges of a box.
 void add_box(viewport::DrawnScene& drawn, const Box& box, const Pen& pen) {
     for (viewport::DrawnLine& line : viewport::box_lines(box, pen.color, pen.width))
         drawn.lines.push_back(std::move(line));
 }
 
+/// Lines of all obstacles. Planes are as large as the body.
 void add_obstacles(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme) {
     for (std::size_t i = 0; i < state.scene->obstacles.size(); ++i) {
         const Pen pen = pen_of(state, theme, "obstacle/" + std::to_string(i), theme.text, 0.55f);
@@ -66,6 +69,7 @@ void tint_parts(viewport::DrawnScene& drawn, const WorkbenchState& state, const 
     if (!drawn.body || !state.body || part_of_cell.size() != static_cast<std::size_t>(state.body->mesh.cell_count()))
         return;
     const mesh::BoundaryFaces& faces = drawn.body->faces;
+    // Tints of another number of faces are not those of the drawn body.
     if (drawn.tints.cols() != 0 && drawn.tints.cols() != faces.count()) return;
     if (drawn.tints.cols() == 0) drawn.tints = Eigen::Matrix4Xf::Zero(4, faces.count());
     for (Eigen::Index f = 0; f < faces.count(); ++f) {
@@ -76,6 +80,7 @@ void tint_parts(viewport::DrawnScene& drawn, const WorkbenchState& state, const 
     }
 }
 
+/// Boxes of the parts with their names, and the tint of their elements.
 void add_parts(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme,
                const MotionSummary& motion) {
     for (std::size_t i = 0; i < state.scene->parts.size(); ++i) {
@@ -107,11 +112,13 @@ Vector3d place_of_load(const viewport::DrawnScene& drawn, const SceneLoad& load,
     return middle + (last - along.dot(middle)) * along;
 }
 
+/// An arrow of this length and direction, by its end and its vector [m].
 void add_arrow(viewport::DrawnScene& drawn, const Vector3d& from, const Vector3d& along, const viewport::Color& color,
                double width) {
     drawn.lines.push_back({viewport::arrow_points(from, along), color, width});
 }
 
+/// A force with its amount. `length`: of the arrow [m].
 void add_force(viewport::DrawnScene& drawn, const SceneLoad& load, const Vector3d& place, double length,
                const viewport::Color& color) {
     const Vector3d along = length * load.force_N.normalized();
@@ -132,6 +139,7 @@ void add_mass(viewport::DrawnScene& drawn, const SceneLoad& load, const Vector3d
     drawn.labels.push_back({middle + half * down, amount(load.mass_kg, 1e-3, "g"), color});
 }
 
+/// Loads of the shown trial where they act now.
 void add_loads(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme,
                const MotionSummary& motion) {
     const SceneTrial* const trial = state.scene_trial();
@@ -140,6 +148,7 @@ void add_loads(viewport::DrawnScene& drawn, const WorkbenchState& state, const p
     for (const SceneLoad& load : trial->loads) largest_N = std::max(largest_N, load.force_N.norm());
     const double diagonal = drawn.extent.size().norm();
     const Vector3d& gravity = state.scene->gravity_m_s2;
+    // Without gravity a mass still has inertia; it is drawn as hanging along -z.
     const Vector3d down = gravity.norm() > 0.0 ? Vector3d(gravity.normalized()) : Vector3d(-Vector3d::UnitZ());
     const std::vector<int> nothing;
     for (std::size_t l = 0; l < trial->loads.size(); ++l) {
@@ -208,6 +217,7 @@ std::vector<int> part_of_cell(const WorkbenchState& state) {
         Vector3d middle = Vector3d::Zero();
         for (const int node : mesh.cells.col(c)) middle += mesh.nodes.col(node);
         middle /= static_cast<double>(mesh.cells.rows());
+        // No early end: the later of overlapping parts holds.
         for (std::size_t p = 0; p < state.scene->parts.size(); ++p)
             if (const auto& box = state.scene->parts[p].box_m; box && box->contains(middle))
                 parts[static_cast<std::size_t>(c)] = static_cast<int>(p);

@@ -14,7 +14,7 @@ enum class ShapeFormat { vtu, stl, glb };
 struct ShapeExport {
     std::filesystem::path path;  // its extension is that of the format; .pvd for all frames
     ShapeFormat format = ShapeFormat::vtu;
-    bool all_frames = false;        // vtu only: every frame of the shown trial, beside a collection (.pvd)
+    bool all_frames = false;        // vtu only: every frame of the shown trial, with a collection (.pvd)
     double metres_per_unit = 1e-3;  // stl only, which names no unit: 1e-3 writes millimetres
 };
 

@@ -48,6 +48,7 @@ fibre::Signal with_knot_moved(fibre::Signal signal, std::size_t knot, double tim
 fibre::Signal with_knot_added(fibre::Signal signal, double time_s, double value) {
     const auto after = std::upper_bound(signal.times_s.begin(), signal.times_s.end(), time_s);
     const auto place = after - signal.times_s.begin();
+    // Knots closer than this look like one in the plot, and the signal jumps there.
     const bool crowded = (after != signal.times_s.end() && *after - time_s < closest_knots_s) ||
                          (place > 0 && time_s - *(after - 1) < closest_knots_s);
     if (crowded) return signal;

@@ -14,7 +14,7 @@ struct SignalRecipe {
     double start_s = 0.0;       // passive before
     double rise_s = 0.5;        // ramps only; a step takes a millisecond
     double frequency_Hz = 1.0;  // sines only
-    double end_s = 2.0;         // sines only; passive afterwards
+    double end_s = 2.0;         // sines only; the value reached is held afterwards
 };
 
 /// Generates the signal. A sine has 32 knots per period, which keeps linear interpolation within half a per cent of its

@@ -53,6 +53,7 @@ StepPrediction predict_step(const std::vector<StepCost>& costs, mesh::CellType e
             prediction.fitted = true;
         }
     }
+    // t ~ DOF^p, scaled from the measurement.
     prediction.seconds = prediction.from.seconds * std::pow(dofs / prediction.from.dofs, prediction.exponent);
     return prediction;
 }

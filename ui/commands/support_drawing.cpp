@@ -8,6 +8,7 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// How the held axes of a support are drawn.
 struct SupportLookPolicy {
     double bar = 0.06;   // half length, over the diagonal of the body
     double stop = 0.02;  // half length of the stops at the ends, over the diagonal
@@ -15,6 +16,7 @@ struct SupportLookPolicy {
 };
 constexpr SupportLookPolicy support_look_policy;
 
+/// Adds a line between two points.
 void add_line(viewport::DrawnScene& drawn, const Vector3d& from, const Vector3d& to, const viewport::Color& color,
               double width) {
     Eigen::Matrix3Xd points(3, 2);

@@ -6,7 +6,7 @@
 
 namespace myo::ui::commands {
 
-/// Draws the supports besides the clamp: the box, and in its middle a bar with stops along every held axis.
+/// Draws the supports other than the clamp: the box, and in its middle a bar with stops along every held axis.
 void add_supports(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme);
 
 }  // namespace myo::ui::commands

@@ -9,10 +9,10 @@
 
 namespace myo::ui::commands {
 
-/// A declared effect that runs leave out. Its id tells whether the declaration still has it there.
+/// A declared effect that runs leave out. With its id, an entry whose place holds another effect by now is ignored.
 struct SwitchedOff {
     std::size_t index = 0;  // in the order of the declaration
-    std::string id;
+    std::string id;         // of the effect
 
     bool operator==(const SwitchedOff&) const = default;
 };

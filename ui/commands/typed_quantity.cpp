@@ -16,6 +16,7 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// Text with plain blanks and minus signs, without blanks at its ends.
 std::string plain_text(std::string_view text) {
+    // The minus sign, no-break, narrow and thin blanks, and tabs: what is pasted from papers and spreadsheets.
     constexpr std::array<std::array<std::string_view, 2>, 5> spellings{
         {{"\xe2\x88\x92", "-"}, {"\xc2\xa0", " "}, {"\xe2\x80\xaf", " "}, {"\xe2\x80\x89", " "}, {"\t", " "}}};
     std::string plain(text);
@@ -81,6 +82,7 @@ void read_exponent(const std::string& text, std::size_t& at, WrittenNumber& numb
     at = digit;
 }
 
+/// The number at the beginning of a text; without digits if there is none.
 WrittenNumber read_number(const std::string& text) {
     WrittenNumber number;
     std::size_t at = 0;
@@ -105,6 +107,7 @@ bool looks_like_unit(std::string_view rest) {
            });
 }
 
+/// What a dimension is called in messages.
 std::string dimension_name(Dimension dimension) {
     switch (dimension) {
         case Dimension::number: return "plain numbers";
@@ -126,6 +129,7 @@ std::string dimension_name(Dimension dimension) {
     return "";
 }
 
+/// Why a word is no unit of the dimension, with the units to use.
 Error unit_error(const std::string& unit, Dimension dimension) {
     const std::string refused = "'" + unit + "' is not a unit of " + dimension_name(dimension);
     if (dimension == Dimension::number) return {"'" + unit + "' is not expected: this number has no unit", ""};
@@ -137,6 +141,7 @@ Error unit_error(const std::string& unit, Dimension dimension) {
 
 /// SI value of a number in a unit; empty if no double has it.
 std::optional<double> si_value(const WrittenNumber& number, const Unit& unit) {
+    // The power of ten of the unit goes into the text, so that the conversion rounds once.
     const std::string text = (number.negative ? "-" : "") + (number.whole.empty() ? "0" : number.whole) + "." +
                              (number.decimals.empty() ? "0" : number.decimals) + "e" +
                              std::to_string(number.exponent + unit.exponent);
@@ -146,12 +151,16 @@ std::optional<double> si_value(const WrittenNumber& number, const Unit& unit) {
     return value * unit.factor;
 }
 
+/// The number at the beginning of a text.
+///
+/// Errors: there is none; several decimal marks; a comma that may separate thousands as well as decimals.
 Result<WrittenNumber> read_unambiguous(const std::string& text) {
     const WrittenNumber number = read_number(text);
     if (!number.is_number()) return Error{"'" + text + "' is not a number", ""};
     const std::string written = text.substr(0, number.length);
     if (number.marks > 1)
         return Error{"'" + written + "' has several separators: write thousands without one, such as 1000.5", ""};
+    // Neither reading is guessed: one of them would be wrong by a factor of a thousand.
     if (reads_in_two_ways(number))
         return Error{"'" + written + "' can be read in two ways: write " + number.whole + "." + number.decimals +
                          " or " + number.whole + number.decimals,
@@ -191,10 +200,12 @@ std::string written(const ShortestDecimal& decimal) {
     return decimal.digits.substr(0, point) + "." + decimal.digits.substr(point);
 }
 
+/// A number with its unit, if that has a name.
 std::string with_unit(const std::string& number, const Unit& unit) {
     return unit.name[0] == '\0' ? number : number + " " + unit.name;
 }
 
+/// Shortest text of value / 10^shift. The shift moves the decimal point only, so that no digit is rounded.
 std::string signed_text(double value, int shift) {
     if (value == 0.0) return "0";
     ShortestDecimal decimal = shortest_decimal(std::abs(value));
@@ -253,6 +264,7 @@ std::string edited_text(double value, Dimension dimension, std::string_view unit
     assert(shown != nullptr);
     if (shown->factor == 1.0) return with_unit(signed_text(value, shown->exponent), *shown);
     const std::string text = with_unit(signed_text(value / shown->factor, shown->exponent), *shown);
+    // A factor that is no power of ten rounds: the text counts only if it leads back to the value.
     const Result<double> read = parse_quantity(text, dimension, unit);
     if (read && *read == value) return text;
     return with_unit(signed_text(value, 0), si_unit(dimension));

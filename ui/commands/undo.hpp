@@ -19,6 +19,7 @@ public:
     /// @param goes_on  this edit continues the previous one of the same name
     void record(const Value& before, const std::string& what, bool goes_on) {
         future_.clear();
+        // The value before the first edit of a drag is in the list already.
         if (goes_on && !past_.empty() && what == last_) return;
         past_.push_back(before);
         last_ = what;
@@ -30,6 +31,7 @@ public:
     /// The previous or next value. Returns `now` unchanged if there is none.
     Value undo(const Value& now) { return step(past_, future_, now); }
     Value redo(const Value& now) { return step(future_, past_, now); }
+    /// Removes all entries.
     void clear() { *this = UndoStack(); }
 
 private:

@@ -83,6 +83,7 @@ std::span<const Unit> all_units() {
 
 /// One spelling for what is typed in several ways.
 std::string plain_spelling(std::string_view name) {
+    // The micro sign and the Greek mu look the same; products are written with a dot, a star or a blank.
     constexpr std::array<std::array<std::string_view, 2>, 7> spellings{
         {{"²", "2"}, {"³", "3"}, {"^", ""}, {"\xc2\xb5", "u"}, {"\xce\xbc", "u"}, {"·", " "}, {"*", " "}}};
     std::string plain(name);

@@ -33,6 +33,7 @@ struct Unit {
     double factor = 1.0;
     bool offered = true;  // named in messages as one to use
 
+    /// SI value of one unit.
     double si() const;
 };
 
@@ -43,6 +44,7 @@ const Unit* find_unit(Dimension dimension, std::string_view name);
 /// As find_unit() among the offered ones, in upper or lower case: "kpa" finds "kPa".
 const Unit* find_unit_in_any_case(Dimension dimension, std::string_view name);
 
+/// The SI unit of a dimension; for numbers and ratios the one with the empty name.
 const Unit& si_unit(Dimension dimension);
 
 /// Dimension of a unit that is known by its name only; `number` if no dimension has it.

@@ -28,7 +28,7 @@ struct ViewOptions {
     bool actuators = true;      // walls of chambers, and tendons
     bool effect_force = true;   // force arrows of the selected diagnosis row
     bool undeformed = false;    // outline of the body at rest
-    bool side_by_side = false;  // the newest compared run beside the shown one
+    bool side_by_side = false;  // the newest compared run next to the shown one
     double opacity = 1.0;       // of the body, 0 to 1
     ClipPlane clip;
     // Item of a panel that is open to be edited, highlighted in the view: "obstacle/0", "trial/load/1"; not saved.

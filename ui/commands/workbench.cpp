@@ -79,6 +79,7 @@ void Workbench::advance(double seconds) {
         }
         if (job_) state_.job = job_->view();
     }
+    // After the job: only when none runs, a preview may begin.
     advance_preview();
     take_live_frame();
     if (state_.playing) {

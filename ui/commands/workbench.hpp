@@ -177,9 +177,11 @@ private:
         std::optional<Project> project = {};
         Result<Scene> scene = Error{"not read", ""};
     };
+    /// Reads a file to open. Runs on the job's thread, so it gets the backend and no state.
     static OpenedFile read_file(Backend& backend, const std::filesystem::path& path,
                                 std::optional<double> metres_per_unit, const std::filesystem::path& located,
                                 const Progress& progress);
+    /// Shows what was read, on the UI thread: the scene, the question where the body of a project is, or the error.
     void show_opened(const std::filesystem::path& path, std::optional<double> metres_per_unit, OpenedFile& opened);
     /// Ends the task if there is no mesh; returns whether it did.
     bool end_without_mesh(const Result<MeshedBody>& body, bool cancelled);
@@ -187,7 +189,9 @@ private:
     void show_simulated(RunResult result, const Settings& settings);
     /// Logs the errors before and after the search whose result is shown.
     void log_found(const std::string& verb);
+    /// Record of a search whose result is shown, without what end_task() adds.
     JobRecord record_of(const SearchResult& found) const;
+    /// Shows the result of a diagnosis, or logs why there is none, and ends the request.
     void end_diagnosis(Result<DiagnosisView> result, bool cancelled);
     /// Shows an opened scene with the settings of its project.
     void show_project(const std::filesystem::path& file, Project project, Scene scene);
@@ -197,10 +201,11 @@ private:
     void show_body(const PlacedBody& on);
 
     // Projects, quitting and recovery: workbench_project.cpp.
+    /// The project as it would be saved now. Requires an open scene.
     Project project() const;
     /// Saves to the project's file, or asks for a name.
     void save();
-    /// Writes the results beside a self-contained project.
+    /// Writes the results into the folder of a self-contained project.
     void save_results(const std::filesystem::path& file);
     /// Saves to this file. Errors are logged. Returns whether it is saved.
     bool save_as(std::filesystem::path file);
@@ -237,6 +242,7 @@ private:
     void stop_preview();
     /// Starts a preview if one is wanted and nothing else is running.
     void begin_preview();
+    /// Shows a preview that ends at `end_s` [s] of the trial, or why it failed.
     void show_preview(double end_s, Result<RunResult> result);
     /// Takes the result of a preview and starts the next one. Called once per frame.
     void advance_preview();
@@ -244,6 +250,7 @@ private:
     // Playing live: workbench_live.cpp.
     /// Makes the model of the present settings.
     LivePlay::Make live_model() const;
+    /// Stops playing live and waits for its thread.
     void stop_live();
     /// Passes changed settings to the model that plays live.
     void follow_settings_live();
@@ -261,10 +268,13 @@ private:
     void place_muscles();
 
     // Import of recordings: workbench_import.cpp.
+    /// Requests a job that reads a recording and then starts its import.
     void read_recording(const std::filesystem::path& path, const ReadingOptions& reading);
     /// Starts the import of a recording that was read.
     void begin_import(RecordingFile file);
+    /// Replaces the choices of the import and what follows from them, without an undo entry.
     void change_import(const ImportChoices& choices);
+    /// Assigns labels to markers as the backend proposes, with an undo entry.
     void propose_markers();
     /// Undoes or repeats a choice of the import. Returns false if none is open: then the settings are meant.
     bool step_import(bool back);
@@ -281,10 +291,13 @@ private:
     bool redeclare(const Declaration& declaration);  // workbench_declaration.cpp
     /// Computes the critical velocity force for the present settings.
     void check_stability();
+    /// Shows a trial from its start. An index out of range is limited.
     void choose_trial(int trial);  // workbench_view.cpp
     /// Takes intermediate results of the running search or diagnosis.
     void take_live();
+    /// Appends a message; the oldest are dropped beyond max_log_lines.
     void log(LogLevel level, const std::string& text);
+    /// Appends a failure: "Cannot open: <error>".
     void log_failure(const Error& error, const std::string& what);
 
     // Checks: workbench_checks.cpp.
@@ -295,12 +308,12 @@ private:
     /// Takes over the time step that a run chose, unless the user has set one.
     void take_step(double time_step_s);
 
-    std::shared_ptr<Backend> backend_;
-    std::function<void()> wake_;
+    std::shared_ptr<Backend> backend_;  // shared with the jobs' threads; never null
+    std::function<void()> wake_;        // may be empty
     WorkbenchState state_;
     UndoStack<Settings> undo_;
-    PlacedPaint placed_;
-    std::deque<Request> queue_;
+    PlacedPaint placed_;                                        // paint of the muscles on the last meshes
+    std::deque<Request> queue_;                                 // waiting requests in order
     std::optional<Request> request_;                            // the running request
     int next_id_ = 1;                                           // id of the next request
     std::shared_ptr<LiveValue<DiagnosisView>> live_diagnosis_;  // from the running diagnosis; null: none runs
@@ -311,8 +324,8 @@ private:
     /// The project's file and whether it is this window's.
     struct Claim {
         std::filesystem::path file;
-        std::shared_ptr<const void> held;
-        std::optional<Error> refusal;  // another window has the file
+        std::shared_ptr<const void> held;  // releases the claim when it is destroyed; null: not claimed
+        std::optional<Error> refusal;      // another window has the file
     };
     Claim claim_;
     UndoStack<ImportChoices> import_undo_;  // of the import that is open

@@ -35,6 +35,7 @@ void Workbench::log_done(const std::string& text, const CheckRows& rows) {
 
 void Workbench::take_step(double time_step_s) {
     const auto take = [&](Settings& settings) {
+        // A step that the user has set is kept.
         if (settings.own_step) return;
         settings.time_step_s = time_step_s;
     };

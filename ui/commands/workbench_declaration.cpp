@@ -30,6 +30,7 @@ void Workbench::on(const EditDeclaration& c) {
     }
     Settings settings = state_.settings;
     settings.declaration = std::move(*edited);
+    // The list of effects that are off names them by index, which a removal shifts.
     settings.off = moved_by(std::move(settings.off), c.edits);
     change_settings({std::move(settings), c.what, c.goes_on});
 }
@@ -45,6 +46,7 @@ void Workbench::on(const DeclareEffect& c) {
     }
     Settings settings = state_.settings;
     settings.declaration = std::move(*edited);
+    // The declared effect is the last one, and stays switched off if it was.
     if (effect.off) settings.off.push_back({state_.scene->effects.declared.size(), effect.declaration.id});
     settings.effects.erase(settings.effects.begin() + static_cast<std::ptrdiff_t>(c.added));
     change_settings({std::move(settings), "effect/declare", false});
@@ -62,7 +64,9 @@ bool Workbench::redeclare(const Declaration& declaration) {
         refuse(scene.error());
         return false;
     }
+    // Results are stored by the index of trial and marker. With another list they would be shown for the wrong ones.
     if (!same_shape(*scene, *state_.scene)) {
+        // The result of the running job will be shown by index, too.
         if (request_) {
             log(LogLevel::warning,
                 "\"" + request_->name + "\" is still running. Cancel it before trials or markers are changed.");
@@ -82,6 +86,7 @@ bool Workbench::redeclare(const Declaration& declaration) {
     const std::string shown = state_.scene_trial() ? state_.scene_trial()->name : "";
     const double time_s = state_.time_s;
     state_.scene = std::make_shared<const Scene>(std::move(*scene));
+    // The mesh stays; what is declared of chambers and tendons on it may differ.
     if (state_.body) state_.actuators = backend_->actuators(*state_.scene, *state_.body);
     state_.marker = std::clamp(state_.marker, 0, std::max(0, static_cast<int>(state_.scene->markers.size()) - 1));
     choose_trial(state_.trial);

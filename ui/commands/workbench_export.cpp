@@ -71,6 +71,7 @@ ShapeFrame shape_of(const Backend& backend, const Exported& exported, std::size_
     return shape;
 }
 
+/// Writes the body as shown: positions interpolated to the shown time, values of the nearest frame.
 Result<void> write_shown(const Backend& backend, const Exported& exported) {
     std::size_t nearest = 0;
     if (const SimulatedTrial* const trial = trial_of(exported)) {
@@ -81,7 +82,7 @@ Result<void> write_shown(const Backend& backend, const Exported& exported) {
                                shape_of(backend, exported, nearest, exported.shown_m));
 }
 
-/// Every frame in a folder beside the collection.
+/// Writes every frame into a folder next to the collection. Error: cancelled, or a file cannot be written.
 Result<void> write_frames(const Backend& backend, const Exported& exported, const Progress& progress) {
     const SimulatedTrial& trial = *trial_of(exported);
     const fs::path folder = exported.what.path.stem().string() + "_frames";
@@ -106,6 +107,7 @@ Result<void> write_frames(const Backend& backend, const Exported& exported, cons
 
 void Workbench::on(const ExportBody& command) {
     if (!state_.body) return log(LogLevel::warning, "Build the mesh first: there is no body to write.");
+    // Copies and shared pointers: the job writes what is shown now, whatever is edited meanwhile.
     Exported exported{command.what,
                       state_.body,
                       state_.shown_run(),
@@ -118,6 +120,7 @@ void Workbench::on(const ExportBody& command) {
     if (exported.colour && of_diagnosis(*exported.colour)) exported.colour.reset();
     if (command.what.all_frames && !trial_of(exported))
         return log(LogLevel::warning, "There are no frames to write before a run.");
+    // Without end_task(): an export is no result that the history could compare or restore.
     request("Export", [this, exported = std::move(exported)] {
         start(request_->name, [this, exported](const Progress& progress) -> Job::Completion {
             const Result<void> written = exported.what.all_frames ? write_frames(*backend_, exported, progress)

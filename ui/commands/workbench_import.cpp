@@ -48,7 +48,7 @@ void Workbench::begin_import(RecordingFile file) {
     import.declared = backend_->declared_markers(*state_.scene);
     import.view = backend_->view_import(*state_.scene, import.file, import.choices);
     state_.import = std::make_shared<const RecordingImport>(std::move(import));
-    // Distances tell markers apart only once their unit is known.
+    // Distances distinguish markers only once their unit is known.
     const ImportChoices& choices = state_.import->choices;
     const bool unassigned = std::all_of(choices.markers.begin(), choices.markers.end(),
                                         [](const ImportedMarker& marker) { return marker.name.empty(); });
@@ -64,6 +64,7 @@ void Workbench::change_import(const ImportChoices& choices) {
     import.choices = choices;
     import.view = backend_->view_import(*state_.scene, import.file, choices);
     state_.import = std::make_shared<const RecordingImport>(std::move(import));
+    // The start shifts the times of the timeline; the shown time must stay within them.
     execute(SetTime{state_.time_s});
 }
 
@@ -111,12 +112,14 @@ void Workbench::on(const AlignImport&) {
 void Workbench::on(const AddRecording&) {
     if (!state_.import || !state_.import->view.problem.empty()) return;
     const RecordingImport import = *state_.import;
+    // Copies: the import and the settings may be edited while the job waits and runs.
     const auto scene = state_.scene;
     const Settings settings = state_.settings;
     request("Add " + import.choices.trial, [this, import, scene, settings] {
         start(request_->name, [this, import, scene, settings](const Progress& progress) -> Job::Completion {
             auto place = std::make_shared<Result<std::filesystem::path>>(
                 Error{"cancelled before anything was written", ""});
+            // A cancel before the writing leaves the experiment as it is; a later one comes too late.
             if (!progress.cancelled()) *place = backend_->add_recording(*scene, settings, import.file, import.choices);
             auto made = std::make_shared<Result<Scene>>(Error{"not read", ""});
             if (*place) *made = backend_->open(**place, std::nullopt, progress);
@@ -152,6 +155,7 @@ void Workbench::on(const AddRecording&) {
 
 void Workbench::on(const CancelImport&) {
     state_.import.reset();
+    // The times of the recording end with the import.
     execute(SetTime{state_.time_s});
 }
 

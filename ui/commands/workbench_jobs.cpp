@@ -56,6 +56,7 @@ bool Workbench::may_compute() {
 }
 
 void Workbench::request(const std::string& name, std::function<void()> begin_work) {
+    // Settings and scene of now: edits while the request waits do not concern it.
     Request request{next_id_++, name, "", state_.settings, state_.scene, std::move(begin_work), {}};
     if (!request_) return begin(std::move(request));
     log(LogLevel::information, name + " waits until " + request_->name + " has ended.");
@@ -130,6 +131,7 @@ void Workbench::on(const RestoreRecord& command) {
     const JobRecord record = *found;
     // An undo entry, so that the user can return to the settings before the restore.
     if (!(record.settings == state_.settings)) undo_.record(state_.settings, "restore", false);
+    // The body first: muscles are placed on it, and the frames of the run have its nodes.
     show_body(record.on);
     state_.run.reset();
     state_.found.reset();
@@ -166,6 +168,7 @@ void Workbench::on(const Unqueue& c) {
 
 void Workbench::on(const CompareRecord& c) {
     for (JobRecord& record : state_.history)
+        // A run that was released to save memory cannot be drawn.
         if (record.id == c.id) record.compared = c.compared && record.run;
 }
 

@@ -2,12 +2,12 @@
 
 #include "commands/workbench.hpp"
 
-// Playing live: the shown model moves in real time beside everything else; the recorded run stays.
+// Playing live: the shown model moves in real time next to everything else; the recorded run stays.
 
 namespace myo::ui::commands {
 namespace {
 
-/// What the settings say of the controls.
+/// The controls with what the settings determine: step, damping and velocity force. Levels and pull are kept.
 LiveControls controlled_by(const Settings& settings, LiveControls controls) {
     controls.time_step_s = settings.time_step_s;
     controls.own_step = settings.own_step;
@@ -41,6 +41,7 @@ void Workbench::on(const PlayLive& c) {
         log(LogLevel::warning, "Build the mesh first: live playing moves the mesh of these settings.");
         return;
     }
+    // The recorded motion and the live one would both move the body.
     state_.playing = false;
     live_settings_ = state_.settings;
     live_ = std::make_unique<LivePlay>(live_model(), controlled_by(state_.settings, {}));

@@ -13,6 +13,7 @@ void Workbench::on(const ChangePreview& asked) {
     if (asked.on == state_.preview.on && !longer) return;
     state_.preview.on = asked.on;
     state_.preview.length_s = asked.length_s;
+    // A change of the length needs another run; switching off removes the shown one.
     if (asked.on)
         want_preview();
     else

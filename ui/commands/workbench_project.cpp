@@ -24,6 +24,7 @@ void remove_project(const fs::path& file) {
 
 Project Workbench::project() const {
     std::error_code ignored;
+    // Absolute, so that the project finds it from any working folder.
     return {fs::absolute(state_.scene->path, ignored),
             state_.metres_per_unit,
             state_.settings,
@@ -44,7 +45,8 @@ void Workbench::save() {
 bool Workbench::claim(const fs::path& file) {
     if (claim_.file == file && !claim_.refusal) return true;
     Result<std::shared_ptr<const void>> claimed = backend_->claim_project(file);
-    // A folder that cannot be written to, or the like, is told when the file itself is written.
+    // A claim that cannot be written, as in a folder without permission, is no refusal: writing the file itself reports
+    // it.
     const bool taken = !claimed && claimed.error().where.empty();
     claim_ = {file, claimed ? *claimed : nullptr, taken ? std::optional(claimed.error()) : std::nullopt};
     return !taken;
@@ -57,6 +59,7 @@ bool Workbench::save_as(fs::path file) {
     if (!claim(file)) {
         state_.pending.reset();
         log_failure(*claim_.refusal, "Cannot save");
+        // This window keeps the file that it has.
         claim(state_.project);
         return false;
     }
@@ -195,6 +198,7 @@ void Workbench::on(const Recover& command) {
                 *scene = project->error();
             return [this, project, scene] {
                 if (!*scene) return log_failure(scene->error(), "Cannot recover");
+                // Without a file: the recovery file is deleted after saving, so it is no place to save to.
                 show_project({}, std::move(**project), std::move(**scene));
                 // The recovered work is saved nowhere else, so it must count as unsaved.
                 state_.saved_settings = state_.scene->settings;
@@ -217,6 +221,7 @@ void Workbench::on(const DiscardRecovery&) {
 void Workbench::on(const Save&) { save(); }
 
 void Workbench::on(const SaveAs& c) {
+    // The project is written with the new choice; after a failure it is as before.
     const bool before = state_.self_contained;
     state_.self_contained = c.self_contained.value_or(before);
     if (!save_as(c.file)) state_.self_contained = before;

@@ -123,6 +123,7 @@ void Workbench::show_scene(Scene scene, std::optional<double> metres_per_unit) {
     forget_scene();
     if (state_.scene->surface.vertices.cols() > 0) state_.brush = brush_for(state_.scene->surface);
     place_muscles();
+    // Earlier settings belong to another scene.
     undo_.clear();
     state_.can_undo = state_.can_redo = false;
     state_.playing = false;

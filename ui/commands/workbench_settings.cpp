@@ -38,6 +38,7 @@ void Workbench::change_settings(const ChangeSettings& change) {
 
 bool Workbench::set_settings(const Settings& settings) {
     // All changes of the settings pass here: commands, undo, restored jobs and results of searches.
+    // The declaration first, as it alone can be refused; the preview last, as it runs with all that was set before.
     if (!(settings.declaration == state_.settings.declaration) && !redeclare(settings.declaration)) return false;
     state_.settings = settings;
     state_.muscle = std::clamp(state_.muscle, 0, std::max(0, static_cast<int>(settings.muscles.size()) - 1));
@@ -62,6 +63,7 @@ void Workbench::check_stability() {
 void Workbench::on(const ChangeSettings& c) { change_settings(c); }
 
 void Workbench::on(const Undo&) {
+    // While an import is open, undo and redo mean its choices.
     if (!step_import(true)) set_settings(undo_.undo(state_.settings));
 }
 

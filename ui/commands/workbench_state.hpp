@@ -135,6 +135,7 @@ struct WorkbenchState {
         return settings.velocity_force_1_s > 0.0 && critical_velocity_force_1_s &&
                settings.velocity_force_1_s > *critical_velocity_force_1_s;
     }
+    /// A diagnosis is running.
     bool diagnosing() const { return job && job->name == diagnose_job; }
     /// Shown row of the diagnosis: the selected one, otherwise the verdict's, otherwise the best so far. Null if there
     /// is none.

@@ -8,6 +8,7 @@
 namespace myo::ui::commands {
 
 void Workbench::choose_trial(int trial) {
+    // A model that plays live belongs to one trial.
     if (trial != state_.trial) stop_live();
     const int count = state_.scene ? static_cast<int>(state_.scene->trials.size()) : 0;
     state_.trial = std::clamp(trial, 0, std::max(0, count - 1));

@@ -18,6 +18,7 @@ bool is_measured(const Scene& scene) {
     return false;
 }
 
+// The status of each task. All but that of the body require an open scene.
 TaskStatus body_status(const WorkbenchState& state) {
     if (!state.scene) return {TaskState::missing, "Open an experiment folder, a mesh, or one of the examples."};
     return {TaskState::done, state.scene->name + " is open."};
@@ -26,6 +27,7 @@ TaskStatus body_status(const WorkbenchState& state) {
 TaskStatus mesh_status(const WorkbenchState& state) {
     if (!state.body) return {TaskState::ready, "Choose elements and an edge length, then build the mesh."};
     if (!state.mesh_is_current()) {
+        // The sentence names what has changed: the declaration of the body, or the settings of the mesh.
         const bool declared = state.settings.declaration.mesh_words != state.body_settings.declaration.mesh_words;
         return {TaskState::stale, declared ? "The held part, the parts or the body changed: build the mesh again."
                                            : "Element or edge length changed: build the mesh again."};
@@ -34,6 +36,7 @@ TaskStatus mesh_status(const WorkbenchState& state) {
                                  " elements of " + to_string(state.body->mesh.type) + "."};
 }
 
+/// Whether two settings have the same law with equal numbers.
 bool same_material(const Settings& a, const Settings& b) {
     return a.material == b.material && a.law == b.law && a.youngs_modulus_Pa == b.youngs_modulus_Pa &&
            a.poissons_ratio == b.poissons_ratio && a.density_kg_m3 == b.density_kg_m3 && a.damping_s == b.damping_s;
@@ -84,6 +87,7 @@ TaskStatus measure_status(const WorkbenchState& state) {
 TaskStatus fit_status(const WorkbenchState& state) {
     if (!is_measured(*state.scene) && !any_goals(*state.scene))
         return {TaskState::missing, "A fit needs measured markers or goals."};
+    // Something to follow, and something to change: unknown values, or actuators with signals.
     if (state.scene->calibrated.empty() && !has_actuators(*state.scene, state.settings))
         return {TaskState::missing, "Unknown parameters: none. Tick one, or add a muscle, chamber or tendon."};
     if (!state.found)

@@ -12,8 +12,9 @@ enum class Task { body, mesh, material, fibres, run, measure, fit, diagnose, rep
 inline constexpr std::array<Task, 9> all_tasks{Task::body,    Task::mesh, Task::material, Task::fibres, Task::run,
                                                Task::measure, Task::fit,  Task::diagnose, Task::report};
 
-/// Id of a task for commands and tests: "body"; and its title in the window: "Body".
+/// Id of a task for commands and tests: "body".
 const char* task_id(Task task);
+/// Title of a task in the window: "Body".
 const char* task_title(Task task);
 
 /// State of a task.
