@@ -35,6 +35,7 @@ const std::vector<FieldLink>& field_links() {
                                    {"trial/", "experiment", "[[trial]]: at least one"},
                                    {"load/", "experiment", "[[trial.load]]"},
                                    {"effect/", "experiment", "[[effect]]: known or suspected additional physics"}};
+        // Longer names first, so that a field's own link is found before that of its group.
         std::stable_sort(all.begin(), all.end(), [](const FieldLink& a, const FieldLink& b) {
             return std::string_view(a.field).size() > std::string_view(b.field).size();
         });
@@ -45,6 +46,7 @@ const std::vector<FieldLink>& field_links() {
 
 const FieldLink* link_of(const std::string& field) {
     const auto found = std::find_if(field_links().begin(), field_links().end(), [&](const FieldLink& link) {
+        // An entry with a "/" at its end stands for all fields of a group.
         const std::string_view name = link.field;
         return field == name || (name.ends_with('/') && field.starts_with(name));
     });

@@ -14,7 +14,7 @@ struct FieldLink {
 
 /// All links, the longest names first.
 const std::vector<FieldLink>& field_links();
-/// The link of a field; null if it has none.
+/// The link of a field: the one with its name, or else the longest beginning up to a "/"; null if there is none.
 const FieldLink* link_of(const std::string& field);
 
 }  // namespace myo::ui::help

@@ -6,11 +6,15 @@
 namespace myo::ui::help {
 namespace {
 
+// The part of CommonMark that the manual uses. Source: CommonMark 0.30, https://spec.commonmark.org.
 constexpr std::string_view fence = "```";
+// Blanks before a line of code, and of fences around it.
 constexpr std::size_t code_indent = 4;
 
+/// Number of blanks before a line; its length if there is nothing else.
 std::size_t indent_of(std::string_view line) { return std::min(line.find_first_not_of(' '), line.size()); }
 
+/// A line without blanks at its ends, and without the carriage return of Windows.
 std::string_view trimmed(std::string_view line) {
     const std::size_t first = indent_of(line), last = line.find_last_not_of(" \r");
     return last == std::string_view::npos || first > last ? std::string_view() : line.substr(first, last - first + 1);
@@ -48,6 +52,7 @@ bool is_rule(std::string_view line) { return line.find_first_not_of("|-: ") == s
 /// Turns lines into blocks. Text is collected until a line of another kind or an empty one ends it.
 class Reader {
 public:
+    /// Takes the next line of the page. The order of the cases matters: within a fence nothing else has a meaning.
     void take(std::string_view line) {
         const std::string_view text = trimmed(line);
         if (fenced_ || text.starts_with(fence)) return take_fenced(line, text);
@@ -60,6 +65,7 @@ public:
         std::string& raw = raw_;
         raw += (raw.empty() ? "" : " ") + std::string(text);
     }
+    /// Ends the last block, and returns all of them.
     std::vector<Block> end() {
         end_text();
         return std::move(blocks_);
@@ -70,12 +76,14 @@ private:
     bool continues_code(std::string_view line) const {
         return indent_of(line) >= code_indent && !collecting_ && !in_list_;
     }
+    /// Adds a line of code; lines in a row form one block.
     void add_code(std::string_view line) {
         if (!in_code_) blocks_.push_back({Block::Kind::code, 0, "", {}, {}});
         std::string& text = blocks_.back().text;
         text += (text.empty() ? "" : "\n") + std::string(line);
         in_code_ = true;
     }
+    /// A fence begins or ends code; between two fences every line is code.
     void take_fenced(std::string_view line, std::string_view text) {
         if (text.starts_with(fence)) {
             end_text();
@@ -84,6 +92,7 @@ private:
         }
         add_code(line);
     }
+    /// A heading ends a list.
     void take_heading(std::string_view text) {
         end_text();
         in_list_ = false;
@@ -91,6 +100,7 @@ private:
         blocks_.push_back(
             {Block::Kind::heading, static_cast<int>(level), plain_text(trimmed(text.substr(level))), {}, {}});
     }
+    /// A row of a table; the first one begins it.
     void take_row(std::string_view text) {
         if (is_rule(text)) return;
         if (blocks_.empty() || blocks_.back().kind != Block::Kind::table || !in_table_) {
@@ -100,6 +110,7 @@ private:
         in_table_ = true;
         blocks_.back().rows.push_back(cells_of(text));
     }
+    /// An item of a list. Its text goes on over the next lines; two blanks of indent make it one of an inner list.
     void take_item(std::string_view line, std::string_view text, std::size_t sign) {
         end_text();
         const bool bullet = text.front() == '*' || text.front() == '-';
@@ -111,6 +122,7 @@ private:
         raw_ = text.substr(sign);
         collecting_ = in_list_ = true;
     }
+    /// Ends a paragraph or item: its marks are removed from the whole text, as emphasis may span lines.
     void end_text() {
         if (collecting_) blocks_.back().text = plain_text(raw_);
         // Only pictures leave nothing.
@@ -123,6 +135,7 @@ private:
 
     std::vector<Block> blocks_;
     std::string raw_;  // text of the last block with its marks, while it is collected
+    // What the lines so far are part of: text, fenced code, code, a table, a list.
     bool collecting_ = false, fenced_ = false, in_code_ = false, in_table_ = false, in_list_ = false;
 };
 
@@ -167,6 +180,7 @@ std::vector<Block> read_markdown(std::string_view text) {
     Reader reader;
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
+        // The last line may lack its line break.
         reader.take(text.substr(0, end));
         text.remove_prefix(std::min(end + 1, text.size()));
     }
