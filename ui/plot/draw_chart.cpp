@@ -7,8 +7,10 @@
 namespace myo::ui::plot {
 namespace {
 
+/// Colour as draw lists take it.
 ImU32 packed_colour(const chart::Colour& colour) { return platform::packed(window_colour(colour)); }
 
+/// A place of a chart in the window: both count in the window's pixels.
 ImVec2 window_point(double x, double y) { return {static_cast<float>(x), static_cast<float>(y)}; }
 
 /// Draws marks one after another.
@@ -95,6 +97,7 @@ struct MarkPainter {
         const ImVec2 corner{std::round(at.x - share * extent.x), std::round(at.y - 0.5f * size)};
         const int first = list.VtxBuffer.Size;
         if (text.halo)
+            // A copy in each diagonal direction is an outline of one pixel.
             for (const ImVec2& by : {ImVec2{-1, -1}, ImVec2{1, -1}, ImVec2{-1, 1}, ImVec2{1, 1}})
                 list.AddText(font, size, {corner.x + by.x, corner.y + by.y}, packed_colour(*text.halo),
                              text.text.c_str());

@@ -10,6 +10,7 @@ float legend_width(const chart::LegendEntry& entry, const platform::Theme& theme
 
 void draw_legend_entry(ImDrawList& list, chart::LegendEntry entry, const platform::Rectangle& box, bool hovered,
                        bool pressed, const platform::Theme& theme, HiddenSeries& hidden) {
+    // A click removes the name from the hidden ones, or adds it.
     if (pressed && hidden.erase(entry.name) == 0) hidden.insert(entry.name);
     entry.hidden = hidden.count(entry.name) > 0;
     chart::Palette palette = chart_palette(theme);

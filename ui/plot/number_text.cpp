@@ -14,6 +14,7 @@ std::string with_true_minus(std::string text) {
     return "\xe2\x88\x92" + text.substr(1);
 }
 
+/// A number by a format of printf with a number of digits.
 std::string printed(const char* format, int digits, double value) {
     char buffer[64];
     std::snprintf(buffer, sizeof buffer, format, digits, value);

@@ -10,6 +10,7 @@
 namespace myo::ui::plot {
 namespace {
 
+/// ImGui computes in float, charts in double.
 double wide(float v) { return static_cast<double>(v); }
 
 /// Values at a pixel.
@@ -27,6 +28,7 @@ chart::Range zoomed(const chart::Scale& scale, float pixel, double factor) {
     return scale.range(fixed + factor * (scale.from_px - fixed), fixed + factor * (scale.to_px - fixed));
 }
 
+/// Wheel: zooms x about the mouse, with Shift y.
 void react_to_zoom(const PlotArea& area, LinkedAxis& x_axis, PlotState& state) {
     const ImGuiIO& io = ImGui::GetIO();
     if (io.MouseWheel == 0.0f) return;
@@ -41,6 +43,7 @@ void react_to_zoom(const PlotArea& area, LinkedAxis& x_axis, PlotState& state) {
     }
 }
 
+/// Moves both ranges with the mouse.
 void react_to_pan(const PlotArea& area, LinkedAxis& x_axis, PlotState& state) {
     const ImVec2 by = ImGui::GetIO().MouseDelta;
     if (by.x == 0.0f && by.y == 0.0f) return;

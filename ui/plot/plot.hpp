@@ -47,7 +47,7 @@ struct PlotState {
     std::optional<ImVec2> box_start;    // first corner of a zoom box in progress [pixels in the window]
     std::optional<double> chosen_from;  // first end of an x selection in progress
     bool dragging_cursor = false;       // with the left button
-    bool panning = false;               // with the middle button
+    bool panning = false;               // with the middle button, also outside the plot
 };
 
 /// Names of the curves that the user has switched off in the legend. Shared by all plots of a panel.
@@ -86,7 +86,7 @@ float plot_margin_left(const platform::Theme& theme);
 PlotResult draw_plot(const Plot& plot, const ImVec2& size, const platform::Theme& theme,
                      platform::ItemRectangles& items, LinkedAxis& x_axis, PlotState& state, HiddenSeries& hidden);
 
-/// The visible part of a plot as a chart: ranges as drawn, hidden curves left out.
+/// The visible part of a plot as a chart, for export: ranges as drawn, hidden curves left out.
 chart::Chart seen_chart(const Plot& plot, const PlotArea& area, const HiddenSeries& hidden);
 
 /// Index of the sample whose x is nearest to `value`. x is ascending. Empty if there are no samples.

@@ -21,11 +21,13 @@ std::string plots_svg(const std::vector<chart::Chart>& charts, const platform::T
     chart::Drawing drawing{{0.0, 0.0, width, 0.0}, "curves", {}};
     for (chart::Chart chart : charts) {
         chart.width_px = width;
+        // In the window the lower of two plots has the labels for both; in a drawing each has its own.
         chart.x_labels = true;
         for (chart::Panel& panel : chart.panels) panel.height_px = height;
         const chart::Layout layout = chart::lay_out(chart, style, palette, chart::estimated_text_width,
                                                     {0.0, drawing.frame.height});
         chart::Drawing one = chart::draw(chart, layout, palette);
+        // One drawing: each chart was laid out below the ones before.
         std::move(one.marks.begin(), one.marks.end(), std::back_inserter(drawing.marks));
         drawing.frame.height += layout.frame.height;
     }
