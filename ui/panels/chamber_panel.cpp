@@ -86,6 +86,7 @@ void ChamberPanel::draw_cavity(PanelContext& context, std::size_t c) {
         ImGui::PopID();
         return;
     }
+    // From here on the cavity is a chamber, with a name and a command.
     const DeclaredActuator chamber = declared_chamber(scene, index_of(scene, cavity.chamber));
     const std::string item = "chamber/" + cavity.chamber;
     std::string name = cavity.chamber;

@@ -63,6 +63,7 @@ void draw_narrow_row(const platform::Theme& theme, const commands::CheckRow& row
 /// Columns and headings. `wide`: five columns instead of two.
 void set_up_checks(const platform::Theme& theme, bool wide) {
     ImGui::TableSetupScrollFreeze(0, 1);
+    // As wide as the longest word with its icon; the texts share what is left.
     const float state = ImGui::CalcTextSize((std::string(platform::icon::warning) + "  amber").c_str()).x;
     ImGui::TableSetupColumn("state", ImGuiTableColumnFlags_WidthFixed, state);
     ImGui::TableSetupColumn("check", ImGuiTableColumnFlags_WidthStretch, 1.0f);

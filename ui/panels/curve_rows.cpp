@@ -49,6 +49,7 @@ std::optional<CurveEdit> curve_rows(PanelContext& context, const NumberField& va
     for (std::size_t row = 0; row < curve.times_s.size(); ++row) {
         const std::string item = value.name + "/" + std::to_string(row);
         const float width = (ImGui::GetContentRegionAvail().x - button - 2.0f * spacing) / 2.0f;
+        // Time and value of the row, and the button that removes it, share a line.
         NumberField time{"Time",
                          item + "/time",
                          commands::Dimension::time,
@@ -58,6 +59,7 @@ std::optional<CurveEdit> curve_rows(PanelContext& context, const NumberField& va
                          0.005};
         NumberField amount = value;
         amount.name = item + "/value";
+        // Each row edits a copy of the curve, so that an edit changes one row only.
         CurveEdit changed{curve};
         ImGui::SetNextItemWidth(width);
         bool any = number_field(context, time, edits, changed.curve.times_s[row], changed.goes_on, subject);

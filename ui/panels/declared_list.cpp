@@ -14,6 +14,7 @@ ItemPress item_heading(PanelContext& context, const ItemHeading& heading, float 
     ImGui::PushID(heading.item.c_str());
     if (heading.muted) ImGui::PushStyleColor(ImGuiCol_Text, context.theme.muted);
     ImGui::AlignTextToFramePadding();
+    // The state decides what is open, not ImGui: the view must highlight the same thing, and one is open at a time.
     ImGui::SetNextItemOpen(open);
     // The title leaves room for the controls at the right.
     const float room = right - ImGui::GetCursorPosX() - button - spacing - reserved -
@@ -28,6 +29,7 @@ ItemPress item_heading(PanelContext& context, const ItemHeading& heading, float 
     const bool removed = ImGui::Button(platform::icon::remove, {button, 0.0f});
     context.items.mark(heading.item + "/remove");
     tooltip(context.theme, heading.remove_tip);
+    // The next thing in the list would take the name of the removed one, and open.
     if (removed) open_item(context, "");
     ImGui::PopID();
     return removed ? ItemPress::removed : ItemPress::nothing;

@@ -54,6 +54,7 @@ bool can_be_fitted(const effect::Effect* entry) {
 
 /// Heading with a switch. Returns whether the effect was switched, and in `removed` whether it was removed.
 bool effect_heading(PanelContext& context, const std::string& item, const std::string& id, bool is_on, bool& removed) {
+    // The switch stands between the title and the button that removes the effect.
     const float box = ImGui::GetFrameHeight(), spacing = ImGui::GetStyle().ItemSpacing.x;
     const ItemPress press = item_heading(context,
                                          {item, effect::effect_name(id) + (is_on ? "" : " (off)"),
@@ -91,6 +92,7 @@ void EffectPanel::draw(PanelContext& context) {
         muted_text(
             context.theme,
             "The model has no effects besides material, support and loads. Diagnose finds which one is missing.");
+    // First the effects that the experiment declares, then those that only the project has.
     for (std::size_t i = 0; i < declared; ++i) draw_declared(context, i);
     if (added > 0 && state.scene->is_experiment) heading(context.theme, "Added to the experiment");
     for (std::size_t i = 0; i < added; ++i) draw_added(context, i);
@@ -139,6 +141,7 @@ void EffectPanel::draw_added(PanelContext& context, std::size_t index) {
     };
     bool removed = false;
     if (effect_heading(context, item, effect.declaration.id, !effect.off, removed))
+        // Off, the effect keeps its values, but runs, fits and diagnoses leave it out.
         emit(item + "/on", false, [&](commands::Settings& s) { s.effects[index].off = !effect.off; });
     if (removed)
         emit("effects", false,
@@ -153,10 +156,12 @@ void EffectPanel::draw_added(PanelContext& context, std::size_t index) {
                              changed.declaration.parameters[key] = *value;
                          else
                              changed.declaration.parameters.erase(key);
+                         // The text of the values is kept with them, as the project and the table of jobs show it.
                          changed.value = commands::effect_words(changed.declaration.parameters);
                      });
                  }},
                 edits_);
+    // On a plain mesh there is no declaration to move the effect into, and no recording to fit it to.
     if (state.scene->is_experiment) {
         if (ImGui::Button(("Put into the experiment##" + item).c_str(), {-1.0f, 0.0f}))
             context.emit(commands::DeclareEffect{index});

@@ -167,6 +167,7 @@ bool draw_given(PanelContext& context, const EditedEffect& edited, const EffectP
 /// Rows of one parameter. Its kind decides about names and axes, the type of its value about the rest.
 void draw_parameter(PanelContext& context, const EditedEffect& edited, const EffectParameterEntry& entry,
                     NumberEdits& edits) {
+    // Names have an entry for "none" in their list; other optional parameters have a box to tick.
     if (is_name(entry.kind)) return draw_name(context, edited, entry);
     if (entry.optional && !draw_given(context, edited, entry)) return;
     const auto given = edited.effect.parameters.find(entry.name);

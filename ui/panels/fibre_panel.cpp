@@ -303,6 +303,7 @@ void FibrePanel::draw_paint_actions(PanelContext& context) {
     const auto repaint = [&](const char* what, fibre::CellPaint changed) {
         context.emit(commands::Paint{state.muscle, std::make_shared<const fibre::CellPaint>(std::move(changed)), what});
     };
+    // The three changes of the paint share a line; the removals below take a line each.
     const float gap = ImGui::GetStyle().ItemSpacing.x,
                 third = std::floor((ImGui::GetContentRegionAvail().x - 2.0f * gap) / 3.0f);
     const auto button = [&](auto... texts) { return paint_button(context, third, texts...); };

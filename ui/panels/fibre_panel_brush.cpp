@@ -76,6 +76,7 @@ void draw_tools(PanelContext& context, commands::BrushSettings& brush) {
     const float gap = 2.0f * theme.scale, width = std::floor((ImGui::GetContentRegionAvail().x - 3.0f * gap) / 4.0f);
     ImGui::BeginDisabled(!context.state.ground);
     for (const Tool& tool : tools) {
+        // The first tool, which gives the mouse back to the view, begins the line.
         if (tool.tool != commands::BrushTool::none) ImGui::SameLine(0.0f, gap);
         const bool chosen = brush.tool == tool.tool;
         ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme.accent : theme.raised);
@@ -100,6 +101,7 @@ void draw_brush_extent(PanelContext& context, NumberEdits& edit, commands::Brush
                {1e-3 * reach, 0.5 * reach},
                0.05},
               edit, brush.radius_m);
+    // A brush through the body has no depth; the number is kept for later.
     ImGui::BeginDisabled(brush.through);
     brush_row(context,
               {"Depth",

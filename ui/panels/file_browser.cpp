@@ -194,6 +194,7 @@ void FileBrowser::make_folder() {
 /// A new folder is shown at once, so that the file name can be typed next.
 void FileBrowser::draw_new_folder(PanelContext& context) {
     const platform::Theme& theme = context.theme;
+    // Every time the popup opens it is empty, with the keyboard in its field.
     if (ImGui::Button("New folder")) {
         new_folder_.clear();
         problem_.clear();
@@ -217,6 +218,7 @@ void FileBrowser::draw_new_folder(PanelContext& context) {
     if (pressed) {
         make_folder();
     }
+    // The popup stays open after a failure, so that another name can be typed.
     if (!problem_.empty()) ImGui::TextColored(theme.failure, "%s", problem_.c_str());
     if (escape_closes()) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
@@ -280,6 +282,7 @@ void FileBrowser::draw_columns(PanelContext& context) {
     const float s = context.theme.scale;
     // The lists leave room for the line of buttons below them.
     const float foot = ImGui::GetFrameHeightWithSpacing() + 4.0f * s;
+    // The columns at the sides keep their widths; the list in the middle takes what is left.
     const float places = 170.0f * s, preview = 230.0f * s, gap = 2.0f * ImGui::GetStyle().ItemSpacing.x;
     const float middle = std::max(160.0f * s, ImGui::GetContentRegionAvail().x - places - preview - gap);
     ImGui::BeginChild("places", {places, -foot});
@@ -289,6 +292,7 @@ void FileBrowser::draw_columns(PanelContext& context) {
     ImGui::BeginChild("entries", {middle, -foot});
     draw_entries(context);
     ImGui::EndChild();
+    // A double click in the list may have closed the dialog.
     if (dialog_) {
         ImGui::SameLine();
         ImGui::BeginChild("preview", {0.0f, -foot});

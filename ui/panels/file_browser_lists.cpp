@@ -39,6 +39,7 @@ void draw_experiment_tag(const platform::Theme& theme) {
 void FileBrowser::draw_places(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
+    // One entry; a place without a folder has none.
     const auto place = [&](const char* icon, const std::string& label, const fs::path& folder,
                            const std::string& item) {
         if (folder.empty()) return;

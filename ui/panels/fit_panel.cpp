@@ -67,6 +67,7 @@ void draw_seek_row(PanelContext& context, commands::OptimizeRequest& request) {
     const bool open = ImGui::BeginCombo("##seek", seek_words(request).c_str());
     context.items.mark("fit/seek");
     if (!open) return;
+    // One entry of the list; the word identifies it in requests and tests.
     const auto tick = [&](const std::string& label, const std::string& word, const char* explanation, bool& on) {
         ImGui::Checkbox((label + "##seek/" + word).c_str(), &on);
         context.items.mark("fit/seek/" + word);
@@ -77,6 +78,7 @@ void draw_seek_row(PanelContext& context, commands::OptimizeRequest& request) {
              "Signals of all muscles that follow none, pressures of chambers, commands of tendons, at knots over time.",
              request.signals);
     for (const commands::SeekChoice& choice : commands::seek_choices(state.scene->seekable, state.settings)) {
+        // The request lists the words of what is sought; what is not listed keeps its value.
         const auto found = std::find(request.seek.begin(), request.seek.end(), choice.word);
         const bool was = found != request.seek.end();
         bool on = was;
@@ -101,6 +103,7 @@ void draw_optimize_rows(PanelContext& context, NumberEdits& edit, commands::Opti
          0.1,
          "density of knots"},
         edit, request.frequency_Hz);
+    // Limits of chambers and tendons belong to the experiment, bounds of muscles to the request.
     draw_limit_rows(context, edit);
     if (context.state.settings.muscles.empty()) return;
     request_row(context, bound_field("Minimum a", "fit/lowest", "Lower", "Below 1 they pull.", {0.1, 1.0}), edit,

@@ -122,6 +122,7 @@ void GoalPanel::draw_goal(PanelContext& context, std::size_t index) {
     context.items.mark(item + "/remove");
     tooltip(context.theme, "Remove the goal");
     const Eigen::Index last = goal.time_s.size() - 1;
+    // The places of a path are dragged in the view, or come from a file; only a single place has fields.
     if (goal.is_path) {
         text_row(context.theme, "Path",
                  std::to_string(last + 1) + " places from " + plot::plain_label(goal.time_s(0), 4) + " s to " +
@@ -145,6 +146,7 @@ void GoalPanel::draw_goal(PanelContext& context, std::size_t index) {
                          {0.0, 3600.0},
                          0.005},
                         goal.time_s(0));
+        // A span has an end, too: the marker shall stay at the place until then.
         if (last > 0)
             draw_number(context, index, "until_s",
                         {"Until",
@@ -157,6 +159,7 @@ void GoalPanel::draw_goal(PanelContext& context, std::size_t index) {
                         goal.time_s(last));
     }
     draw_path_buttons(context, index);
+    // What holds for every kind of goal: the coordinates that count, and its weight.
     toml::TomlPath axes = goal_path(context.state, index);
     axes.emplace_back("axes");
     axis_ticks(context, "Counts along",
@@ -200,6 +203,7 @@ void GoalPanel::draw_path_buttons(PanelContext& context, std::size_t index) {
                 "Makes the goal a path over time, with a point at the shown time; drag the point in the view. Between "
                 "its points the path is straight.");
     } else if (goal.is_path) {
+        // A path of two points becomes a single place; a single place has no point to remove.
         if (ImGui::Button("Remove the point at the shown time", {-1.0f, 0.0f})) {
             Eigen::VectorXd times(count - 1);
             Eigen::Matrix3Xd places(3, count - 1);
@@ -216,6 +220,7 @@ void GoalPanel::draw_add(PanelContext& context) {
     ImGui::SetNextItemWidth(-1.0f);
     marker_list(context, "goal/marker");
     if (ImGui::Button("Add a goal", {-1.0f, 0.0f})) {
+        // Appended to the shown trial, which also has the time and the run of the new goal.
         const toml::TomlPath array{"trial", static_cast<std::size_t>(context.state.trial), "goal"};
         context.emit(commands::EditDeclaration{{commands::AppendDeclared{array, new_goal(context.state)}}, "goal/add"});
     }

@@ -112,6 +112,7 @@ void GoalTool::update(PanelContext& context, const viewport::ViewportState& view
         drag_.reset();
         return;
     }
+    // The press only takes the goal; it moves from the next frame on.
     if (pressed) press(state, context.theme, view);
     if (drag_ && held && !pressed) {
         const Eigen::Vector3d place = viewport::in_image_plane(view.camera, view.size(), view.mouse, drag_->place_m) +

@@ -84,6 +84,7 @@ void HelpPanel::draw_tutorial(PanelContext& context) {
 void HelpPanel::draw_step(PanelContext& context, std::size_t index) {
     const platform::Theme& theme = context.theme;
     const TutorialStep& step = tutorial_steps()[index];
+    // Only the next step has a button, so that one thing is to be done at a time.
     const bool done = progress_.done(index), next = progress_.next() == index;
     ImGui::Spacing();
     ImGui::TextColored(done ? theme.success : theme.muted, "%s",
@@ -109,6 +110,7 @@ void HelpPanel::draw_manual(PanelContext& context) {
     for (const help::ManualPage& page : help::manual_pages)
         if (page_ == page.name) title = page.title;
     const ImGuiStyle& style = ImGui::GetStyle();
+    // Pages and sections share a line if the title of the page fits into half of it.
     const float half = 0.5f * (ImGui::GetContentRegionAvail().x - style.ItemSpacing.x);
     const float needed = ImGui::CalcTextSize(title.c_str()).x + 2.0f * style.FramePadding.x + ImGui::GetFrameHeight();
     // Otherwise one list stands below the other.
@@ -140,6 +142,7 @@ void HelpPanel::draw_manual(PanelContext& context) {
     }
     ImGui::BeginChild(page_.c_str(), {0.0f, 0.0f});
     draw_markdown(theme, blocks_, draws_ > 0 ? target_ : std::nullopt);
+    // The target is sought over several frames, as the heights of blocks above it are known only once they were drawn.
     if (draws_ > 0) --draws_;
     ImGui::EndChild();
     context.items.mark("help/text");
@@ -150,6 +153,8 @@ void HelpPanel::draw_shortcuts(PanelContext& context) {
     if (!ImGui::BeginTable("keys", 2, ImGuiTableFlags_RowBg)) return;
     ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 110.0f * theme.scale);
     ImGui::TableSetupColumn("action", ImGuiTableColumnFlags_WidthStretch);
+    // The list of actions gives the shortcuts of menus, so that both always agree; the mouse and the keys of fields
+    // follow.
     const auto row = [&](const std::string& keys, const std::string& what) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();

@@ -55,6 +55,7 @@ void draw_limit(PanelContext& context, const LimitKind& kind, NumberEdits& edits
         tooltip(context.theme, kind.tip);
         return;
     }
+    // A declared limit is a number field; its button removes the key, so that no limit holds.
     double value = declared->second;
     bool goes_on = false;
     const NumberField field{kind.label,      item, kind.dimension, kind.unit, kind.tip, {kind.smallest_SI, kind.most},

@@ -24,6 +24,7 @@ void LivePanel::draw(PanelContext& context) {
     }
     notice_in_place(context.theme, commands::LogLevel::warning, state.live->problem, 2);
     if (!state.live->problem.empty()) context.items.mark("live/problem");
+    // Levels and spring are known once the model is made.
     if (!state.live->ready) return;
     draw_levels(context);
     draw_spring(context);
@@ -38,6 +39,7 @@ void LivePanel::draw_buttons(PanelContext& context) {
     const float spacing = ImGui::GetStyle().ItemSpacing.x;
     const float width = 0.5f * (ImGui::GetContentRegionAvail().x - spacing);
     const bool on = state.live.has_value();
+    // The model that plays is that of the present settings, so it needs their mesh. Stopping is always possible.
     ImGui::BeginDisabled(!on && !state.mesh_is_current());
     const std::string label = std::string(on ? platform::icon::stop : platform::icon::hand) +
                               (on ? "  Stop" : "  Play live");

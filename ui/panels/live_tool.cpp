@@ -70,6 +70,7 @@ void draw_spring(PanelContext& context, const viewport::ViewportState& view, con
         list.AddCircleFilled(end, 5.5f * s, dark);
         list.AddCircleFilled(end, 4.0f * s, accent);
     }
+    // The force stands at the mouse, where the user looks.
     draw_note(list, context.theme, {to->x + 12.0f * s, to->y + 8.0f * s}, plot::value_label(frame.force_N, 2) + " N");
     context.items.add("view/live_force", {{to->x - 4.0f * s, to->y - 4.0f * s}, {to->x + 4.0f * s, to->y + 4.0f * s}});
 }

@@ -59,6 +59,7 @@ float column_weight(const Block& block, std::size_t column) {
 /// A table. Its first row is the heading, in the secondary colour.
 void draw_table(const platform::Theme& theme, const Block& block, std::size_t index) {
     std::size_t columns = 0;
+    // Rows may have different numbers of cells; the longest one decides.
     for (const auto& row : block.rows) columns = std::max(columns, row.size());
     if (columns == 0) return;
     ImGui::PushID(static_cast<int>(index));

@@ -112,6 +112,7 @@ void MarkerPanel::draw(PanelContext& context) {
     // Collected while drawing, for export as SVG.
     seen_.clear();
     const ImVec2 space = ImGui::GetContentRegionAvail(), corner = ImGui::GetCursorScreenPos();
+    // The whole area, for the picture of the plots; the single plots record their own items.
     plots_ = {corner, {corner.x + space.x, corner.y + space.y}};
     context.items.add("markers/plots", plots_);
     // All plots may be switched off.

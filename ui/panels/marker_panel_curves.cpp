@@ -68,6 +68,7 @@ void add_shown(plot::Plot& plot, plot::Plot& strip, const PanelContext& context,
     const commands::SimulatedTrial* simulated = state.simulated_trial();
     const Eigen::VectorXd measured = 1e3 * trial.measured[m].row(axis).transpose();
     const bool seen = commands::is_seen(trial, m);
+    // A marker that was never seen has no measured curve, not one of gaps.
     if (seen) plot.panel.series.push_back(plot::plot_series("measured", trial.time_s, measured, theme.measured, true));
     if (compare) {
         const Eigen::VectorXd predicted = 1e3 * simulated->markers[m].row(axis).transpose();
@@ -76,6 +77,7 @@ void add_shown(plot::Plot& plot, plot::Plot& strip, const PanelContext& context,
             strip.panel.series.push_back(plot::plot_series("simulated \xe2\x88\x92 measured", trial.time_s,
                                                            predicted - measured, theme.failure));
     }
+    // Compared runs have the colours of their rings in the view.
     for (const commands::ComparedMarker& other : commands::compared_markers(state))
         plot.panel.series.push_back(plot::plot_series(other.name, trial.time_s,
                                                       1e3 * other.position_m->row(axis).transpose(),

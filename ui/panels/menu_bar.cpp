@@ -98,6 +98,7 @@ void draw_message(PanelContext& context, float right) {
                                                                               : commands::LogLevel::warning,
                                                                           commands::preview_text(state)}
                                                       : state.log.back();
+    // In the order of LogLevel.
     const ImVec4 colors[] = {theme.muted, theme.success, theme.warning, theme.failure};
     ImGui::AlignTextToFramePadding();
     const float room = right - 16.0f * theme.scale - ImGui::GetCursorPosX();
@@ -174,6 +175,7 @@ BarParts parts_that_fit(const platform::Theme& theme, float width) {
     const auto button = [&](const char* label) {
         return ImGui::CalcTextSize(label).x + 2.0f * style.FramePadding.x + style.ItemSpacing.x;
     };
+    // Padding and menus are always there.
     float left = 2.0f * style.WindowPadding.x + bar_gap * theme.scale;
     for (const char* menu : menus) left += button(menu);
     BarParts parts;
@@ -187,6 +189,7 @@ BarParts parts_that_fit(const platform::Theme& theme, float width) {
         if (parts.scale) all += scale_list_width * theme.scale + style.ItemSpacing.x;
         return all;
     };
+    // In this order parts are left out until the rest fits.
     for (bool BarParts::*part : {&BarParts::name, &BarParts::theme, &BarParts::signs, &BarParts::scale})
         if (needed() > width) parts.*part = false;
     return parts;

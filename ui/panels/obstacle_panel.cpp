@@ -78,9 +78,11 @@ void draw_shape(PanelContext& context, const commands::SceneObstacle& obstacle, 
         place.emplace_back(key);
         return place;
     };
+    // The rows are those of the keys that the kind of obstacle has in the declaration.
     if (const auto* plane = std::get_if<commands::ScenePlane>(&obstacle.shape)) {
         vector_rows(context, {inside("point_m"), item + "/point"}, "Point",
                     place_field("A point of the plane [m], in the frame of the mesh."), edits, plane->point_m);
+        // The normal has no unit, and its length does not count.
         const NumberField normal{
             "",          "",   commands::Dimension::number, "", "Normal, towards the body; its length does not count.",
             {-1.0, 1.0}, 0.005};
@@ -107,6 +109,7 @@ void ObstaclePanel::draw(PanelContext& context) {
     const commands::Scene& scene = *context.state.scene;
     if (scene.obstacles.empty()) muted_text(context.theme, "Nothing is in the way of the body.");
     for (std::size_t i = 0; i < scene.obstacles.size(); ++i) draw_obstacle(context, i);
+    // Buttons in one line, "Add a plane", "a sphere", "a box".
     struct New {
         const char* label;
         const char* item;
@@ -120,6 +123,7 @@ void ObstaclePanel::draw(PanelContext& context) {
         if (ImGui::Button(added.label, {third, 0.0f})) {
             context.emit(commands::EditDeclaration{
                 {commands::AppendDeclared{{"obstacle"}, new_obstacle(scene, added.shape)}}, added.item});
+            // Open at once, so that the view highlights it and its numbers can be set.
             open_item(context, "obstacle/" + std::to_string(scene.obstacles.size()));
         }
         context.items.mark(added.item);

@@ -91,6 +91,7 @@ void PartPanel::draw_part(PanelContext& context, std::size_t index) {
         context.emit(commands::EditDeclaration{{commands::RemoveDeclared{{"part", index}}}, item + "/remove"});
     if (!is_open(context, item)) return;
     draw_name(context, index);
+    // A place that is given by a file or by numbers of cells is shown, not edited.
     if (part.box_m)
         box_rows(context, {key_of(index, "box_m"), item + "/box"}, edits_, *part.box_m);
     else
@@ -102,6 +103,7 @@ void PartPanel::draw_name(PanelContext& context, std::size_t index) {
     const commands::ScenePart& part = context.state.scene->parts[index];
     const std::string item = "part/" + std::to_string(index) + "/name";
     row_label(context.theme, "Name", "Names the part's values in results.");
+    // Text that is being typed belongs to one part; the others show their names.
     const bool mine = named_part_ == static_cast<std::ptrdiff_t>(index);
     std::string name = mine ? typed_name_ : part.name;
     if (ImGui::InputText("##part_name", &name)) typed_name_ = name, named_part_ = static_cast<std::ptrdiff_t>(index);
@@ -115,6 +117,7 @@ void PartPanel::draw_name(PanelContext& context, std::size_t index) {
 void PartPanel::draw_material(PanelContext& context, std::size_t index) {
     const commands::ScenePart& part = context.state.scene->parts[index];
     const std::string item = "part/" + std::to_string(index);
+    // One number of the part, as an edit with the name of its field.
     const auto set = [&](const char* key, double value, const std::string& name, bool goes_on) {
         context.emit(commands::EditDeclaration{
             {commands::SetDeclared{key_of(index, key), toml::toml_number(value)}}, name, goes_on});
@@ -126,6 +129,7 @@ void PartPanel::draw_material(PanelContext& context, std::size_t index) {
         bool goes_on = false;
         if (number_row(context, field, edits_, value, goes_on)) set(entry.key, value, field.name, goes_on);
     }
+    // The damping is the only value that a part may leave to the body.
     row_label(context.theme, "Damping", "Kelvin\xe2\x80\x93Voigt time of the part; otherwise that of the body.");
     bool own = part.damping_s.has_value();
     const bool before = own;
@@ -149,6 +153,7 @@ void PartPanel::draw_material(PanelContext& context, std::size_t index) {
                                 "Kelvin\xe2\x80\x93Voigt time"};
         if (number_row(context, field, edits_, damping_s, goes_on)) set("damping_s", damping_s, field.name, goes_on);
     }
+    // Values of the part that a calibration may find, as a list of their ids.
     for (const auto& [id, label] : {std::pair{"youngs_modulus", "modulus"}, std::pair{"damping", "damping"}}) {
         std::vector<std::string> wanted = part.calibrated;
         const auto found = std::find(wanted.begin(), wanted.end(), id);

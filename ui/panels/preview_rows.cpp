@@ -37,6 +37,7 @@ void draw_preview_rows(PanelContext& context, NumberEdits& edit) {
               "It is not a result; Run makes one.");
     bool on = state.preview.on;
     ImGui::PushID("live preview");
+    // Switching keeps the length; an empty one stays the choice of the program.
     if (ImGui::Checkbox("##on", &on)) context.emit(commands::ChangePreview{on, state.preview.length_s});
     ImGui::PopID();
     context.items.mark("preview/on");

@@ -31,6 +31,7 @@ void ProbePanel::draw(PanelContext& context) {
         draw_list(context);
         draw_marker(context, scene.markers[static_cast<std::size_t>(context.state.marker)]);
     }
+    // A limit for all markers: one that lies farther off is taken for a mistake by the reader.
     double standoff_m = scene.declared.max_standoff_m;
     bool goes_on = false;
     const NumberField field{
@@ -79,6 +80,7 @@ void ProbePanel::draw_list(PanelContext& context) {
     const bool recorded = has_recordings(scene);
     const auto count = static_cast<int>(scene.markers.size());
     const float line = ImGui::GetTextLineHeightWithSpacing();
+    // As high as its entries, up to list_lines of them; the fraction of a line is the frame.
     ImGui::BeginChild("##probe/list", {0.0f, line * (static_cast<float>(std::min(count, list_lines)) + 0.6f)}, true);
     for (int m = 0; m < count; ++m) {
         const commands::SceneMarker& marker = scene.markers[static_cast<std::size_t>(m)];

@@ -62,6 +62,7 @@ void ask_unsaved(PanelContext& context) {
                                                            : context.state.project.filename().string();
     wrapped_text(name + " has changes that are not saved.");
     ImGui::Spacing();
+    // Cancel drops what was wanted; the other answers continue with it.
     std::optional<commands::UnsavedAnswer> answer;
     ButtonRow row(context, 3);
     if (row.add("Cancel", "unsaved/cancel") || escape_closes()) answer = commands::UnsavedAnswer::cancel;
@@ -103,10 +104,12 @@ void ask_missing(PanelContext& context) {
     ImGui::Spacing();
     ButtonRow row(context, 2);
     if (row.add("Cancel", "missing/cancel") || escape_closes()) {
+        // An empty answer drops the opening.
         context.emit(commands::Locate{});
         ImGui::CloseCurrentPopup();
     }
     if (row.add("Locate\xe2\x80\xa6", "missing/locate", true)) {
+        // The state keeps the question; cancelling the file browser answers it.
         context.window.file = locate_dialog(missing);
         ImGui::CloseCurrentPopup();
     }
@@ -124,6 +127,7 @@ void ask_recovery(PanelContext& context) {
                    " unsaved projects; this is the newest. Those not discarded are offered again at the next start."
              : ""));
     ImGui::Spacing();
+    // No way to postpone: until the work is recovered or discarded, nothing else may be opened.
     bool decided = false;
     ButtonRow row(context, 2);
     if (row.add("Discard", "recovery/discard")) {

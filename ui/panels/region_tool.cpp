@@ -53,6 +53,7 @@ void RegionTool::update_box(const ToolView& tool, Placing& placing) {
                                                      commands::AppendDeclared{placing.box, "box_m = " + text + "\n"})
                                                : commands::DeclarationEdit(commands::SetDeclared{placing.box, text});
     tool.context.emit(commands::EditDeclaration{{edit}, placing.item + "/pick"});
+    // One pick, one box: the tool ends with the click.
     placing = {};
     clear();
 }
@@ -61,6 +62,7 @@ void RegionTool::update_cavity(const ToolView& tool, Placing& placing) {
     const commands::Scene& scene = *tool.context.state.scene;
     const auto under = tool.view.hovered ? surface_under_mouse(tool) : std::nullopt;
     const commands::SceneCavity* const cavity = under ? cavity_at(scene, under->triangle) : nullptr;
+    // A cavity that is a chamber already cannot be taken; the hint says so.
     if (!cavity || !cavity->chamber.empty())
         hover(std::nullopt, -1);
     else if (under->triangle != triangle_)

@@ -87,6 +87,7 @@ void RepairPopup::draw_span(PanelContext& context, const commands::SceneTrial& t
         if (ImGui::Button("The whole trial", {-1.0f, 0.0f})) span = chart::Range{first, last};
         context.items.mark("repair/whole");
     }
+    // Without a selection the fields show the whole trial; the first edit of one selects a span.
     chart::Range edited = span.value_or(chart::Range{first, last});
     bool goes_on = false, changed = false;
     changed |= number_row(context,
@@ -110,11 +111,13 @@ void RepairPopup::draw_span(PanelContext& context, const commands::SceneTrial& t
                            "last time"},
                           edits_, edited.highest, goes_on);
     if (changed) span = edited;
+    // Times of other programs count from the start of the recording.
     if (trial.repairs.start_s != 0.0)
         muted_text(context.theme, "t = 0 is " + plot::value_label(trial.repairs.start_s, 6) + " s of the recording.");
 }
 
 void RepairPopup::draw_repairs(PanelContext& context, const commands::SceneTrial& trial, const chart::Range& span) {
+    // Every repair is appended to the list of the trial and applied in that order when the recording is read.
     const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2.0f;
     if (ImGui::Button("Cut", {half, 0.0f})) emit_repair(context, trial, span, "cut");
     context.items.mark("repair/cut");
@@ -126,6 +129,7 @@ void RepairPopup::draw_repairs(PanelContext& context, const commands::SceneTrial
             "Interpolates the gaps in the span by a cubic polynomial through the five samples on each side. Filled "
             "samples count as measurements in a fit.");
     draw_swap(context, trial, span);
+    // The width of the window is no part of the experiment until the repair is made.
     bool goes_on = false;
     number_row(context,
                {"Window",

@@ -30,6 +30,7 @@ void draw_file_list(PanelContext& context) {
     const auto row = [&](bool there, const std::string& file, const std::string& what,
                          // Each row names a file that will be written, with the checks of what it contains.
                          const commands::CheckRows& checks = {}) {
+        // A file with doubtful contents has the colour of its checks, and says so.
         const commands::CheckState worst = commands::worst_state(checks);
         const std::string doubts = worst == commands::CheckState::green ? ""
                                                                         : ", checks: " + commands::doubt_text(checks);

@@ -43,10 +43,12 @@ Result<void> choose(commands::Workbench& workbench, const ScreenshotOptions& opt
         for (const commands::FieldKind& field : fields) ids.push_back(field.id);
         return Error{"there is no field \"" + options.field + "\"; there is " + join(ids), ""};
     }
+    // Everything is looked up before anything is changed, so that an unknown name changes nothing.
     const auto marker = index_of("marker", options.marker, scene.markers, d ? d->worst_marker : 0);
     if (!marker) return marker.error();
     workbench.execute(commands::ChooseTrial{*trial});
     workbench.execute(commands::ChooseMarker{*marker});
+    // Without a time the end of the trial: the workbench limits the greatest number to it.
     workbench.execute(commands::SetTime{options.time_s.value_or(std::numeric_limits<double>::max())});
     commands::ViewOptions view = workbench.state().view;
     view.field = options.field;
@@ -103,6 +105,7 @@ Result<void> wait_for_jobs(commands::Workbench& workbench, const Progress& progr
 // Panels are shown twice: first to report unknown names at once, and again at the end, as opening and jobs show others.
 Result<platform::Image> draw_screenshot(std::shared_ptr<commands::Backend> backend, const ScreenshotOptions& options,
                                         const Progress& progress) {
+    // The context must exist before the window, which creates GPU objects in it, and outlive it.
     auto context = platform::OffscreenContext::make(options.width, options.height);
     if (!context) return context.error();
     commands::Workbench workbench(std::move(backend));

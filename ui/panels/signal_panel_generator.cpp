@@ -44,6 +44,7 @@ bool can_be_generated(const commands::SignalRecipe& recipe) {
 
 void SignalPanel::draw_recipe(PanelContext& context) {
     recipe_row(context, level_field(), edit_, recipe_.level);
+    // A constant has no start; a ramp also has a rise, a sine a frequency and an end.
     if (recipe_.shape != commands::SignalShape::constant)
         recipe_row(context,
                    {"Start",

@@ -59,6 +59,7 @@ void SupportPanel::draw(PanelContext& context) {
     }
     draw_support(context);
     draw_gravity(context);
+    // Without edits there is nothing to write.
     if (!context.state.settings.declaration.text) return;
     if (ImGui::Button("Save to the experiment's file", {-1.0f, 0.0f})) context.emit(commands::SaveDeclaration{});
     context.items.mark("support/save");

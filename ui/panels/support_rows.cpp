@@ -25,6 +25,7 @@ void draw_add(PanelContext& context) {
     const toml::TomlPath array{"support"};
     const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2.0f;
     if (ImGui::Button("Add a support", {half, 0.0f})) {
+        // At the free end a support changes something; at the clamp it would hold what is held already.
         const BodyEnd end = free_end(scene);
         const Box box = end_box(mesh::bounding_box(scene.surface.vertices), end.axis, end.upper);
         context.emit(commands::EditDeclaration{{commands::AppendDeclared{array, "box_m = " + box_text(box) + "\n"}},
@@ -40,6 +41,7 @@ void draw_add(PanelContext& context) {
         context.placing = {};
         if (!picks) {
             context.placing.kind = Placing::Kind::box;
+            // The array itself: the click appends a support with its box.
             context.placing.box = array;
             context.placing.adds = true;
             context.placing.item = "support/more";
@@ -65,6 +67,7 @@ void draw_supports(PanelContext& context, NumberEdits& edits) {
         if (item_heading(context, {item, title, tip, "Remove the support"}) == ItemPress::removed)
             context.emit(commands::EditDeclaration{{commands::RemoveDeclared{path}}, item + "/remove"});
         if (!is_open(context, item)) continue;
+        // Keys of this support in the declaration.
         toml::TomlPath held = path;
         held.emplace_back("held");
         axis_ticks(context, "Held along",

@@ -42,6 +42,7 @@ void TendonPanel::draw(PanelContext& context) {
                    "A tendon is a thread that a motor pulls through guides on the body; between guides it is "
                    "straight.");
     } else {
+        // Undo may have removed the last tendons.
         chosen_ = std::min(chosen_, tendons.size() - 1);
         for (std::size_t t = 0; t < tendons.size(); ++t) {
             if (ImGui::Selectable((tendons[t].name + "##tendon").c_str(), t == chosen_)) chosen_ = t;
@@ -75,6 +76,7 @@ void TendonPanel::draw_new(PanelContext& context) {
                             {0.0, 1.0},
                             0.05};
     number_row(context, field, edits_, depth_m_, goes_on);
+    // Handed over in each frame: the depth may be changed between two clicks.
     context.placing.depth_m = depth_m_;
 }
 
@@ -102,11 +104,14 @@ void TendonPanel::draw_drive(PanelContext& context, std::size_t t) {
                    drive) &&
         drive != before)
         set_tendon_drive(context, t, drive == "shortening");
+    // One number of the tendon, as an edit with the name of its field.
     const auto set = [&](const NumberField& field, const char* key, double value, bool goes_on) {
         context.emit(commands::EditDeclaration{
             {commands::SetDeclared{{"tendon", t, key}, toml::toml_number(value)}}, field.name, goes_on});
     };
     if (tendon.by_shortening) {
+        // A thread that stretches is a spring of its whole length in series with the motor. Under a prescribed tension
+        // its stretch does not matter.
         bool stretches = tendon.stiffness_N_m.has_value();
         row_label(context.theme, "Stretches", "Not ticked: the thread keeps its length.");
         if (ImGui::Checkbox("##tendon/stretches", &stretches)) {
@@ -132,6 +137,7 @@ void TendonPanel::draw_drive(PanelContext& context, std::size_t t) {
         if (number_row(context, field, edits_, stiffness, goes_on, tendon.name))
             set(field, "stiffness_N_m", stiffness, goes_on);
     }
+    // T_out = T_in exp(-mu b) at a guide where the thread bends by b (capstan equation, Euler and Eytelwein).
     double friction = tendon.friction;
     const NumberField field{
         "Friction",
@@ -150,12 +156,14 @@ void TendonPanel::draw_guides(PanelContext& context, std::size_t t) {
     heading(context.theme, "Guides x, y, z, motor's end first");
     const bool dragging = context.placing.sets(Placing::Kind::guides) && context.placing.tendon == static_cast<int>(t);
     ImGui::BeginDisabled(!context.state.body);
+    // The same tool as for a new tendon, but with the guides of this one.
     if (toggle_button(context.theme, dragging ? "End dragging guides" : "Drag guides in the view", dragging)) {
         context.placing = {};
         if (!dragging) context.placing.kind = Placing::Kind::guides, context.placing.tendon = static_cast<int>(t);
     }
     ImGui::EndDisabled();
     context.items.mark("tendon/drag");
+    // Three coordinates and the button that removes the guide share a line.
     const float button = ImGui::GetFrameHeight(), gap = ImGui::GetStyle().ItemSpacing.x;
     const float width = std::floor((ImGui::GetContentRegionAvail().x - button - 3.0f * gap) / 3.0f);
     for (Eigen::Index g = 0; g < path_m.cols(); ++g) {
@@ -174,6 +182,7 @@ void TendonPanel::draw_guides(PanelContext& context, std::size_t t) {
             ImGui::SetNextItemWidth(width);
             if (number_field(context, field, edits_, changed(k, g), goes_on,
                              context.state.scene->declared.tendons[t].name))
+                // The path is one value of the declaration, so each coordinate rewrites all guides.
                 set_tendon_path(context, t, changed, field.name, goes_on);
             ImGui::SameLine();
         }

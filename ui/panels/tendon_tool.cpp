@@ -56,11 +56,13 @@ bool TendonTool::takes(const commands::WorkbenchState& state, const Placing& pla
 bool TendonTool::drag_guides(const ToolView& tool, const Placing& placing, std::vector<Eigen::Vector3d>& places) {
     const auto under = commands::pick_one(places, tool.scene, tool.view.camera, tool.view.size(), tool.view.mouse,
                                           tool.reach());
+    // A guide moves in the plane of the image through its place, so that its depth in the view stays.
     const PointDrag::End end = drag_.follow(tool.view, under, [&](std::size_t guide) -> std::optional<Eigen::Vector3d> {
         if (guide >= places.size()) return std::nullopt;
         return viewport::in_image_plane(tool.view.camera, tool.view.size(), tool.view.mouse, places[guide]);
     });
     const auto held = static_cast<std::size_t>(std::max(0, drag_.point()));
+    // The held guide is shown where it is held; the declaration follows at the release.
     if ((drag_.held() || end == PointDrag::End::drop) && drag_.place_m() && held < places.size())
         places[held] = *drag_.place_m();
     if (end != PointDrag::End::none) chosen_ = drag_.point();
@@ -109,6 +111,7 @@ void TendonTool::update(const ToolView& tool, Placing& placing) {
     draw_guides(tool, places, chosen_);
     draw_hint(tool.context, tool.view, hint, "view/placing_hint");
     react_to_keys(tool, placing, places);
+    // The scene is drawn again only if the thread has changed.
     if (!placing.on() || places != shown_m_) ++revision_;
     shown_m_ = placing.on() ? places : std::vector<Eigen::Vector3d>{};
 }

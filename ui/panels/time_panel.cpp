@@ -108,6 +108,7 @@ void draw_stable_range(PanelContext& context, const commands::Limits& range, dou
     if (ImGui::IsItemVisible()) {
         drawing.AddRectFilled({from, strip}, {limit, bottom}, platform::packed(theme.success));
         context.items.add("model/velocity_force/stable", {{from, top}, {limit, bottom}});
+        // The slider may end before the critical value: everything it can reach is stable.
         if (limit < to) {
             drawing.AddRectFilled({limit, strip}, {to, bottom}, platform::packed(theme.warning));
             drawing.AddLine({limit, top}, {limit, bottom}, platform::packed(theme.text), std::max(1.0f, theme.scale));
@@ -136,6 +137,7 @@ void TimePanel::draw(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     setting_choice(context, "Time scheme", "model/integrator", "Integration of the equations of motion in time.",
                    state.integrators, &commands::Settings::integrator);
+    // From top to bottom: the scheme and its step, what the step means, then what damps and drives the motion.
     const commands::Choice* scheme = state.integrator();
     if (scheme && scheme->has_spectral_radius) setting_rows(context, radius_fields(), edit_);
     setting_rows(context, {step_field()}, edit_);

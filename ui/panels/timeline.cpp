@@ -126,6 +126,7 @@ void draw_timeline(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const float s = context.theme.scale;
     const auto span = commands::time_span(state);
+    // A held pose has one time only: nothing can be played.
     const bool movable = span[1] > span[0];
     draw_trial_choice(context);
     ImGui::SameLine();

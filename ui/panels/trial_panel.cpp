@@ -63,6 +63,7 @@ void TrialPanel::draw_list(PanelContext& context) {
     for (const commands::SceneTrial& trial : scene.trials)
         choices.push_back({trial.name, trial.name, "Role: " + trial.role + "."});
     std::string chosen = scene.trials[index_of(context.state)].name;
+    // Trials are listed by name, and chosen by index.
     if (choice_row(context, "Trial", "trial/shown", "The trial that is shown, and edited below.", choices, chosen))
         for (std::size_t t = 0; t < scene.trials.size(); ++t)
             if (scene.trials[t].name == chosen) context.emit(commands::ChooseTrial{static_cast<int>(t)});
@@ -80,12 +81,14 @@ void TrialPanel::draw_list(PanelContext& context) {
     context.items.mark("trial/add");
     tooltip(context.theme, "Adds a trial without a recording, which is only simulated.");
     ImGui::SameLine();
+    // The copy has the recording and the loads of the shown trial, but another name.
     if (ImGui::Button("Duplicate", {third, 0.0f}))
         context.emit(commands::EditDeclaration{
             {commands::DuplicateDeclared{{"trial", index_of(context.state)}, free_name(scene, chosen)}},
             "trial/duplicate"});
     context.items.mark("trial/duplicate");
     ImGui::SameLine();
+    // An experiment has at least one trial.
     ImGui::BeginDisabled(scene.trials.size() < 2);
     if (ImGui::Button("Remove", {third, 0.0f}))
         context.emit(
@@ -106,7 +109,9 @@ void TrialPanel::draw_trial(PanelContext& context) {
     if (ImGui::IsItemDeactivatedAfterEdit() && name != trial.name)
         context.emit(commands::EditDeclaration{{commands::SetDeclared{inside(path, "name"), toml::toml_text(name)}},
                                                "trial/name"});
+    // Once the field is left, it shows the name of the state again: the edit may have been refused.
     if (!ImGui::IsItemActive()) named_trial_ = -1;
+    // A trial without a recording has no role to choose, and no recording to cut.
     if (trial.role != "simulate") draw_role(context);
     if (trial.repairs.possible) draw_recording_end(context);
     // A recording has its own duration.
@@ -155,6 +160,7 @@ void TrialPanel::draw_recording_end(PanelContext& context) {
                             0.01};
     if (number_row(context, field, edits_, end_s, goes_on, trial.name))
         context.emit(
+            // The field shows times of the trial; the declaration counts from the beginning of the recording.
             commands::EditDeclaration{{commands::SetDeclared{inside({"trial", index_of(context.state)}, "end_s"),
                                                              toml::toml_number(end_s + trial.repairs.start_s)}},
                                       field.name,
@@ -166,6 +172,7 @@ void TrialPanel::draw_loads(PanelContext& context) {
     const commands::SceneTrial& trial = scene.trials[index_of(context.state)];
     heading(context.theme, "Loads");
     if (trial.loads.empty()) muted_text(context.theme, "The weight of the body alone acts in this trial.");
+    // Loads have no names; their place in the list identifies them, also for the highlight in the view.
     for (std::size_t l = 0; l < trial.loads.size(); ++l) {
         const commands::SceneLoad& load = trial.loads[l];
         const std::string item = "trial/load/" + std::to_string(l);
@@ -176,6 +183,7 @@ void TrialPanel::draw_loads(PanelContext& context) {
         if (item_heading(context, {item, title, tip, "Remove the load"}) == ItemPress::removed)
             context.emit(commands::EditDeclaration{{commands::RemoveDeclared{path}}, item + "/remove"});
         if (!is_open(context, item)) continue;
+        // A mass acts all along, as weight and as inertia; only a force has a course over time.
         if (load.is_mass) {
             double mass_kg = load.mass_kg;
             bool goes_on = false;
@@ -190,11 +198,13 @@ void TrialPanel::draw_loads(PanelContext& context) {
             vector_rows(context, {inside(path, "force_N"), item + "/force"}, "F", field, edits_, load.force_N);
             load_time_rows(context, load, path, item, edits_);
         }
+        // Both act on the surface in a box, which can be dragged in the view or picked.
         box_rows(context, {inside(path, "box_m"), item + "/box"}, edits_, load.box_m);
         pick_box_button(context, {inside(path, "box_m"), item + "/box"}, "the face that carries the load");
     }
     const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2.0f;
     const toml::TomlPath array{"trial", index_of(context.state), "load"};
+    // A new load is declared at the free end; its box is then moved or picked.
     const std::string box = "box_m = " + box_text(far_end(scene)) + "\n";
     const std::string added = "trial/load/" + std::to_string(trial.loads.size());
     if (ImGui::Button("Add a force", {half, 0.0f})) {

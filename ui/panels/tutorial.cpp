@@ -34,6 +34,7 @@ bool has_verdict(const WorkbenchState& state) { return state.diagnosis && state.
 }  // namespace
 
 const std::array<TutorialStep, tutorial_length>& tutorial_steps() {
+    // The texts name tasks and buttons by their labels in the window.
     static const std::array<TutorialStep, tutorial_length> steps{
         {{"open", "Open a body",
           "File, Examples, Fish tail; or your own surface by Open a file. A drag in the view turns it, the wheel "

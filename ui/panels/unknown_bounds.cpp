@@ -57,6 +57,7 @@ NumberField field_of(const commands::SceneUnknown& unknown, const std::string& l
 
 /// TOML lines of new bounds or of a tolerance. Bounds begin with those that hold now, where they are finite.
 std::string keys_text(const std::string& kind, const commands::SceneUnknown& unknown) {
+    // Around a value of zero a share of it would be no range.
     const double half = new_bounds_policy.half_width * (unknown.value != 0.0 ? std::abs(unknown.value) : 1.0);
     if (kind == tolerance_id) return "tolerance = " + toml::toml_number(half) + "\n";
     const double lowest = std::isfinite(unknown.lowest) ? unknown.lowest : unknown.value - half,
@@ -68,6 +69,7 @@ std::string keys_text(const std::string& kind, const commands::SceneUnknown& unk
 void set_kind(PanelContext& context, const std::string& kind, const commands::SceneUnknown& unknown,
               const std::string& item) {
     std::vector<commands::DeclarationEdit> edits;
+    // What is declared of a value is one table, which is replaced as a whole.
     if (unknown.declared >= 0)
         edits.push_back(commands::RemoveDeclared{{"unknown", static_cast<std::size_t>(unknown.declared)}});
     if (kind != usual_id)
@@ -95,6 +97,7 @@ void draw_unknown(PanelContext& context, const commands::SceneUnknown& unknown, 
     const std::string unit = shown_unit(unknown.unit);
     const std::string words = plot::plain_label(unknown.lowest / per_unit, 3) + " to " +
                               plot::plain_label(unknown.highest / per_unit, 3) + (unit.empty() ? "" : " " + unit);
+    // Closed, a value takes one line with the bounds that hold, declared or not.
     row_label(context.theme, unknown.label);
     if (ImGui::Button((words + "##" + item).c_str(), {-1.0f, 0.0f}))
         open_item(context, is_open(context, item) ? "" : item);
@@ -111,6 +114,7 @@ void draw_unknown(PanelContext& context, const commands::SceneUnknown& unknown, 
     if (choice_row(context, "Bounds", item + "/kind", "Within which values a fit searches.", choices, chosen) &&
         chosen != before)
         set_kind(context, chosen, unknown, item);
+    // One of the two bounds may be declared alone: the other field then shows what holds without it.
     if (before == bounds_id) {
         number(context, unknown, field_of(unknown, "Lowest", item + "/lowest", "Smallest value of a fit."), "lowest",
                unknown.declared_lowest.value_or(unknown.lowest), edits);
@@ -119,6 +123,7 @@ void draw_unknown(PanelContext& context, const commands::SceneUnknown& unknown, 
     }
     if (before != tolerance_id) return;
     NumberField field = field_of(unknown, "Tolerance", item + "/tolerance", "Largest distance from the start value.");
+    // A tolerance of zero would leave nothing to fit.
     field.limits.lowest = 1e-12;
     number(context, unknown, field, "tolerance", *unknown.declared_tolerance, edits);
 }

@@ -43,6 +43,7 @@ void draw_range_ends(PanelContext& context, const commands::FieldKind& kind, Num
     field.name = "view/field/lowest";
     field.tip = "Value of the first colour.";
     field.quantity = "lower end";
+    // Each end is limited by the other.
     field.limits = {-far, std::nextafter(range[1], -infinity)};
     ImGui::SetNextItemWidth(width);
     draw_range_end(context, kind, edits, field, range[0]);
@@ -80,6 +81,7 @@ void draw_field_range(PanelContext& context, const commands::FieldKind& kind, Nu
 
 /// Only for unsigned fields: signed ones have the diverging map.
 void draw_color_map_choice(PanelContext& context, commands::ViewOptions& view) {
+    // An unknown id, as of a project of another version, shows the default map.
     const viewport::ColorMap&
         shown = viewport::color_maps()[static_cast<std::size_t>(viewport::number_of_color_map(view.color_map))];
     ImGui::SetNextItemWidth(140.0f * context.theme.scale);
@@ -135,6 +137,7 @@ void draw_field_choice(PanelContext& context, NumberEdits& edits, commands::View
         tooltip(context.theme,
                 chosen != kinds.end() ? words_about(*chosen, "") : "A quantity whose values colour the body");
     }
+    // Another field may have been selected just now; its rows follow in the next frame.
     if (chosen == kinds.end() || chosen->id != view.field) return;
     if (const std::string needed = commands::needed_for(*chosen, context.state); !needed.empty())
         ImGui::TextDisabled("%s", needed.c_str());

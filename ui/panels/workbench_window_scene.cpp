@@ -29,6 +29,7 @@ void clear_window(const ImVec4& color) {
 
 WorkbenchWindow::SceneKey WorkbenchWindow::scene_key() {
     const commands::WorkbenchState& state = workbench_->state();
+    // In the order of the members of SceneKey.
     return {state.scene,
             state.body,
             state.shown_run(),
