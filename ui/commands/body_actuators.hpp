@@ -33,6 +33,7 @@ struct BodyActuators {
     std::vector<ShownChamber> chambers;
     std::vector<ShownTendon> tendons;
 
+    /// Whether nothing but muscles drives the body.
     bool empty() const { return chambers.empty() && tendons.empty(); }
     /// Number of chambers and tendons together.
     std::size_t count() const { return chambers.size() + tendons.size(); }

@@ -244,7 +244,7 @@ struct LogMessage {
 /// Reads a motion capture file, to be added as a trial. Choices made before for the same file are kept.
 struct ReadRecording {
     std::filesystem::path path;
-    ReadingOptions reading = {};
+    ReadingOptions reading = {};  // what the file does not state
 };
 /// Replaces the import choices.
 struct ChangeImport {
@@ -252,8 +252,8 @@ struct ChangeImport {
 };
 /// Selects a label of the recording. With `placing`, clicks in the view assign or place it.
 struct ChooseLabel {
-    int label = 0;
-    bool placing = false;
+    int label = 0;         // index in Recording::labels; limited to the range
+    bool placing = false;  // ignored without a meshed body
 };
 /// Proposes an assignment of labels to markers.
 struct ProposeMarkers {};

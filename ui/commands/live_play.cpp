@@ -34,8 +34,8 @@ public:
 
 private:
     struct Step {
-        Clock::time_point at;
-        double simulated_s;
+        Clock::time_point at;  // real time at which the step ended
+        double simulated_s;    // time of the model then
     };
     std::deque<Step> steps_;
 };

@@ -21,7 +21,7 @@ std::string quoted(const std::string& name) {
 
 /// One group of three columns of the table.
 struct Curve {
-    std::string name;
+    std::string name;                         // heads its columns
     const Eigen::VectorXd* time_s = nullptr;  // T
     Eigen::Matrix3Xd position_m;              // 3 x T
 };

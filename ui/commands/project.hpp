@@ -27,6 +27,7 @@ struct Project {
 
 // File name extension of projects.
 inline constexpr const char* project_ending = ".myoloop";
+/// Whether a path ends like a project. The file need not exist.
 inline bool is_project(const std::filesystem::path& path) { return path.extension() == project_ending; }
 
 }  // namespace myo::ui::commands

@@ -13,9 +13,9 @@ namespace myo::ui::commands {
 /// Position of a time between two samples: their indices and the weight of the later one. Before the first or after the
 /// last sample it is that sample. index is -1 if there are no samples.
 struct TimePlace {
-    Eigen::Index index = -1;
-    Eigen::Index next = -1;
-    double weight = 0.0;  // 0 to 1
+    Eigen::Index index = -1;  // of the sample at or before the time
+    Eigen::Index next = -1;   // of the one after; at the last sample that itself
+    double weight = 0.0;      // 0 to 1
 };
 /// Finds the samples around time `t` [s].
 ///

@@ -14,10 +14,10 @@ namespace myo::ui::commands {
 
 /// An effect that the user added to the experiment's model.
 struct AddedEffect {
-    effect::EffectDeclaration declaration;
-    std::string name;   // "Quadratic drag"
-    std::string value;  // as shown: "coefficient 903 ± 12 kg/m³"
-    bool off = false;   // runs leave it out
+    effect::EffectDeclaration declaration;  // id and values, SI
+    std::string name;                       // "Quadratic drag"
+    std::string value;                      // as shown: "coefficient 903 ± 12 kg/m³"
+    bool off = false;                       // runs leave it out
 
     bool operator==(const AddedEffect&) const = default;
 };
@@ -56,6 +56,8 @@ struct Limits {
     double lowest;
     double highest;
 };
+// In the unit that the setting's name carries: Pa, dimensionless, kg/m³, s, s, dimensionless, 1/s, Hz, Pa,
+// dimensionless.
 inline constexpr Limits youngs_modulus_limits{1e2, 1e9};
 inline constexpr Limits poissons_ratio_limits{0.01, 0.4999};
 inline constexpr Limits density_limits{10.0, 2e4};

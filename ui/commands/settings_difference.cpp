@@ -10,6 +10,7 @@
 namespace myo::ui::commands {
 namespace {
 
+/// Shown for settings that do not have a value.
 constexpr const char* none = "\xe2\x80\x93";
 
 /// Label of a choice; the id itself if the list does not have it.

@@ -25,7 +25,9 @@ public:
         last_ = what;
         if (past_.size() > limit) past_.erase(past_.begin());
     }
+    /// Whether undo() has a value to return to.
     bool can_undo() const { return !past_.empty(); }
+    /// Whether redo() has a value to return to.
     bool can_redo() const { return !future_.empty(); }
 
     /// The previous or next value. Returns `now` unchanged if there is none.

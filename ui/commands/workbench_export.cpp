@@ -18,10 +18,10 @@ struct Exported {
     ShapeExport what;
     std::shared_ptr<const MeshedBody> body;
     std::shared_ptr<const RunResult> run;  // null: the body at rest
-    std::size_t trial = 0;
-    double time_s = 0.0;
-    Eigen::Matrix3Xd shown_m;         // positions at the shown time
-    std::optional<FieldKind> colour;  // field that is written and colours the body; empty: none
+    std::size_t trial = 0;                 // index in the run
+    double time_s = 0.0;                   // shown time of the trial
+    Eigen::Matrix3Xd shown_m;              // positions at the shown time
+    std::optional<FieldKind> colour;       // field that is written and colours the body; empty: none
     ViewOptions view;
 };
 

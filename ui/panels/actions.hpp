@@ -11,9 +11,9 @@ namespace myo::ui::panels {
 
 /// A keyboard shortcut.
 struct Shortcut {
-    int key = -1;  // ImGuiKey or ExtraKey; -1: none
-    bool ctrl = false;
-    bool shift = false;
+    int key = -1;            // ImGuiKey or ExtraKey; -1: none
+    bool ctrl = false;       // Ctrl has to be held; otherwise it must not be
+    bool shift = false;      // as ctrl
     const char* label = "";  // shown in menus and the palette: "Ctrl+S"
 };
 
@@ -23,7 +23,7 @@ struct Action {
     std::string id;     // unique; item name for tests: "file.save"
     std::string menu;   // title of the menu that contains it: "File"
     std::string label;  // shown: "Save project"
-    Shortcut shortcut;
+    Shortcut shortcut;  // may have no key
     // Executes the action, usually by emitting a command. Called on the UI thread within a frame.
     std::function<void(PanelContext&, viewport::ViewportState&)> perform;
     std::function<bool(const commands::WorkbenchState&)> enabled = {};  // whether it can be used now; empty: always

@@ -28,9 +28,9 @@ public:
 private:
     /// A side of a box.
     struct Handle {
-        std::size_t box = 0;
-        int axis = 0;  // 0 to 2
-        bool upper = false;
+        std::size_t box = 0;  // index in boxes_
+        int axis = 0;         // 0 to 2
+        bool upper = false;   // the side with the larger coordinate
     };
     /// A drag in progress, from the press on a handle to the release.
     struct Drag {
@@ -38,7 +38,7 @@ private:
         HandledBox at_start;    // box at the press
         double offset_m = 0.0;  // from the mouse to the side, along the axis
         double side_m = 0.0;    // coordinate of the side now
-        bool moved = false;
+        bool moved = false;     // the side has left its place; otherwise nothing is emitted
     };
     /// Middle of a side of a box [m], where its handle is drawn.
     static Eigen::Vector3d place_of(const Box& box, int axis, bool upper);

@@ -14,8 +14,8 @@ namespace myo::ui::panels {
 
 /// A place where a number or vector of the declaration stands.
 struct DeclaredPlace {
-    toml::TomlPath path;
-    std::string name;  // item name for tests, without the coordinate
+    toml::TomlPath path;  // keys and indices: {"trial", 0, "load", 1, "box_m"}
+    std::string name;     // item name for tests, without the coordinate
 };
 
 /// Three rows for a vector in SI units. `label`: "Force"; `field`: unit and limits of a component, its label and name

@@ -20,6 +20,7 @@ public:
 
 private:
     // Parts of the panel, from top to bottom.
+    /// Button, verdict and its reasons; while a diagnosis runs, its progress.
     void draw_head(PanelContext& context);
     /// Table of the rows, best first. A click selects a row.
     void draw_ranking(PanelContext& context);

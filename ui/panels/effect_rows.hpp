@@ -10,9 +10,9 @@ namespace myo::ui::panels {
 
 /// An effect whose values are edited.
 struct EditedEffect {
-    const effect::EffectDeclaration& effect;
-    const effect::EffectDeclaration* start;  // values that optional parameters begin with; null: none can be given
-    std::string item;                        // of the effect, for the names of the fields
+    const effect::EffectDeclaration& effect;  // as it is now
+    const effect::EffectDeclaration* start;   // values that optional parameters begin with; null: none can be given
+    std::string item;                         // of the effect, for the names of the fields
     /// Receives a changed value, or null if the parameter is no longer given.
     std::function<void(const std::string& key, const effect::EffectParameter* value, bool goes_on)> change;
 };

@@ -20,6 +20,7 @@ std::string folder_name(const fs::path& folder) {
     return folder.filename().empty() ? folder.string() : folder.filename().string();
 }
 
+/// Icon of an entry: a cube in the accent colour for what can be opened as an experiment.
 void draw_entry_icon(const platform::Theme& theme, bool experiment, bool folder) {
     const char* icon = experiment ? platform::icon::cube
                        : folder   ? platform::icon::closed_folder

@@ -37,6 +37,7 @@ Eigen::Vector3d present_place(const commands::WorkbenchState& state) {
     const auto marker = static_cast<std::size_t>(state.marker);
     const commands::SimulatedTrial* const run = state.simulated_trial();
     const Eigen::VectorXd& times = state.scene_trial()->time_s;
+    // A run of another version of the experiment has other markers or samples.
     if (run && marker < run->markers.size() && times.size() > 0 && run->markers[marker].cols() == times.size()) {
         const Eigen::Vector3d place = commands::at_time(run->markers[marker],
                                                         commands::place_in_time(times, state.time_s));

@@ -21,6 +21,7 @@ Eigen::Vector3d simulated_place(const commands::WorkbenchState& state, const com
     const commands::SimulatedTrial* const run = state.simulated_trial();
     const Eigen::VectorXd& times = state.scene_trial()->time_s;
     const auto marker = static_cast<std::size_t>(std::max(0, goal.number));
+    // A run of another version of the experiment has other markers or samples.
     if (!run || marker >= run->markers.size() || times.size() == 0 || run->markers[marker].cols() != times.size())
         return Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
     return commands::at_time(run->markers[marker], commands::place_in_time(times, time_s));

@@ -23,7 +23,7 @@ public:
 private:
     /// A place of a goal that can be moved.
     struct Handle {
-        std::size_t goal = 0;
+        std::size_t goal = 0;    // index in SceneTrial::goals
         Eigen::Index point = 0;  // of a path
     };
     /// A drag in progress, from the press on a goal to the release.
@@ -31,7 +31,7 @@ private:
         Handle handle;
         Eigen::Vector3d offset_m;  // from the point under the mouse to the place [m]
         Eigen::Vector3d place_m;   // now [m]
-        bool moved = false;
+        bool moved = false;        // otherwise nothing is emitted
     };
     /// The nearest place of a goal within reach of a pixel; empty: none. Goals from a file cannot be moved.
     static std::optional<Handle> handle_at(const commands::WorkbenchState& state, const platform::Theme& theme,

@@ -16,6 +16,7 @@ class HelpPanel {
 public:
     /// Opens the help at the part, page and phrase of a request. A phrase that the page does not contain is ignored.
     void open(const HelpRequest& request);
+    /// Hides the help. Part, page and ticks are kept.
     void close() { open_ = false; }
     bool is_open() const { return open_; }
     /// Ticks the steps of the tutorial, also while it is closed.

@@ -12,14 +12,14 @@ namespace {
 
 /// Rates change while a job runs: what is left lies between these multiples of the extrapolation.
 struct TimeLeftPolicy {
-    double least = 0.75;
-    double most = 1.5;
+    double least = 0.75;  // times the extrapolation
+    double most = 1.5;    // times the extrapolation
 };
 constexpr TimeLeftPolicy time_left_policy;
 
 /// A unit of time and the steps in which times are stated.
 struct TimeStep {
-    double unit_s;
+    double unit_s;  // [s]
     const char* unit;
     double step;  // in the unit
 };

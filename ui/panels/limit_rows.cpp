@@ -23,6 +23,7 @@ struct LimitKind {
     double first;        // of a new limit, for the user to change [SI]
     double smallest_SI;  // step of a drag
 };
+// Largest value, first value and step of a drag, in SI units.
 constexpr std::array limit_kinds{
     LimitKind{"pressure_Pa", "Pressure up to",
               "Largest pressure that Optimise may use [kPa]. The chamber is then only blown up, unless a trial of the "

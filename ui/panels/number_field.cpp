@@ -84,6 +84,7 @@ bool draw_typed(PanelContext& context, const NumberField& field, NumberEdits& ed
                                         typed.again, !now);
     context.items.mark(field.name);
     const bool visible = ImGui::IsItemVisible(), hovered = ImGui::IsItemHovered();
+    // Requested once; from here on ImGui knows who has the keyboard.
     typed.again = false;
     typed.active = done == DragOrType::typing;
     // Several sentences at once would cover each other: the field that the user looks at comes first.
@@ -137,6 +138,7 @@ NumberEdits::Typed& NumberEdits::open(const std::string& name, const std::string
                                       const std::string& subject) {
     Typed& typed = typed_[name];
     typed = {.opened = text, .again = true, .value = value, .subject = subject};
+    // Fields open with a number and its unit, far shorter than the buffer.
     assert(text.size() < typed.text.size());
     std::memcpy(typed.text.data(), text.c_str(), text.size() + 1);
     return typed;

@@ -24,7 +24,7 @@ constexpr NewObstaclePolicy new_obstacle_policy;
 /// Side of the body on which gravity puts it down: the axis closest to gravity; -z without gravity.
 struct Downward {
     int axis = 2;
-    double sign = -1.0;
+    double sign = -1.0;  // of the direction along the axis
 };
 /// @param gravity  [m/s²], in the frame of the mesh
 Downward downward(const Eigen::Vector3d& gravity) {

@@ -70,6 +70,7 @@ struct PlacingTool {
     commands::Task task;
     Placing::Kind kind;
 };
+// Tools that have no menu entry; their panels switch them on, too.
 constexpr PlacingTool placing_tools[] = {
     {"tool/markers", "Place markers and probes", commands::Task::measure, Placing::Kind::markers},
     {"tool/tendon", "Draw a tendon", commands::Task::fibres, Placing::Kind::guides},

@@ -82,6 +82,7 @@ void PaintTool::press(PanelContext& context, const viewport::DrawnScene& scene, 
                                                   commands::make_brush(state.brush, *ground_, erases(state.brush)));
         return;
     }
+    // From the cell under the mouse over its neighbours, up to cells that are painted.
     fibre::CellPaint paint = fibre::filled(*state.chosen_paint(), state.body->mesh, state.ground->neighbours,
                                            scene.body->faces.cell(touch.face),
                                            commands::fixed_axis(state.brush.direction, *state.ground));

@@ -93,6 +93,7 @@ struct PanelContext {
     void emit(commands::Command command) { commands.push_back(std::move(command)); }
 };
 
+/// Parts of the window that hold panels.
 enum class PanelPlace { side, strip };  // left of the 3D view; below it, as one of the tabs
 
 /// A panel of the workbench. It draws itself with ImGui and emits commands; it may keep its own display state (a text
@@ -108,6 +109,7 @@ public:
     virtual ~Panel() = default;
     virtual std::string name() const = 0;   // unique word, also used by the command line
     virtual std::string title() const = 0;  // shown; may start with an icon
+    /// Where the panel is drawn. Constant.
     virtual PanelPlace place() const = 0;
     /// Panels at the side: the task under which they are shown. Panels below the view: the task that brings them to the
     /// front, if any.

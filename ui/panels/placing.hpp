@@ -25,7 +25,9 @@ struct Placing {
     std::string item;        // of a box: name of the edit
     std::string what;        // of a box: "the face that is held"
 
+    /// Whether clicks in the view set anything.
     bool on() const { return kind != Kind::none; }
+    /// Whether clicks set this kind of thing.
     bool sets(Kind other) const { return kind == other; }
     /// Whether clicks set the box at this place of the declaration.
     bool sets_box(const toml::TomlPath& path) const { return kind == Kind::box && box == path; }

@@ -16,9 +16,9 @@ namespace myo::ui::panels {
 
 /// What a tool of the view works on in a frame.
 struct ToolView {
-    PanelContext& context;
-    const viewport::DrawnScene& scene;
-    const viewport::ViewportState& view;
+    PanelContext& context;                // for commands and hints
+    const viewport::DrawnScene& scene;    // with the body at rest
+    const viewport::ViewportState& view;  // camera and mouse
     const mesh::SurfacePatches& surface;  // declared surface of the body, at rest
 
     /// Distance within which a click selects a point [pixels].

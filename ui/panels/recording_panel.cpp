@@ -53,6 +53,7 @@ void change_start(PanelContext& context, double time_s) {
     const commands::RecordingImport& import = *context.state.import;
     const measurement::Recording& recording = *import.file.recording;
     commands::ImportChoices choices = import.choices;
+    // A trial begins within its recording.
     choices.start_s = std::clamp(time_s, recording.time_s[0], recording.time_s[recording.time_s.size() - 1]);
     context.emit(commands::ChangeImport{choices});
 }

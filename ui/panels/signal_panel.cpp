@@ -247,6 +247,7 @@ void SignalPanel::draw_curve(PanelContext& context) {
     plot.held = grabbed_.has_value();
     const plot::PlotResult drawn = plot::draw_plot(plot, ImGui::GetContentRegionAvail(), theme, context.items, time_,
                                                    plot_, hidden_);
+    // A muscle that follows another one has no knots: a drag in its plot moves the time, as in other plots.
     if (!plot.editable) {
         if (drawn.cursor) context.emit(commands::SetTime{*drawn.cursor});
         return;

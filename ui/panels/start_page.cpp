@@ -84,6 +84,7 @@ void draw_examples(PanelContext& context, float room) {
                                      std::max(1, std::min(4, static_cast<int>(room / (200.0f * s)))));
     const ImVec2 size{std::floor((room - static_cast<float>(columns - 1) * gap) / static_cast<float>(columns)),
                       (columns > 1 ? 150.0f : 92.0f) * s};
+    // With one column the cards are low, and the picture stands at the right of the text.
     const float picture_width = columns > 1 ? 0.0f : 0.25f * size.x;
     // Rows are filled from the left.
     int column = 0;

@@ -14,6 +14,7 @@
 namespace myo::ui::panels {
 namespace {
 
+/// Acceleration of free fall that the directions set, as experiments usually state it.
 constexpr double standard_gravity_m_s2 = 9.81;
 
 /// The six directions along the axes, and how they are called.
@@ -114,6 +115,7 @@ void SupportPanel::draw_gravity(PanelContext& context) {
     if (choice_row(context, "Direction", "support/gravity", "Direction of the weight in the frame of the mesh.",
                    choices, chosen) &&
         chosen != before && chosen != other) {
+        // The entry for a vector of its own changes nothing: the components are typed below.
         Eigen::Vector3d value = Eigen::Vector3d::Zero();
         for (const AxisDirection& d : directions)
             if (chosen == d.id) value = (d.upper ? 1.0 : -1.0) * standard_gravity_m_s2 * Eigen::Vector3d::Unit(d.axis);

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double thread_width = 2.5;  // [pixels]
 constexpr float guide_radius = 5.0f;  // of the dot of a guide [pixels at scale 1]
+/// A tendon has at least two guides.
 constexpr std::size_t least_guides = 2;
 
 /// Places as columns, 3 x n.

@@ -26,6 +26,7 @@ const std::vector<SettingField>& radius_fields() {
     return fields;
 }
 
+/// The time step, in ms.
 const SettingField& step_field() {
     static const SettingField field{{"Step h", "model/time_step", commands::Dimension::time, "ms",
                                      "Time step h [s]: states are computed at t = 0, h, 2 h and so on. The error of a "
@@ -35,6 +36,7 @@ const SettingField& step_field() {
     return field;
 }
 
+/// The velocity force Lambda.
 const SettingField& velocity_force_field() {
     static const SettingField field{
         {"Velocity force \xce\x9b", "model/velocity_force", commands::Dimension::frequency, "1/s",
@@ -46,6 +48,7 @@ const SettingField& velocity_force_field() {
     return field;
 }
 
+/// The frequency at which damping and stability are shown. No part of the settings.
 const NumberField& damping_frequency_field() {
     static const NumberField field{"Frequency",
                                    "model/damping_frequency",
@@ -271,6 +274,7 @@ void TimePanel::update_damping_curve(const CurveKey& key, commands::Settings set
         settings.time_step_s = 1e-3 * step_ms_(i);
         ratio_(i) = scheme.numerical_damping_ratio(2.0 * std::numbers::pi * key.frequency_Hz, settings);
     }
+    // Another curve: the zoom of the last one has no meaning for it.
     axis_ = {};
     plot_ = {};
 }

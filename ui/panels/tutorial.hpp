@@ -27,6 +27,7 @@ public:
     void follow(const commands::WorkbenchState& state);
     /// Removes all ticks. Steps that the present state shows as done are ticked again by follow().
     void begin_again() { done_ = {}; }
+    /// Whether a step was done since the tutorial began. `step`: below tutorial_length.
     bool done(std::size_t step) const { return done_[step]; }
     /// The first step that is not done; tutorial_length if all are.
     std::size_t next() const;

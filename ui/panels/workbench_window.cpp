@@ -90,6 +90,7 @@ void WorkbenchWindow::show_task(commands::Task task) {
 
 // A side panel is shown by showing its task.
 bool WorkbenchWindow::show_panel(const std::string& name) {
+    // Parts of the help first, as their names are no names of panels.
     for (const auto& [part, word] : help_parts)
         if (name == word) {
             help_.open({part});
@@ -267,6 +268,7 @@ void WorkbenchWindow::draw_edges(PanelContext& context) {
         begin_part(name, place, ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar);
         ImGui::PopStyleVar(2);
         ImGui::InvisibleButton(name, {std::max(1.0f, place.width()), std::max(1.0f, place.height())});
+        // Without the "##" that hides the name.
         interface_.items().mark(std::string("edge/") + (name + 2));
         if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
             ImGui::SetMouseCursor(vertical ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
@@ -281,6 +283,7 @@ void WorkbenchWindow::draw_edges(PanelContext& context) {
     };
     edge("##rail_edge", layout_.rail_edge, true, sizes.rail, 1.0f);
     if (context.state.scene) edge("##strip_edge", layout_.strip_edge, false, sizes.strip, -1.0f);
+    // Limits of the preferences; make_layout() limits them further where the window is small.
     sizes.rail = std::clamp(sizes.rail, 240.0f, 1200.0f);
     sizes.strip = std::clamp(sizes.strip, 80.0f, 1200.0f);
     if (!(sizes == context.state.preferences.layout)) context.emit(commands::SetLayout{sizes});
@@ -344,6 +347,7 @@ void WorkbenchWindow::follow(WindowRequests& requests) {
     if (!requests.file && state.asks_where_to_save && !asked_where_) requests.file = save_dialog(state);
     asked_where_ = state.asks_where_to_save;
     if (requests.file) browser_.open(std::move(*requests.file));
+    // In every frame, also without boxes: those of a panel that is no longer drawn must disappear.
     box_tool_.offer(std::move(requests.boxes));
     if (requests.task) show_task(*requests.task);
     if (!requests.panel.empty()) show_panel(requests.panel);

@@ -70,6 +70,7 @@ public:
     /// Shows a panel by its name. Returns false if there is no such panel.
     bool show_panel(const std::string& name);
     // The rest of the interface serves tests, and the program's window with its callbacks.
+    /// Names that show_panel() takes: those of the panels, then those of the parts of the help.
     std::vector<std::string> panel_names() const;
 
     /// For the window's callbacks and tests, which push events.
@@ -84,7 +85,9 @@ public:
     const viewport::DrawnScene& compared_scene() const { return compared_.scene(); }
     /// Whether values of the field that colours the body are still being computed.
     bool waits_for_field() const { return fields_.waits(); }
+    /// The tool that shows what was clicked, for tests.
     const InspectTool& inspect_tool() const { return inspect_; }
+    /// The tool that measures distances, for tests.
     const DistanceTool& distance_tool() const { return distances_; }
     /// Writes images of the 3D view, beginning with the next frame.
     void draw_into(const PictureRequest& request) { picture_ = request; }
@@ -93,6 +96,7 @@ public:
 
 private:
     // Parts of the window.
+    /// The column of tasks, and the panels of the shown one with the buttons at their foot.
     void draw_side(PanelContext& context);
     /// Panels of the shown task, which scroll above the foot.
     void draw_task_panels(PanelContext& context);
