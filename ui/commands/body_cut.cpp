@@ -51,6 +51,7 @@ Eigen::Matrix3Xd outline_of(const ClipPlane& plane, const Box& box) {
     if (points.size() < 3) return Eigen::Matrix3Xd(3, 0);
     Eigen::Vector3d middle = Eigen::Vector3d::Zero();
     for (const Eigen::Vector3d& p : points) middle += p / static_cast<double>(points.size());
+    // Two axes in the plane, for the angles.
     const Eigen::Vector3d u = plane.normal.unitOrthogonal(), v = plane.normal.cross(u);
     const auto angle = [&](const Eigen::Vector3d& p) { return std::atan2(v.dot(p - middle), u.dot(p - middle)); };
     std::sort(points.begin(), points.end(), [&](const auto& a, const auto& b) { return angle(a) < angle(b); });

@@ -64,6 +64,7 @@ void add_force_arrows(viewport::DrawnScene& drawn, const WorkbenchState& state, 
     if (!state.view.effect_force || !forces || drawn.positions.cols() != state.diagnosis->patch_of_node.size()) return;
     const Eigen::Matrix3Xd now = force_at_time(*forces, state.time_s);
     if (now.cols() == 0) return;
+    // The largest force of the trial has the longest arrow.
     const double metres_per_N = longest_part * drawn.extent.size().norm() / forces->largest_N;
     // Arrows start at the drawn positions, so that they move with the body.
     const Eigen::Matrix3Xd from = middles(drawn.positions, state.diagnosis->patch_of_node, state.diagnosis->patches);

@@ -37,6 +37,7 @@ void add_import(viewport::DrawnScene& drawn, const WorkbenchState& state, const 
     for (std::size_t i = 0; i < recording.labels.size(); ++i) {
         const ImportedMarker& marker = import.choices.markers[i];
         const bool chosen = static_cast<int>(i) == import.label;
+        // From the cameras' frame to that of the body, as the choices place the recording.
         const Eigen::Vector3d now = import.view.rotation * at_time(recording.tracks[i], place) +
                                     import.view.translation_m;
         const std::string& label = marker.name.empty() ? recording.labels[i] : marker.name;

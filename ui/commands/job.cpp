@@ -94,6 +94,7 @@ Job::Job(std::string name, Work work, std::function<Completion(const std::string
 }
 
 Job::~Job() {
+    // The thread uses content_, so it has to end first.
     cancel();
     if (content_->thread.joinable()) content_->thread.join();
 }
@@ -134,6 +135,7 @@ JobView Job::view() const {
     view.name = content_->name;
     view.searches = content_->kind.searches;
     // Outside the mutex: the job's thread reports progress often and must not wait for this.
+    // Extrapolated over the present count only: what was done when it began took none of its time.
     if (stage_start < 1.0)
         view.remaining_s = remaining_time((view.fraction() - stage_start) / (1.0 - stage_start), stage_s);
     // Behind a search come the step that its result needs, perhaps a search with it, and deviations.

@@ -107,6 +107,7 @@ struct LivePlay::Content {
             controls.levels.clear();
             for (const LiveActuator& actuator : shown.actuators) controls.levels.push_back(actuator.level);
         }
+        // A stiffness that was set goes on; otherwise the model proposes one.
         if (!(controls.spring_N_m > 0.0)) controls.spring_N_m = model->spring_N_m();
         return true;
     }

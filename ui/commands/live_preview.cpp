@@ -18,6 +18,7 @@ double preview_length_s(const WorkbenchState& state) {
 
 std::string preview_text(const WorkbenchState& state) {
     const LivePreview& preview = state.preview;
+    // What matters most comes first: a failure, the run that is shown, what it waits for, what to do.
     if (!preview.on) return "";
     if (!preview.problem.empty()) return "Preview failed: " + preview.problem;
     const std::string from_0_to = "Preview 0\xe2\x80\x93";

@@ -67,6 +67,7 @@ std::string table_of(const std::vector<Curve>& curves, double first_s, double la
                                                     : std::numeric_limits<double>::quiet_NaN(),
                                             digits);
         }
+        // Lines outside of the range are made as well, as each advances the indices.
         if (time >= first_s && time <= last_s) text += line + "\n";
     }
     return text;

@@ -113,6 +113,7 @@ void add_muscles(viewport::DrawnScene& drawn, const WorkbenchState& state, const
     if (!state.view.fibres || !state.body || !drawn.body || drawn.body->faces.count() == 0 || !state.ground ||
         state.paint.size() != state.settings.muscles.size())
         return;
+    // Faces of the drawn body, which the clip plane may have cut: tints belong to them.
     const mesh::BoundaryFaces& boundary = drawn.body->faces;
     Eigen::Matrix4Xf sums = Eigen::Matrix4Xf::Zero(4, boundary.count());
     for (std::size_t m = 0; m < state.paint.size(); ++m) {

@@ -273,6 +273,7 @@ viewport::DrawnScene scene_at_time(const WorkbenchState& state, const platform::
         add_line(drawn, *motion.outline, viewport::color_of(theme.muted, 0.7f), 1.0);
     if (state.view.clip.on && state.body)
         add_line(drawn, outline_of(state.view.clip, motion.rest), viewport::color_of(theme.accent, 0.9f), 1.5);
+    // The order decides about the colour of a face: muscles, over them chambers, and parts where neither is.
     add_muscles(drawn, state, theme, live);
     add_actuators(drawn, state, theme);
     add_setup(drawn, state, theme, motion);

@@ -144,6 +144,7 @@ void add_loads(viewport::DrawnScene& drawn, const WorkbenchState& state, const p
                const MotionSummary& motion) {
     const SceneTrial* const trial = state.scene_trial();
     if (!trial) return;
+    // One scale for all forces of the trial, so that their arrows can be compared.
     double largest_N = 0.0;
     for (const SceneLoad& load : trial->loads) largest_N = std::max(largest_N, load.force_N.norm());
     const double diagonal = drawn.extent.size().norm();

@@ -27,6 +27,7 @@ fibre::Signal make_signal(const SignalRecipe& recipe) {
     const double whole = std::max(0.0, recipe.end_s - recipe.start_s) * recipe.frequency_Hz;  // periods
     const auto knots = static_cast<int>(std::ceil(whole * knots_per_period));
     for (int k = 0; k <= knots; ++k) {
+        // In periods since the start.
         const double period = std::min(whole, k / knots_per_period);
         signal.times_s.push_back(recipe.start_s + period / recipe.frequency_Hz);
         signal.values.push_back(1.0 + 0.5 * (recipe.level - 1.0) * (1.0 - std::cos(2.0 * std::numbers::pi * period)));

@@ -18,6 +18,7 @@ constexpr double min_size_ratio = 1.5;  // smaller ratios would turn noise into 
 
 /// Slope of log(seconds) over log(DOF) by least squares. Requires at least two different sizes.
 double slope(const std::vector<StepCost>& costs) {
+    // Normal equations of a line through the points (log DOF, log seconds).
     double n = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
     for (const StepCost& cost : costs) {
         const double x = std::log(cost.dofs), y = std::log(cost.seconds);

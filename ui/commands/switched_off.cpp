@@ -28,6 +28,7 @@ bool is_off(const std::vector<SwitchedOff>& off, const std::vector<effect::Effec
 std::vector<SwitchedOff> switched(std::vector<SwitchedOff> off, const SwitchedOff& effect, bool is_on) {
     std::erase_if(off, [&](const SwitchedOff& other) { return other.index == effect.index; });
     if (!is_on) off.push_back(effect);
+    // Sorted, so that the order of clicks makes no difference between settings.
     std::sort(off.begin(), off.end(), [](const SwitchedOff& a, const SwitchedOff& b) { return a.index < b.index; });
     return off;
 }

@@ -13,6 +13,8 @@ namespace {
 /// The units that number fields know. The first one of a dimension is the SI unit.
 std::span<const Unit> all_units() {
     using enum Dimension;
+    // Entries with `false` are understood, but not named in messages: other spellings and rare units.
+    // Source of the factors that are no power of ten: NIST SP 811, appendix B.
     static constexpr std::array table{Unit{"", number},
                                       Unit{"", ratio},
                                       Unit{"%", ratio, -2},

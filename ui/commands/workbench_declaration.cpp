@@ -48,6 +48,7 @@ void Workbench::on(const DeclareEffect& c) {
     settings.declaration = std::move(*edited);
     // The declared effect is the last one, and stays switched off if it was.
     if (effect.off) settings.off.push_back({state_.scene->effects.declared.size(), effect.declaration.id});
+    // Declared and no longer added: a run must not have it twice.
     settings.effects.erase(settings.effects.begin() + static_cast<std::ptrdiff_t>(c.added));
     change_settings({std::move(settings), "effect/declare", false});
 }

@@ -144,6 +144,7 @@ void Workbench::remember_recent(const fs::path& path) {
     std::error_code ignored;
     const fs::path whole = fs::absolute(path, ignored).lexically_normal();
     auto& recent = state_.preferences.recent;
+    // An entry that is there already moves to the front.
     std::erase(recent, whole);
     recent.insert(recent.begin(), whole);
     if (recent.size() > max_recent) recent.resize(max_recent);

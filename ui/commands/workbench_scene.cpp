@@ -43,6 +43,7 @@ void Workbench::show_opened(const std::filesystem::path& path, std::optional<dou
         show_project(path, std::move(*opened.project), std::move(*opened.scene));
     else
         show_scene(std::move(*opened.scene), metres_per_unit);
+    // Only what could be opened becomes a recent file.
     remember_recent(path);
     if (const auto recording = std::exchange(dropped_with_body_, std::nullopt)) read_recording(*recording, {});
     build_mesh({});

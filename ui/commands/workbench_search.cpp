@@ -48,6 +48,7 @@ void Workbench::show_simulated(RunResult result, const Settings& settings) {
 
 void Workbench::on(const Run&) {
     if (!may_compute()) return;
+    // Runs once the body is there, with the settings and the scene of the request: edits meanwhile do not affect it.
     const auto simulate = [this] {
         start(request_->name,
               [this, settings = request_->settings, scene = request_->scene,

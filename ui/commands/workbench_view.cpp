@@ -59,6 +59,7 @@ void Workbench::on(const Bookmark& c) {
 
 void Workbench::on(const UsePreferences& c) {
     state_.preferences = c.preferences;
+    // 0 stays: the screen suggests the scale then.
     if (c.preferences.scale > 0.0f)
         state_.preferences.scale = std::clamp(c.preferences.scale, min_scale, greatest_scale);
 }

@@ -205,6 +205,7 @@ TaskStatus task_status(const WorkbenchState& state, Task task) {
 
 Task next_task(const WorkbenchState& state) {
     if (!state.scene) return Task::body;
+    // What is outdated comes before what has not been done yet.
     for (const TaskState wanted : {TaskState::stale, TaskState::ready})
         for (const Task task : all_tasks)
             if (task_status(state, task).state == wanted) return task;

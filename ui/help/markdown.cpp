@@ -61,6 +61,7 @@ public:
         if (text.front() == '#' && indent_of(line) == 0) return take_heading(text);
         if (text.front() == '|') return take_row(text);
         if (const std::size_t sign = sign_length(text); sign > 0) return take_item(line, text, sign);
+        // A paragraph begins, or the text of the last block goes on.
         if (!collecting_) blocks_.push_back({}), collecting_ = true;
         std::string& raw = raw_;
         raw += (raw.empty() ? "" : " ") + std::string(text);
@@ -154,6 +155,7 @@ std::string plain_text(std::string_view line) {
         } else if (c == '[' || (c == '!' && i + 1 < line.size() && line[i + 1] == '[')) {
             const std::size_t middle = line.find("](", i);
             const std::size_t end = middle == std::string_view::npos ? middle : line.find(')', middle);
+            // The text begins behind the bracket, for a picture behind "![".
             const std::size_t begin = i + (c == '!' ? 2 : 1);
             // Not a link: brackets of the text, such as those of an interval.
             if (end == std::string_view::npos ||
@@ -161,6 +163,7 @@ std::string plain_text(std::string_view line) {
                 text += c;
                 continue;
             }
+            // The text of a link may have marks itself.
             if (c == '[') text += plain_text(line.substr(begin, middle - begin));
             i = end;
         } else if (c == '*') {
@@ -168,6 +171,7 @@ std::string plain_text(std::string_view line) {
             const bool product = i > 0 && line[i - 1] == ' ' && i + 1 < line.size() && line[i + 1] == ' ';
             if (product) text += c;
         } else if (c == '\\' && i + 1 < line.size() && std::ispunct(static_cast<unsigned char>(line[i + 1])) != 0) {
+            // A backslash makes a mark a plain sign.
             text += line[++i];
         } else {
             text += c;

@@ -86,6 +86,7 @@ std::string box_text(const Box& box) {
 }
 
 Box end_box(const Box& body, int axis, bool upper) {
+    // The layer is thin along the axis and reaches beyond the body across it.
     const double length = body.size()(axis), margin = end_box_policy.margin * body.size().maxCoeff();
     Box box{body.lowest.array() - margin, body.highest.array() + margin};
     (upper ? box.lowest : box.highest)(axis) = upper ? body.highest(axis) - end_box_policy.depth * length

@@ -118,6 +118,7 @@ void EffectPanel::draw_declared(PanelContext& context, std::size_t index) {
                 {effect, start_of(*state.scene, effect.id), item,
                  [&](const std::string& key, const effect::EffectParameter* value, bool goes_on) {
                      const toml::TomlPath path{"effect", index, key};
+                     // A parameter that is no longer given loses its key.
                      commands::DeclarationEdit edit = commands::RemoveDeclared{path};
                      if (value) edit = commands::SetDeclared{path, commands::declared_text(*value)};
                      context.emit(commands::EditDeclaration{{std::move(edit)}, item + "/" + key, goes_on});

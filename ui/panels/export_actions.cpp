@@ -5,6 +5,7 @@
 namespace myo::ui::panels {
 
 void add_export_actions(std::vector<Action>& all) {
+    // Actions only request dialogs; the commands follow when a name is chosen.
     all.push_back({"file.save_whole",
                    "File",
                    "Save project with its files\xe2\x80\xa6",

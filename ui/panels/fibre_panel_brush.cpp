@@ -89,8 +89,9 @@ void draw_tools(PanelContext& context, commands::BrushSettings& brush) {
     ImGui::EndDisabled();
 }
 
-/// Radius and depth of the brush. `reach`: size of the body [m], for the ranges of the sliders.
+/// Radius and depth of the brush. `reach`: size of the body [m], for the limits of the numbers.
 void draw_brush_extent(PanelContext& context, NumberEdits& edit, commands::BrushSettings& brush, double reach) {
+    // Limits relative to the body: the radius goes up to half of its diagonal, the depth up to all of it.
     brush_row(context,
               {"Radius",
                "fibres/radius",
@@ -121,6 +122,8 @@ void draw_brush_extent(PanelContext& context, NumberEdits& edit, commands::Brush
 /// Weight that the brush paints, in its centre and towards its edge.
 void draw_brush_weight(PanelContext& context, NumberEdits& edit, commands::BrushSettings& brush) {
     brush_row(context,
+              // s² (3 - 2 s) is the cubic smoothstep: its slope is zero at both ends, so that the edge has no visible
+              // line.
               {"Soft edge",
                "fibres/falloff",
                commands::Dimension::ratio,
@@ -153,7 +156,7 @@ void FibrePanel::draw_brush(PanelContext& context) {
     commands::BrushSettings brush = state.brush;
     // One button per tool; the tooltips name the shortcuts.
     draw_tools(context, brush);
-    // Ranges of the sliders follow the size of the body.
+    // Limits of the numbers follow the size of the body; a metre before it is meshed.
     const double reach = state.body ? mesh::bounding_box(state.body->mesh.nodes).size().norm() : 1.0;
     if (brush.tool == commands::BrushTool::add || brush.tool == commands::BrushTool::erase) {
         draw_brush_extent(context, edit_, brush, reach);

@@ -66,6 +66,7 @@ Result<void> FilmJob::begin(const PictureRequest& request, FilmedView filmed) {
         if (!writer) return writer.error();
         writer_ = std::move(*writer);
     }
+    // Nothing can fail from here on; until now runs() is false.
     renderer_ = std::move(*renderer);
     canvas_ = std::move(*canvas);
     filmed_ = std::move(filmed);

@@ -170,6 +170,8 @@ void FitPanel::draw_optimize(PanelContext& context) {
         return muted_text(theme, "The shown trial has neither goals nor measured markers to follow.");
     // Edited as a copy and emitted if anything changed.
     commands::OptimizeRequest request = commands::offered_request(*state.scene, state.settings, state.optimize);
+    // What the experiment no longer has is left out of the request without an edit by the user, so it is no change
+    // here.
     const commands::OptimizeRequest offered = request;
     text_row(theme, "Follow", commands::target_words(*trial));
     tooltip(theme, "Goals of the trial that the timeline shows, or else its recording, are the target.");

@@ -77,6 +77,7 @@ void draw_job_comparison(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
     const std::vector<Compared> columns = columns_of(state);
+    // One column of values per job, in the order of the headings.
     std::vector<const commands::Settings*> settings;
     for (const Compared& column : columns) settings.push_back(column.settings);
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_PadOuterX | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |

@@ -7,6 +7,7 @@ namespace myo::ui::panels {
 
 // All sizes are rounded to whole pixels, so that text in the parts stays sharp.
 Layout make_layout(float width, float height, float scale, const commands::LayoutSizes& sizes) {
+    // Fixed sizes [pixels at scale 1]: edges that can be dragged, menu bar and timeline.
     const float edge = std::round(4.0f * scale);
     const float bar = std::round(44.0f * scale);
     const float timeline = std::round(44.0f * scale);
@@ -37,6 +38,7 @@ Layout make_layout(float width, float height, float scale, const commands::Layou
 }
 
 Layout beside_help(Layout layout, float scale) {
+    // Width of the help [pixels at scale 1], at most this share of the room that the view and the help share.
     constexpr float preferred = 380.0f, share = 0.55f;
     const float right = layout.view.highest.x,
                 left = right - std::round(std::min(preferred * scale, share * layout.view.width()));

@@ -59,6 +59,7 @@ std::string rate_text(const commands::LiveView& live) {
 /// The spring from the body to the mouse, with its force.
 void draw_spring(PanelContext& context, const viewport::ViewportState& view, const commands::LiveFrame& frame,
                  const Eigen::Vector3d& hand_m) {
+    // One end is on the body, as the model has it; the other is where the mouse is now.
     const auto from = window_pixel(view, frame.pulled_m), to = window_pixel(view, hand_m);
     if (!from || !to) return;
     const float s = context.theme.scale;

@@ -56,6 +56,7 @@ void end_row(PanelContext& context, const commands::SceneLoad& load, const toml:
     double time_s = starts ? load.from_s : load.until_s;
     const toml::TomlPath place = inside(path, starts ? "from_s" : "until_s");
     const std::string name = item + (starts ? "/from" : "/until");
+    // An end that is not declared is open: the force acts all along on that side.
     if (!std::isfinite(time_s)) {
         if (ImGui::Button(((starts ? "Let it start at a time##" : "Let it end at a time##") + item).c_str(),
                           {-1.0f, 0.0f}))

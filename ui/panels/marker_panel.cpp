@@ -286,6 +286,7 @@ void MarkerPanel::draw_export(PanelContext& context, const std::string& name) {
     context.items.mark("markers/svg");
     tooltip(context.theme,
             "The visible range of the shown plots [s, mm] below each other, as vectors for a paper or a slide");
+    // Taken from the framebuffer once this popup has disappeared.
     if (ImGui::MenuItem("Picture (PNG)\xe2\x80\xa6"))
         context.window.file = part_dialog("Save a picture of the plots", name, plots_);
     context.items.mark("markers/png");

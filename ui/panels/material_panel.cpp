@@ -12,6 +12,7 @@ namespace {
 
 /// Limits are in SI units, the smallest step of a drag is in the shown unit; see NumberField.
 const std::vector<SettingField>& material_fields() {
+    // Equations and their sources: assets/manual/theory.md.
     static const std::vector<SettingField> fields{
         {{"Young's modulus E", "model/youngs_modulus", commands::Dimension::pressure, "kPa",
           "Young's modulus E [Pa]: stress over strain in small tension. With Poisson's ratio it gives the shear "

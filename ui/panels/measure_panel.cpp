@@ -24,6 +24,7 @@ void draw_trial_errors(PanelContext& context, const std::string& item, const com
     ImGui::TableSetupColumn("role", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("validate").x);
     number_column(context.theme, headings[2]);
     heading_row(context.theme, headings);
+    // All trials are listed, also those that the run lacks, so that each can be chosen.
     for (std::size_t t = 0; t < state.scene->trials.size(); ++t) {
         const commands::SceneTrial& trial = state.scene->trials[t];
         ImGui::TableNextRow();

@@ -62,6 +62,7 @@ void draw_menu(PanelContext& context, viewport::ViewportState& viewport, const s
 void draw_menus(PanelContext& context, viewport::ViewportState& viewport) {
     const platform::Theme& theme = context.theme;
     const auto id = [](const char* menu) { return std::string("menu ") + menu; };
+    // Asked before the loop: opening another menu below closes the one that is open.
     const bool any_open = std::any_of(menus.begin(), menus.end(),
                                       [&](const char* menu) { return ImGui::IsPopupOpen(id(menu).c_str()); });
     ImGui::PushStyleColor(ImGuiCol_Button, theme.panel);

@@ -145,6 +145,7 @@ void ObstaclePanel::draw_obstacle(PanelContext& context, std::size_t index) {
         context.emit(commands::EditDeclaration{{commands::RemoveDeclared{path}}, item + "/remove"});
     if (!is_open(context, item)) return;
     draw_shape(context, obstacle, path, item, edits_);
+    // Every shape has a coefficient of friction.
     double friction = obstacle.friction;
     bool goes_on = false;
     const NumberField field{"Friction \xce\xbc",

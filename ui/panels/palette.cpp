@@ -54,6 +54,7 @@ const Action* Palette::draw_found(PanelContext& context, const std::vector<const
         const bool enabled = !action.enabled || action.enabled(context.state);
         ImGui::PushID(action.id.c_str());
         ImGui::BeginDisabled(!enabled);
+        // The shortcut stands at the right; the name is shortened to the room before it.
         const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(action.shortcut.label).x;
         if (ImGui::Selectable(elided(action.menu + ": " + action.label, room).c_str(), i == chosen_)) wanted = &action;
         ImGui::EndDisabled();

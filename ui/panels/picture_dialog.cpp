@@ -153,6 +153,7 @@ void PictureDialog::draw_motion(PanelContext& context) {
                 "speed"},
                edit_, request_.speed, goes_on);
     // A copy: the number of images depends on what is selected now.
+    // Successive images are speed / rate apart in the trial [s].
     PictureRequest moving = request_;
     moving.moves = true;
     const int count = picture_count(moving);

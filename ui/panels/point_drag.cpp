@@ -49,6 +49,7 @@ PointDrag::End PointDrag::follow(const viewport::ViewportState& view, const std:
         point_ = static_cast<int>(*under_mouse);
         place_m_.reset();
     }
+    // From here on the point is held, or was held in the last frame.
     if (!held_) return End::none;
     const ImGuiIO& io = ImGui::GetIO();
     // A hand that trembles during a click does not move the point.

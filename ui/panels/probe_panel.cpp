@@ -67,6 +67,7 @@ void ProbePanel::draw_placing(PanelContext& context) {
                                : "Build the mesh first.");
     if (!placing) return;
     row_label(context.theme, "Name of the next", "Without a name: m1, m2, \xe2\x80\xa6");
+    // The hint is the name that the next one gets if nothing is typed.
     ImGui::InputTextWithHint("##probe/next", free_marker_name(scene, "").c_str(), &context.placing.next_name);
     context.items.mark("probe/next");
     if (has_recordings(scene))

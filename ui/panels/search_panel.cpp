@@ -61,6 +61,7 @@ void SearchPanel::draw_values(PanelContext& context, bool starts) {
     const bool units = std::any_of(search.parameters.begin(), search.parameters.end(),
                                    [](const commands::ParameterRow& row) { return !row.unit.empty(); });
     if (units) headings.push_back({"Unit", ""});
+    // The start value stands before the best one.
     if (starts) headings.insert(headings.begin() + 1, {"Start", "Initial value of the search", true});
     if (!ImGui::BeginTable("values", static_cast<int>(headings.size()),
                            ImGuiTableFlags_RowBg | ImGuiTableFlags_PadOuterX | ImGuiTableFlags_ScrollY))

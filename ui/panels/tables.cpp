@@ -49,6 +49,7 @@ std::string elided_lines(const std::string& text, float width, int lines) {
 
 void number_cell(const platform::Theme& theme, const std::string& text, const ImVec4* color) {
     ImGui::TableNextColumn();
+    // Without room the text begins at the left, so that its first digits are seen.
     const float space = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
     if (space > 0.0f) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + space);
     ImGui::TextColored(color ? *color : theme.text, "%s", text.c_str());

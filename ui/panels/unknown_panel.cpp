@@ -31,6 +31,7 @@ void UnknownPanel::draw(PanelContext& context) {
         const auto found = std::find(declared.begin(), declared.end(), unknown.id);
         bool sought = found != declared.end();
         if (ImGui::Checkbox(unknown.label, &sought)) {
+            // The list keeps its order, and ids that this panel does not know.
             std::vector<std::string> wanted = declared;
             if (sought)
                 wanted.emplace_back(unknown.id);

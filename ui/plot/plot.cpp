@@ -113,8 +113,10 @@ std::optional<double> react_to_left_button(const Plot& plot, const PlotArea& are
     }
     const auto clamped_x = [&] { return std::clamp(x_at(area, mouse.x), area.x.lowest, area.x.highest); };
     if (active && state.dragging_cursor) return clamped_x();
+    // A press that trembles is a click, not a drag.
     const bool far = dragged_left();
     if (active && far) react_to_pan(area, x_axis, state);
+    // Released: without a drag the click places the cursor line.
     if (ImGui::IsItemDeactivated()) {
         const bool was_drag = state.dragging_cursor || far;
         state.dragging_cursor = false;
