@@ -33,6 +33,7 @@ void MeshPanel::draw(PanelContext& context) {
     draw_report(context);
 }
 
+/// Edge length as a number and as a logarithmic slider: its range spans a factor of 40.
 void MeshPanel::draw_resolution(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     // A floor, as a scene without a surface has no size until it is meshed.
@@ -76,7 +77,7 @@ void MeshPanel::draw_mesh_size(PanelContext& context) {
     draw_step_cost(context, dofs);
 }
 
-/// Edge length as a number and as a logarithmic slider: its range spans a factor of 40.
+/// Element type first, as the size of the mesh and its cost follow from it and from the edge length.
 void MeshPanel::draw_mesh_settings(PanelContext& context) {
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;

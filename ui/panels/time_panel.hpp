@@ -24,7 +24,7 @@ private:
     void draw_step_state(PanelContext& context);
     /// Switch between the program's step and the user's.
     void draw_step_choice(PanelContext& context);
-    /// Stable and unstable range below the slider of the velocity force.
+    /// Stable and unstable range along the foot of the slider of the velocity force, and the critical value below it.
     void draw_stability(PanelContext& context, commands::Limits range);
     /// Damping ratio that the scheme adds at a frequency of the user's choice.
     void draw_numerical_damping(PanelContext& context);
