@@ -19,6 +19,7 @@ Result<ui::commands::BodyActuators> body_actuators(const experiment::Experiment&
     if (!chambers) return chambers.error();
     for (const setup::Chamber& chamber : *chambers)
         shown.chambers.push_back({chamber.name, chamber.walls, chamber.volume_m3, chamber.wall_area_m2});
+    // find_tendons() keeps the order of declaration, so names and routes share an index.
     const std::vector<setup::Tendon> tendons = setup::find_tendons(experiment, surface, mesh);
     for (std::size_t i = 0; i < tendons.size(); ++i) {
         ui::commands::ShownTendon& tendon = shown.tendons.emplace_back();
@@ -35,6 +36,7 @@ Result<ui::commands::BodyActuators> body_actuators(const experiment::Experiment&
 std::map<std::string, ui::commands::ShownCommand> shown_commands(const setup::Setup& setup,
                                                                  const setup::PreparedTrial& trial) {
     std::map<std::string, ui::commands::ShownCommand> commands;
+    // `recorded_commands` has no entries of muscles; those of chambers, then tendons, follow the order of actuators().
     std::size_t next = 0;
     for (const experiment::Actuator& actuator : experiment::actuators(setup.experiment)) {
         if (actuator.kind == experiment::ActuatorKind::muscle || next >= trial.recorded_commands.size()) continue;

@@ -22,8 +22,10 @@ std::string number_text(double figure, std::string unit) {
     if (unit == "Pa")
         for (const auto& [size, larger] : {std::pair{1e9, "GPa"}, {1e6, "MPa"}, {1e3, "kPa"}})
             if (std::abs(figure) >= size) return format_number(figure / size, 3) + " " + larger;
+    // Units of the core are ASCII ("kg/m3"); only a trailing power occurs in them.
     if (unit.ends_with("3")) unit.replace(unit.size() - 1, 1, "³");
     if (unit.ends_with("2")) unit.replace(unit.size() - 1, 1, "²");
+    // Three digits would turn a four- to six-digit number, such as a density, into an exponent.
     const int digits = std::abs(figure) >= 1e3 && std::abs(figure) < 1e6 ? 6 : 3;
     return format_number(figure, digits) + (unit.empty() ? "" : " " + unit);
 }
@@ -52,6 +54,7 @@ ui::commands::CheckRows check_rows(const std::vector<check::Finding>& findings, 
                         finding.source, finding.sentence, finding.way_out, task_of(check, as_declared),
                         finding.warned});
     }
+    // CheckState ascends from green to red.
     std::stable_sort(rows.begin(), rows.end(), [](const ui::commands::CheckRow& a, const ui::commands::CheckRow& b) {
         return a.state > b.state;
     });

@@ -25,8 +25,11 @@
 namespace myo::backend {
 namespace {
 
-/// Signals drawn by the user, sampled at the unknown knots and limited to their bounds.
+/// Signals drawn by the user, sampled at the unknown knots and limited to their bounds: the start of the search.
+///
+/// @return  signals x knots, in the unit of each signal
 Eigen::MatrixXd drawn_values(const setup::Setup& setup, const inverse::ActuationProblem& problem) {
+    // Only the shape of the matrix is used; every entry is overwritten below.
     Eigen::MatrixXd values = inverse::unmoved_values(problem.sought);
     const std::vector<double> times = inverse::knot_times(problem.sought);
     for (Eigen::Index s = 0; s < values.rows(); ++s) {
@@ -40,14 +43,19 @@ Eigen::MatrixXd drawn_values(const setup::Setup& setup, const inverse::Actuation
 }
 
 /// The settings with these signals in place of the drawn ones.
+///
+/// @param activation  per actuator, muscles first; further entries (chambers, tendons) are declared, not set
 ui::commands::Settings with_found_signals(ui::commands::Settings settings,
                                           const std::vector<fibre::Signal>& activation) {
     for (std::size_t m = 0; m < settings.muscles.size() && m < activation.size(); ++m)
+        // A follower has no signal of its own: the signal of its leader determines it.
         if (settings.muscles[m].follows.empty()) settings.muscles[m].signal = activation[m];
     return settings;
 }
 
-/// Smallest and largest value of each signal, at the start and now.
+/// Smallest and largest value of each signal, at the start and now, in shown units.
+///
+/// @param start, values  signals x knots, SI
 std::vector<ui::commands::ParameterRow> signal_rows(const setup::Setup& setup, const inverse::ActuationProblem& problem,
                                                     const Eigen::MatrixXd& start, const Eigen::MatrixXd& values) {
     std::vector<ui::commands::ParameterRow> rows;
@@ -58,6 +66,7 @@ std::vector<ui::commands::ParameterRow> signal_rows(const setup::Setup& setup, c
             setup.experiment)[*experiment::find_actuator(setup.experiment, name)];
         const bool muscle = actuator.kind == experiment::ActuatorKind::muscle;
         const ui::commands::ShownCommand shown = shown_unit(actuator);  // as the signals are drawn
+        // SI to shown unit; `per_unit` is SI per shown unit.
         const double factor = 1.0 / shown.per_unit;
         const std::string word = muscle ? "a" : experiment::quantity_word(actuator.kind);
         rows.push_back({name + ", minimum " + word, shown.unit, factor * start.row(row).minCoeff(),
@@ -68,7 +77,7 @@ std::vector<ui::commands::ParameterRow> signal_rows(const setup::Setup& setup, c
     return rows;
 }
 
-/// Displays a running search for signals.
+/// Displays a running search for signals. The references given to the constructor must outlive the object.
 class LiveOptimization {
 public:
     LiveOptimization(const setup::Setup& setup, std::size_t trial, const inverse::ActuationProblem& problem,
@@ -83,11 +92,13 @@ public:
           settings_(settings),
           progress_(progress),
           live_(live) {
+        // The loss is in m²; in mm² its size is readable, hence the factors 1e6 in show().
         view_.loss_unit = "mm\xc2\xb2";
         const bool goals = !setup.experiment.trials[trial].goals.empty();
         view_.target = (goals ? "goals of trial " : "recording of trial ") + setup.trials[trial].name;
     }
 
+    /// Receives every evaluation of the search, on its thread; passes a copy of the view on.
     void show(const inverse::ActuationFit& fit) {
         const inverse::ActuationIterate& line = fit.log.back();
         // A failed evaluation is an empty point, so that the count of evaluations stays right.
@@ -103,6 +114,7 @@ public:
             if (!problem_.sought.signals.empty()) view_.settings = with_found_signals(settings_, activation);
             // Only an evaluation that is the best so far changes the picture.
             if (line.ok && line.loss_m2 == fit.best.loss_m2 && pace_.due()) {
+                // The iterate holds the motion of the marker nodes only; the picture needs a run of the whole body.
                 const Stopwatch watch;
                 if (auto run = run_with(fit))
                     view_.best = std::make_shared<const ui::commands::RunResult>(std::move(*run)), shown_ = fit.values,
@@ -118,6 +130,7 @@ public:
         // The last displayed run is reused if it has the final signals.
         if (view_.best && shown_ == fit.values && shown_design_ == fit.design) return *view_.best;
         if (auto run = run_with(fit)) return std::move(*run);
+        // What is left after a cancellation: the markers of the best evaluation, without frames of the body.
         return with_prediction(with_found(fit),
                                prediction::prediction_of(setup_, trial_, fit.best.motion, fit.best.placement),
                                fit.best.placement);
@@ -126,6 +139,7 @@ public:
 private:
     /// The setup with what was found in all trials.
     setup::Setup with_found(const inverse::ActuationFit& fit) const {
+        // The body's design comes first: driven_model() keeps the body of the model that it is given.
         setup::Setup setup = calibration::with_design(setup_, problem_.design, fit.design);
         if (problem_.sought.signals.empty()) return setup;
         for (setup::PreparedTrial& trial : setup.trials)
@@ -137,6 +151,7 @@ private:
     /// Displayable run from the prediction of the one trial, with the found marker placement.
     ui::commands::RunResult with_prediction(const setup::Setup& setup, prediction::TrialPrediction prediction,
                                             const inverse::MarkerPlacement& placement) const {
+        // All other trials stay "not run".
         std::vector<prediction::TrialPrediction> predictions(setup.trials.size());
         predictions[trial_] = std::move(prediction);
         return shown_run(setup, prediction::scored_run(setup, prediction::placed_values(setup, placement),
@@ -167,16 +182,20 @@ private:
     Pace pace_;
 };
 
+/// Settings of the search from the request of the window. Errors: an unknown word of `seek`; nothing is sought.
+///
+/// @param h_s  time step of the trial [s]
 Result<calibration::OptimizeSettings> optimize_settings(const ui::commands::OptimizeRequest& request,
                                                         const experiment::Experiment& experiment, double h_s) {
     calibration::OptimizeSettings how;
     std::vector<std::string> words = request.seek;
+    // A default SoughtItem stands for the signals.
     if (request.signals) words.insert(words.begin(), calibration::to_string({}));
     Result<std::vector<calibration::SoughtItem>> seek = calibration::sought_items(words, experiment);
     if (!seek) return seek.error();
     if (seek->empty()) return Error{"nothing is ticked that the search may change", ""};
     how.seek = *std::move(seek);
-    // At most one knot per time step.
+    // At most one knot per time step: actuation_problem() refuses knots closer than steps.
     how.frequency_Hz = std::min(request.frequency_Hz, 1.0 / h_s);
     how.lowest = request.lowest;
     how.highest = request.highest;
@@ -190,6 +209,7 @@ ui::commands::SearchResult optimized(const setup::Setup& setup, const inverse::A
                                      const std::string& trial, double h_s) {
     ui::commands::SearchResult result;
     result.title = "Optimised";
+    // A search of the body alone leaves the drawn signals as they are.
     result.settings = settings;
     const bool signals = !problem.sought.signals.empty();
     if (signals)
@@ -202,6 +222,7 @@ ui::commands::SearchResult optimized(const setup::Setup& setup, const inverse::A
     result.parameters = signal_rows(setup, problem, found.fit.start, found.fit.values);
     for (ui::commands::ParameterRow& row : result.parameters) row.deviation = std::numeric_limits<double>::quiet_NaN();
     for (ui::commands::ParameterRow& row : design_rows(found.found)) result.parameters.push_back(std::move(row));
+    // Settings hold one signal per muscle for all trials, which replaces those that other trials recorded.
     if (signals && !setup.experiment.muscles.empty())
         result.notes = {(found.miss.goals ? "Signals follow the goals of " : "Signals follow ") + trial +
                         "; the muscles use them in all trials now."};
@@ -211,12 +232,16 @@ ui::commands::SearchResult optimized(const setup::Setup& setup, const inverse::A
 }
 
 /// Declares the commands found for chambers and tendons in the experiment, or says why they stay.
+///
+/// @param trial   index in the experiment, whose commands are replaced
+/// @param result  its declaration and notes are changed
+/// Errors: those of edited_declaration().
 Result<void> state_commands(const ui::commands::Scene& scene, std::size_t trial,
                             const inverse::ActuationProblem& problem, const inverse::ActuationFit& fit,
                             ui::commands::SearchResult& result) {
     const experiment::Experiment& experiment = source_of(scene).experiment;
     if (problem.sought.signals.empty() || experiment.chambers.size() + experiment.tendons.size() == 0) return {};
-    // Behind those of the muscles.
+    // found_commands() lists muscles first, then chambers and tendons.
     const std::vector<fibre::Signal> all = calibration::found_commands(problem.sought, fit.values);
     const auto count = static_cast<std::ptrdiff_t>(experiment.chambers.size() + experiment.tendons.size());
     const std::vector<fibre::Signal> commands(all.end() - count, all.end());
@@ -241,6 +266,7 @@ Result<ui::commands::SearchResult> optimize_scene(const ui::commands::Scene& sce
                                                   const ui::commands::OptimizeRequest& request,
                                                   const Progress& progress,
                                                   const ui::commands::Backend::LiveSearch& live) {
+    // Material, muscles and effects are those of the window, not of the file.
     Result<setup::Setup> setup = scene_setup(scene, body, settings, setup_settings(settings), progress);
     if (!setup) return setup.error();
     setup::check_integration(*setup);
@@ -251,10 +277,13 @@ Result<ui::commands::SearchResult> optimize_scene(const ui::commands::Scene& sce
     Result<calibration::OptimizeSettings> how = optimize_settings(request, setup->experiment,
                                                                   setup->trials[*trial].options.h_s);
     if (!how) return how.error();
+    // body_design() replaces the fibres of painted muscles in the setup, so the single trial is taken from it
+    // afterwards.
     const Result<calibration::BodyDesign> design = calibration::body_design(*setup, how->seek);
     if (!design) return design.error();
     Result<setup::Setup> target = prediction::with_goals(prediction::with_one_trial(*setup, *trial));
     if (!target) return target.error();
+    // Two setups from here on: `one` is the target of the search, `setup` has all trials for display.
     setup::Setup& one = *target;
     const Result<inverse::ActuationProblem> problem = calibration::actuation_problem(one, *how, design->variables);
     if (!problem) return problem.error();
@@ -271,6 +300,7 @@ Result<ui::commands::SearchResult> optimize_scene(const ui::commands::Scene& sce
     Result<ui::commands::Settings> designed = with_found_design(std::move(result.settings), scene, found.found);
     if (!designed) return designed.error();
     result.settings = *std::move(designed);
+    // After with_found_design(), which may have edited the declaration already: both edits must be kept.
     if (const Result<void> stated = state_commands(scene, *trial, *problem, found.fit, result); !stated)
         return stated.error();
     result.run = shown.found(found.fit);

@@ -45,6 +45,7 @@ namespace {
 const std::vector<std::string> surface_endings{".stl", ".obj", ".ply", ".vtp"};
 const std::vector<std::string> volume_endings{".vtu", ".vtk", ".msh", ".node", ".ele"};
 
+/// Whether the extension is one of these, in any case: ".STL" is as common as ".stl".
 bool has_ending(const fs::path& path, const std::vector<std::string>& endings) {
     return std::find(endings.begin(), endings.end(), lower_case(path.extension().string())) != endings.end();
 }
@@ -54,6 +55,7 @@ std::vector<experiment::MuscleDeclaration> declared_muscles(const experiment::Ex
                                                             const ui::commands::Settings& settings) {
     std::vector<experiment::MuscleDeclaration> muscles;
     for (const ui::commands::Muscle& muscle : settings.muscles) {
+        // A muscle that was made in the window has an empty mask until it is painted.
         experiment::MuscleDeclaration declared{
             muscle.name, experiment::MuscleMask{std::make_shared<const fibre::PaintedMask>(), std::nullopt}, 0.0,
             std::nullopt, std::nullopt};
@@ -88,7 +90,8 @@ std::vector<ui::commands::Muscle> shown_muscles(const experiment::Experiment& ex
     return muscles;
 }
 
-/// Recording for display. With displacement comparison, both curves start from the declared rest position.
+/// Recording of a marker for display, 3 x T [m], mesh frame. With displacement comparison, measured and simulated
+/// curves start from the declared rest position.
 Matrix3Xd shown_measurement(const setup::Setup& setup, const setup::PreparedTrial& trial, std::size_t marker) {
     Matrix3Xd shown = trial.measured.tracks[marker];
     if (!trial.reference_m.empty())
@@ -104,6 +107,7 @@ void fill_from_setup(const setup::Setup& setup, ui::commands::Scene& scene) {
     for (const setup::PreparedTrial& trial : setup.trials) {
         ui::commands::SceneTrial shown{trial.name, to_string(trial.role),       trial.measured.time_s, {},
                                        {},         shown_commands(setup, trial)};
+        // Trials of the setup are in the order of declaration.
         const experiment::TrialDeclaration& declared = experiment.trials[scene.trials.size()];
         shown.duration_s = declared.duration_s;
         shown.goals = scene_goals(experiment, declared);
@@ -117,6 +121,7 @@ void fill_from_setup(const setup::Setup& setup, ui::commands::Scene& scene) {
             shown.activation[experiment.muscles[m].name] = trial.model.activation[m];
         scene.trials.push_back(std::move(shown));
     }
+    // The mesh as it was made: the declaration may have left element and edge length to the program.
     scene.settings.element = setup.mesh.mesh.type;
     scene.settings.resolution_m = setup.mesh.resolution_m;
     scene.settings.material = experiment.material.model;
@@ -124,11 +129,13 @@ void fill_from_setup(const setup::Setup& setup, ui::commands::Scene& scene) {
     scene.settings.youngs_modulus_Pa = experiment.material.youngs_modulus_Pa;
     scene.settings.poissons_ratio = experiment.material.poissons_ratio;
     scene.settings.density_kg_m3 = experiment.material.density_kg_m3;
+    // From a model, because an undeclared damping is chosen in prepare_setup().
     scene.settings.damping_s = setup.trials.front().model.damping_s;
     scene.settings.integrator = to_string(setup.settings.integrator);
     // The window displays a single step for all trials.
     scene.settings.time_step_s = prediction::shortest_step_s(setup);
     scene.settings.muscles = shown_muscles(experiment);
+    // With the dominant measured vibration the window judges the time step.
     const MeasuredVibration vibration = dominant_vibration(setup);
     scene.frequency_Hz = vibration.frequency_Hz;
     scene.damping_ratio = vibration.damping_ratio;
@@ -171,6 +178,7 @@ setup::MeshRequest mesh_request(const ui::commands::Settings& settings) {
 setup::SetupSettings setup_settings(const ui::commands::Settings& settings) {
     setup::SetupSettings result;
     result.mesh = mesh_request(settings);
+    // An unknown name leaves the default.
     dynamics::parse_integrator(settings.integrator, result.integrator);
     result.spectral_radius = settings.spectral_radius;
     result.h_s = settings.time_step_s;
@@ -190,7 +198,8 @@ experiment::Experiment with_settings(experiment::Experiment experiment, const ui
     experiment.effects = ui::commands::effects_on(experiment.effects, settings.off);
     for (const ui::commands::AddedEffect& effect : settings.effects) {
         if (effect.off) continue;
-        // A project keeps ids and values; the laws are those of the experiment as it is now.
+        // A project keeps ids and values; the laws are those of the experiment as it is now. A law that was removed
+        // since leaves its effect without an entry, and the effect is dropped.
         effect::EffectDeclaration declaration = effect.declaration;
         declaration.law = effect::find_law(declaration.id, experiment.laws);
         if (effect::find_effect(declaration) != nullptr) experiment.effects.push_back(std::move(declaration));
@@ -213,7 +222,10 @@ double middle_of(const Eigen::VectorXd& time_s) {
     return time_s.size() > 0 ? 0.5 * std::max(0.0, time_s[time_s.size() - 1]) : 0.0;
 }
 
-/// What a scene shows of a prepared experiment.
+/// Fills in what a scene shows of a prepared experiment. Lists of the scene are replaced; its path stays.
+///
+/// @param mesh  mesh to reuse as long as the settings request it; null: none
+/// @param text  of the declaration at opening, to which edits are compared
 void show_setup(const setup::Setup& setup, std::shared_ptr<const setup::BodyMesh> mesh,
                 std::shared_ptr<const std::string> text, ui::commands::Scene& scene) {
     const experiment::Experiment& experiment = setup.experiment;
@@ -233,6 +245,7 @@ void show_setup(const setup::Setup& setup, std::shared_ptr<const setup::BodyMesh
     scene.calibrated.clear();
     fill_from_setup(setup, scene);
     scene.seekable = seek_choices(experiment);
+    // A new effect that is an event is offered in the middle of the first trial, where it can be seen.
     show_declared(experiment, setup.surface, middle_of(setup.trials.front().measured.time_s), scene);
     scene.source = std::make_shared<const SceneSource>(
         SceneSource{experiment, setup.surface, std::move(mesh), std::move(text)});
@@ -243,6 +256,7 @@ void show_setup(const setup::Setup& setup, std::shared_ptr<const setup::BodyMesh
 Result<ui::commands::Scene> open_experiment(const fs::path& path, const Progress& progress) {
     const Result<experiment::Experiment> experiment = experiment::read_experiment(path);
     if (!experiment) return experiment.error();
+    // Edits of the window change this text, so that comments and order of the file survive.
     Result<std::string> text = read_file(declaration_file(path));
     if (!text) return text.error();
     setup::SetupSettings settings;
@@ -262,6 +276,8 @@ Result<ui::commands::Scene> scene_of(const ui::commands::Scene& scene, const exp
     const auto* const shown = body ? static_cast<const setup::BodyMesh*>(body->source.get()) : source.mesh.get();
     setup::SetupSettings settings;
     settings.threads = hardware_threads();
+    // An edited support may lie where the shown mesh has no nodes; only then is meshing worth its time on the UI
+    // thread.
     Result<setup::Setup> setup = setup::prepare_setup(experiment, settings, {}, shown);
     if (!setup && shown) setup = setup::prepare_setup(experiment, settings, {});
     if (!setup) return setup.error();
@@ -271,6 +287,7 @@ Result<ui::commands::Scene> scene_of(const ui::commands::Scene& scene, const exp
     const std::vector<Box> boxes = mesh_boxes(experiment), before = mesh_boxes(source.experiment);
     const bool same_boxes = std::equal(boxes.begin(), boxes.end(), before.begin(), before.end(), same_box);
     show_setup(*setup, same_boxes ? source.mesh : nullptr, source.text, result);
+    // show_setup() has set declared values, which would undo what the user has set.
     result.settings = scene.settings;
     return result;
 }
@@ -294,7 +311,7 @@ ui::commands::Scene plain_scene(const fs::path& path, mesh::SurfaceMesh surface)
     return scene;
 }
 
-/// Scene of a volume mesh; its boundary becomes the surface.
+/// Scene of a volume mesh; its boundary becomes the surface. Errors: those of the reader, an implausible size.
 Result<ui::commands::Scene> open_volume(const fs::path& path, double metres_per_unit) {
     Result<mesh::VolumeMesh> read = mesh::read_volume(path, metres_per_unit);
     if (!read) return read.error();
@@ -302,6 +319,7 @@ Result<ui::commands::Scene> open_volume(const fs::path& path, double metres_per_
         return Error{size.error().what, path.string()};
     ui::commands::Scene scene = plain_scene(path, mesh::boundary_surface(*read));
     scene.settings.element = read->type;
+    // Equal to the resolution of the kept mesh below, so that is_mesh_of() finds it to match.
     scene.settings.resolution_m = mesh::mean_edge_length(*read);
     SceneSource source = source_of(scene);
     // A volume mesh is kept as it is until the settings request another element or edge length.

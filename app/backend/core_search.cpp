@@ -24,14 +24,18 @@ namespace {
 
 constexpr double nothing_known = std::numeric_limits<double>::quiet_NaN();
 
-/// Row of a parameter in displayed units; start, value and deviation in SI.
+/// Row of a parameter in displayed units.
+///
+/// @param start, value, deviation  SI; the deviation is one standard deviation, NaN: unknown
 ui::commands::ParameterRow parameter_row(const prediction::ModelParameter& parameter, const setup::Setup& setup,
                                          double start, double value, double deviation) {
     const results::ReadableParameter shown = results::readable_parameter(parameter, setup);
     return {shown.name, shown.unit, shown.factor * start, shown.factor * value, shown.factor * deviation};
 }
 
-/// Displayable run from existing predictions of some trials.
+/// Displayable run from existing predictions of some trials; the others stay "not run".
+///
+/// @param predictions  one per entry of `trials`, in that order
 std::shared_ptr<const ui::commands::RunResult> run_of(const setup::Setup& setup,
                                                       const prediction::ParameterValues& values,
                                                       const std::vector<std::size_t>& trials,
@@ -50,7 +54,9 @@ std::vector<std::size_t> fit_trials(const setup::Setup& setup) {
     return trials;
 }
 
-/// The best values so far, as rows and as settings.
+/// The best values so far, as rows and as settings. A standard deviation exists at the end of a fit only.
+///
+/// @param declared  values at which the fit started, for the column of start values
 void show_values(ui::commands::SearchView& view, const setup::Setup& setup,
                  const std::vector<prediction::ModelParameter>& parameters, const prediction::ParameterValues& declared,
                  const prediction::ParameterValues& values, const ui::commands::Settings& settings) {
@@ -58,6 +64,8 @@ void show_values(ui::commands::SearchView& view, const setup::Setup& setup,
     for (const prediction::ModelParameter& p : parameters)
         view.parameters.push_back(
             parameter_row(p, setup, prediction::value_of(p, declared), prediction::value_of(p, values), nothing_known));
+    // Effects and levels are not part of what is adopted while the fit runs: only material values are shown in the
+    // fields.
     view.settings = settings;
     view.settings.youngs_modulus_Pa = values.youngs_modulus_Pa;
     view.settings.damping_s = values.damping_s;
@@ -75,6 +83,7 @@ Result<setup::Setup> setup_to_fit(const ui::commands::Scene& scene, const ui::co
     if (const std::optional<std::string> untested = prediction::untested_fit(*setup))
         setup->warnings.push_back(*untested);
     const std::vector<check::Finding> on_units = check::findings_on_units(*setup);
+    // Before any run: steps for times in milliseconds read as seconds would take hours.
     if (const Result<void> in_seconds = check::require_time_unit(*setup, on_units); !in_seconds)
         return in_seconds.error();
     if (!chosen.h_s) check::choose_declared_steps(*setup, on_units, progress);
@@ -95,7 +104,7 @@ std::vector<ui::commands::ParameterRow> fitted_rows(const setup::Setup& setup,
     return rows;
 }
 
-/// The fitted values as settings.
+/// The fitted material values as settings, and the step of the fit unless the user set one.
 ui::commands::Settings fitted_settings(const setup::Setup& setup, const calibration::Calibration& calibration,
                                        ui::commands::Settings settings) {
     settings.youngs_modulus_Pa = calibration.after.values.youngs_modulus_Pa;
@@ -154,12 +163,14 @@ Result<ui::commands::SearchResult> calibrate_scene(const ui::commands::Scene& sc
     Pace pace;
     // Every evaluation extends the log; parameters and picture change only with a better one.
     calibration::CalibrationSettings how;
+    // A failed evaluation has an infinite or undefined cost; its empty point keeps the count of evaluations right.
     how.evaluated = [&](const calibration::CalibrationStep& step) {
         view.log.push_back(std::isfinite(step.cost)
                                ? ui::commands::SearchPoint{step.cost, step.rms_m, step.gradient_norm}
                                : ui::commands::SearchPoint{});
         if (step.best) {
             show_values(view, *setup, parameters, declared, step.values, settings);
+            // The run exists already (`step.best`), but its conversion for display costs time.
             if (pace.due()) {
                 const Stopwatch watch;
                 view.best = run_of(*setup, step.values, fit_trials(*setup), *step.best);

@@ -20,13 +20,15 @@ const std::string& text_of(const ui::commands::Scene& scene, const Declaration& 
     return declaration.text ? *declaration.text : *source_of(scene).text;
 }
 
-/// What of a declaration changes the mesh.
+/// Text of what in a declaration changes the mesh; empty if the declaration cannot be parsed. Two declarations with
+/// equal words have the same mesh.
 std::string mesh_words(const std::string& text) {
     const Result<toml::TomlValue> document = toml::parse_toml(text, "");
     std::string result;
     if (!document) return result;
     for (const char* key : {"geometry", "clamp"})
         if (const toml::TomlValue* value = document->find(key)) result += toml::toml_value_text(*value);
+    // Only the box of a support counts: which axes are held does not move nodes.
     if (const toml::TomlValue* supports = document->find("support"))
         for (const toml::TomlValue& support : supports->items)
             if (const toml::TomlValue* box = support.find("box_m")) result += toml::toml_value_text(*box);
@@ -38,6 +40,7 @@ std::string mesh_words(const std::string& text) {
     return result;
 }
 
+/// The text with one edit. Errors: the edit does not fit the text.
 Result<std::string> with_edit(const std::string& text, const ui::commands::DeclarationEdit& edit) {
     if (const auto* set = std::get_if<ui::commands::SetDeclared>(&edit))
         return toml::with_value(text, set->path, set->value);
@@ -47,6 +50,7 @@ Result<std::string> with_edit(const std::string& text, const ui::commands::Decla
         return toml::with_appended_table(text, added->array, added->body);
     if (const auto* renamed = std::get_if<ui::commands::RenameMarker>(&edit))
         return with_renamed_marker(text, renamed->name, renamed->wanted);
+    // The copy stands behind its original in the array of tables and needs a name of its own.
     const auto& copied = std::get<ui::commands::DuplicateDeclared>(edit);
     const Result<std::string> twice = toml::with_duplicated_table(text, copied.element);
     if (!twice) return twice;
@@ -67,6 +71,7 @@ Result<Declaration> edited_declaration(const ui::commands::Scene& scene, const D
     }
     Declaration result;
     std::string edited_words = mesh_words(*text);
+    // Only a difference is kept, so that an edit that is undone by another one restores the meshed state.
     if (mesh_words(*source_of(scene).text) != edited_words) result.mesh_words = std::move(edited_words);
     result.text = std::make_shared<const std::string>(std::move(*text));
     return result;
@@ -94,6 +99,7 @@ Result<void> write_plain_scene(const fs::path& folder, const ui::commands::Scene
 
 Result<void> write_scene_copy(const fs::path& folder, const ui::commands::Scene& scene,
                               const Declaration& declaration) {
+    // copy_experiment() takes the folder; write_contents() then adds what the edited text names elsewhere.
     const fs::path from = declaration_file(scene.path).parent_path();
     if (const Result<void> copied = experiment::copy_experiment(from, folder); !copied) return copied;
     const Result<void> written = write_contents(from, text_of(scene, declaration), folder);

@@ -12,7 +12,8 @@ namespace {
 using ui::commands::DeclaredCommand;
 using ui::commands::SceneCavity;
 
-/// Cavities with the chambers they are: of cavities in one another, the smallest around a chamber's point.
+/// Closed cavities of the surface with the names of their chambers; of nested cavities, the smallest around a chamber's
+/// point is the chamber.
 std::vector<SceneCavity> scene_cavities(const experiment::Experiment& experiment, const mesh::SurfaceMesh& surface) {
     std::vector<SceneCavity> cavities;
     const experiment::BodyQueries body(surface);
@@ -20,6 +21,7 @@ std::vector<SceneCavity> scene_cavities(const experiment::Experiment& experiment
         cavities.push_back(
             {std::move(found.cavity.wall), found.inside_m, found.cavity.volume_m3, found.cavity.area_m2, ""});
     for (const experiment::ChamberDeclaration& chamber : experiment.chambers) {
+        // The wall of a cavity faces inward as seen from the cavity, so its winding number inside is -1.
         SceneCavity* around = nullptr;
         for (SceneCavity& cavity : cavities)
             if (mesh::winding_number(cavity.wall, chamber.inside_m) < -0.5 &&
@@ -30,6 +32,7 @@ std::vector<SceneCavity> scene_cavities(const experiment::Experiment& experiment
     return cavities;
 }
 
+/// How a trial declares the command of each chamber and tendon, by name; without an entry: no command.
 std::map<std::string, DeclaredCommand> commands_of(const experiment::Experiment& experiment,
                                                    const experiment::TrialDeclaration& trial,
                                                    const setup::PreparedTrial& prepared) {
@@ -41,6 +44,7 @@ std::map<std::string, DeclaredCommand> commands_of(const experiment::Experiment&
         for (const double value : prepared.recorded_commands[next].values)
             if (value != 0.0 && trial.actuation) commands[actuator.name] = {DeclaredCommand::Kind::file, 0.0};
         ++next;
+        // A key of the trial for this actuator replaces the guess "file".
         for (const experiment::ConstantCommand& constant : trial.constant_commands)
             if (constant.actuator == actuator.name)
                 commands[actuator.name] = constant.curve

@@ -5,7 +5,8 @@
 
 namespace myo::backend {
 
-/// Chambers, tendons, cavities and commands of an experiment as declared, for the panels that edit them.
+/// Chambers, tendons, cavities and commands of an experiment as declared, for the panels that edit them. SI units;
+/// commands per trial in the order of declaration.
 ui::commands::DeclaredParts declared_parts(const setup::Setup& setup);
 
 }  // namespace myo::backend

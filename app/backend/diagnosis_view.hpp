@@ -10,7 +10,9 @@ namespace myo::backend {
 /// Input of a diagnosis.
 struct DiagnosisSource {
     const setup::Setup& setup;
+    // Effects of the fitted values start with those of the file; the rest becomes settings of a row.
     std::size_t file_effects = 0;  // number of effects declared in the file; later ones were added in the workbench
+    // Settings with which the diagnosis was started; a row's settings are these with its fitted values.
     ui::commands::Settings settings;
 };
 

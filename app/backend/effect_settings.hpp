@@ -5,7 +5,8 @@
 
 namespace myo::backend {
 
-/// An effect as the window adds it: fitted, with its name and values as shown.
+/// An effect as the window adds it: its parameters are fitted (`calibrate` is set, whatever the declaration says), with
+/// its name and values as shown.
 ui::commands::AddedEffect added_effect(effect::EffectDeclaration effect);
 
 }  // namespace myo::backend

@@ -10,6 +10,7 @@
 namespace myo::backend {
 namespace {
 
+/// View and shading of the picture.
 struct PicturePolicy {
     double turn_deg = -35.0;    // about the vertical axis
     double tilt_deg = 25.0;     // from above
@@ -18,9 +19,10 @@ struct PicturePolicy {
 };
 const PicturePolicy picture_policy;
 
-/// Rows: to the right, down, towards the eye.
+/// Rows: to the right, down, towards the eye, in the mesh frame with z upwards. Left-handed, since y points down.
 Eigen::Matrix3d camera() {
     constexpr double degree = std::numbers::pi / 180.0;
+    // Turned about the vertical axis first, then tilted about the horizontal axis of the picture.
     const Eigen::Matrix3d turned = (Eigen::AngleAxisd(picture_policy.tilt_deg * degree, Eigen::Vector3d::UnitX()) *
                                     Eigen::AngleAxisd(picture_policy.turn_deg * degree, Eigen::Vector3d::UnitZ()))
                                        .toRotationMatrix();
@@ -39,6 +41,7 @@ ui::commands::ExamplePicture picture_of(const mesh::SurfaceMesh& surface) {
     const Eigen::Vector2d lowest = seen.topRows<2>().rowwise().minCoeff(),
                           size = seen.topRows<2>().rowwise().maxCoeff() - lowest;
     const double longest = size.maxCoeff();
+    // A body without extent has no scale.
     if (!(longest > 0.0)) return picture;
     picture.width = static_cast<float>(size.x() / longest);
     picture.height = static_cast<float>(size.y() / longest);
@@ -53,10 +56,12 @@ ui::commands::ExamplePicture picture_of(const mesh::SurfaceMesh& surface) {
             for (int axis = 0; axis < 2; ++axis)
                 triangle.corners[static_cast<std::size_t>(2 * k + axis)] = static_cast<float>(
                     (X(axis, k) - lowest(axis)) / longest);
+        // Light falls from above: y points down, and visible normals point away from the eye, so both signs cancel.
         const double share = 0.5 * (1.0 + normal.y());
         triangle.light = static_cast<float>(picture_policy.least_light + (1.0 - picture_policy.least_light) * share);
         drawn.emplace_back(X.row(2).mean(), triangle);
     }
+    // Painter's algorithm: near triangles cover far ones.
     std::stable_sort(drawn.begin(), drawn.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (const auto& [depth, triangle] : drawn) picture.triangles.push_back(triangle);
     return picture;

@@ -17,6 +17,7 @@ std::vector<ui::commands::Example> bundled_examples() {
     const fs::path program = fs::read_symlink("/proc/self/exe", ignored).parent_path();
     std::vector<ui::commands::Example> examples;
     std::map<fs::path, std::size_t> trials;
+    // A program in build/bin finds the source tree, an installed one its share folder; the first with examples counts.
     for (const fs::path& folder : {program / "../../assets/examples", program / "../share/myoloop/examples"}) {
         for (fs::directory_iterator it(folder, ignored), end; !ignored && it != end; it.increment(ignored)) {
             const fs::path home = fs::weakly_canonical(it->path(), ignored);
@@ -28,6 +29,7 @@ std::vector<ui::commands::Example> bundled_examples() {
                                 body ? picture_of(*body) : ui::commands::ExamplePicture{}});
             trials[home] = experiment->trials.size();
         }
+        // A folder that does not exist sets the error code, which must not end the next loop.
         ignored.clear();
         if (!examples.empty()) break;
     }

@@ -21,14 +21,19 @@ namespace fs = std::filesystem;
 constexpr std::array file_keys{"file", "mask", "signal", "trace", "actuation", "sensors"};
 /// Keys whose texts are lists of files.
 constexpr std::array list_keys{"laws"};
+/// Folder of a copy that takes the files which do not lie in the experiment's folder.
 constexpr const char* outside_folder = "outside";
 
+/// Appends the existing files that a value and its parts name.
+///
+/// @param at  path of `value`; as before on return
 void collect(const toml::TomlValue& value, toml::TomlPath& at, const fs::path& folder, std::vector<NamedFile>& files) {
     for (std::size_t i = 0; i < value.items.size(); ++i) {
         const bool table = value.kind == toml::TomlValue::Kind::table;
         at.push_back(table ? toml::TomlStep(value.keys[i]) : toml::TomlStep(i));
         const toml::TomlValue& item = value.items[i];
         std::error_code ignored;
+        // Lists of files exist at the top level only.
         if (table && at.size() == 1 && item.kind == toml::TomlValue::Kind::array &&
             std::find(list_keys.begin(), list_keys.end(), value.keys[i]) != list_keys.end())
             for (std::size_t k = 0; k < item.items.size(); ++k)
@@ -46,7 +51,7 @@ void collect(const toml::TomlValue& value, toml::TomlPath& at, const fs::path& f
     }
 }
 
-/// Path inside a folder; empty if it lies elsewhere.
+/// Path relative to a folder in which it lies; empty if it lies elsewhere. Symbolic links are resolved.
 fs::path inside(const fs::path& path, const fs::path& folder) {
     std::error_code ignored;
     const fs::path relative = fs::weakly_canonical(path, ignored)
@@ -66,6 +71,7 @@ std::vector<fs::path> with_partner(const fs::path& path) {
     return files;
 }
 
+/// Copies a file and makes the folders above it. A file that is its own target stays as it is.
 Result<void> put_copy(const fs::path& from, const fs::path& to) {
     std::error_code code, ignored;
     if (fs::equivalent(from, to, ignored)) return {};
@@ -78,6 +84,7 @@ Result<void> put_copy(const fs::path& from, const fs::path& to) {
 /// A place for a file from elsewhere that no other such file has.
 fs::path place_outside(const fs::path& file, const std::map<fs::path, fs::path>& taken) {
     for (int k = 1;; ++k) {
+        // Files of one name from several folders are numbered: "left.csv", "left_2.csv".
         const std::string name = k == 1 ? file.filename().string()
                                         : file.stem().string() + "_" + std::to_string(k) + file.extension().string();
         const fs::path place = fs::path(outside_folder) / name;
@@ -113,12 +120,14 @@ std::vector<NamedFile> named_files(const std::string& text, const fs::path& fold
 
 Result<void> write_contents(const fs::path& from, const std::string& text, const fs::path& to) {
     Result<std::string> moved = text;
+    // A file that is named twice is copied once.
     std::map<fs::path, fs::path> outside;  // places of files from elsewhere, by where they are
     for (const NamedFile& file : named_files(text, from)) {
         fs::path place = inside(file.path, from);
         if (place.empty()) {
             if (!outside.contains(file.path)) outside[file.path] = place_outside(file.path, outside);
             place = outside[file.path];
+            // Keys of other files stay valid: only a text is replaced.
             moved = toml::with_value(*moved, file.key, toml::toml_text(place.generic_string()));
             if (!moved) return moved.error();
         }
@@ -139,6 +148,7 @@ Result<fs::path> put_inside(const ui::commands::Project& project, const fs::path
                 return copied.error();
         return place;
     }
+    // The copy is completed under another name, so that an interruption leaves the earlier one.
     const fs::path place = files / "experiment", made = files / "experiment.new",
                    from = declaration_file(project.source).parent_path();
     const Result<std::string> text = text_of(project);

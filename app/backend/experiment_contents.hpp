@@ -10,8 +10,9 @@
 
 namespace myo::backend {
 
-/// A file that a declaration names.
+/// An existing file that a declaration names.
 struct NamedFile {
+    // Place of the name in the declaration, for with_value().
     toml::TomlPath key;
     std::filesystem::path path;  // resolved
 };

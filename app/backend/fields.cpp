@@ -17,19 +17,24 @@ struct FieldInput {
     const ui::commands::SimulatedTrial& motion;
     std::size_t frame;
     const RunModels* models;  // null for a run without models
+    // Model of the trial; null only for fields that need none.
     const model::Model* model;
 
+    // Node positions, 3 x n [m].
     const Eigen::Matrix3Xd& x() const { return motion.frames[frame]; }
     double time_s() const { return motion.frame_time_s(static_cast<Eigen::Index>(frame)); }
     model::CellMeans means() const { return model::cell_means(*model, x(), model::activations(*model, time_s())); }
+    // Stresses exist at quadrature points; colours need one value per node.
     VectorXd at_nodes(const VectorXd& cell_values) const {
         return myo::model::at_nodes(mesh, cell_values, mesh::cell_volumes(mesh));
     }
 };
 
+/// Distance of each node from its rest position [m].
 VectorXd displacement(const FieldInput& in) { return (in.x() - in.mesh.nodes).colwise().norm(); }
 
-/// Central difference of the displayed frames, one-sided at both ends.
+/// Speed of each node [m/s]: central difference of the displayed frames, one-sided at both ends; 0 for a single frame.
+/// Frames may be thinned, see shown_run(), so the stored velocities of the steps are not at hand.
 VectorXd velocity(const FieldInput& in) {
     const std::size_t before = in.frame > 0 ? in.frame - 1 : 0,
                       after = std::min(in.frame + 1, in.motion.frames.size() - 1);
@@ -39,6 +44,7 @@ VectorXd velocity(const FieldInput& in) {
     return (in.motion.frames[after] - in.motion.frames[before]).colwise().norm() / span;
 }
 
+/// Target shortening 1 - a [-], weighted by the share of the cell that is muscle and summed over the muscles.
 VectorXd activation(const FieldInput& in) {
     const std::vector<double> a = model::activations(*in.model, in.time_s());
     VectorXd cells = VectorXd::Zero(in.mesh.cell_count());
@@ -50,6 +56,7 @@ VectorXd activation(const FieldInput& in) {
 /// A displayable field.
 struct Field {
     ui::commands::FieldKind kind;
+    // Function from a frame to one value per node, SI.
     bool of_model;  // requires the models of the run
     VectorXd (*values)(const FieldInput&);
 };
@@ -103,8 +110,10 @@ VectorXd field_values(const std::string& id, const ui::commands::MeshedBody& bod
                       std::size_t trial, std::size_t frame) {
     const auto field = std::find_if(catalogue().begin(), catalogue().end(),
                                     [&](const Field& each) { return each.kind.id == id; });
+    // Every run of this backend has RunModels or nothing as its source.
     const auto models = std::static_pointer_cast<const RunModels>(run.source);
     const model::Model* const model = models && trial < models->trials.size() ? &models->trials[trial] : nullptr;
+    // A run may be older than the displayed mesh: its models are used only if their nodes can be those of the mesh.
     if (field == catalogue().end() ||
         (field->of_model && !(model && model->body && model->body->node_count() == body.mesh.node_count())))
         return {};

@@ -9,10 +9,11 @@ namespace myo::backend {
 
 /// Models of the trials of a run, all on one mesh; fields are evaluated on them.
 struct RunModels {
+    // In the order of the run's trials; those that did not run may be without a body.
     std::vector<model::Model> trials;
 };
 
-/// Names, units and explanations of all fields.
+/// Names, units and explanations of all fields, in the order of the window's list.
 const std::vector<ui::commands::FieldKind>& field_catalogue();
 
 /// Values of a field at the nodes of the displayed mesh in one frame.

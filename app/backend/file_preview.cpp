@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 /// Larger files are not read for a preview; this size takes some tens of milliseconds [bytes].
 constexpr std::uintmax_t largest_read = 8'000'000;
 
+/// Size of a file in words, with decimal prefixes: "812 kB".
 std::string size_label(std::uintmax_t bytes) {
     char text[32];
     if (bytes < 10000)
@@ -33,6 +34,7 @@ std::string size_label(std::uintmax_t bytes) {
     return text;
 }
 
+/// Line with the reason of an error, marked as a warning.
 ui::commands::ReportLine cannot_be_opened(const Error& error) { return {"Cannot be opened", error.text(), true}; }
 
 /// Name, trials with role, number of markers and actuators of an experiment. Traces are not read.
@@ -106,6 +108,7 @@ std::vector<ui::commands::ReportLine> recording_lines(const fs::path& path) {
     if (!file) return {};  // other tables have the same extensions
     const measurement::Recording& recording = *file->recording;
     constexpr std::size_t max_names = 8;
+    // The line has room for a few names only.
     std::vector<std::string> names(
         recording.labels.begin(),
         recording.labels.begin() + static_cast<std::ptrdiff_t>(std::min(recording.labels.size(), max_names)));
@@ -114,6 +117,7 @@ std::vector<ui::commands::ReportLine> recording_lines(const fs::path& path) {
         {"Format", file->format},
         {"Markers", std::to_string(recording.labels.size()) + ": " + join(names)},
         {"Frames", std::to_string(recording.sample_count())}};
+    // read_recording_file() assumes a rate for such files; a duration from it would be made up.
     if (file->asks_rate) {
         lines.push_back({"Rate", "not in the file"});
         return lines;

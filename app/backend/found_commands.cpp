@@ -29,8 +29,11 @@ std::vector<ui::commands::DeclarationEdit> found_command_edits(const experiment:
     const std::vector<experiment::Actuator> actuators = experiment::actuators(experiment);
     const experiment::TrialDeclaration& declared = experiment.trials[trial];
     for (std::size_t i = 0; i < commands.size(); ++i) {
+        // Muscles come first in actuators() and are set in the window, not declared.
         const experiment::Actuator& actuator = actuators[experiment.muscles.size() + i];
+        // A column of the file would contradict a key of the trial, so nothing is declared at all.
         if (is_recorded(declared, actuator)) return {};
+        // A step and a command of one actuator exclude each other; removing what is not there is no error.
         edits.push_back(RemoveDeclared{{"trial", trial, "actuation_step", actuator.name}});
         const bool is_constant = declared.hold || commands[i].times_s.size() < 2;
         edits.push_back(SetDeclared{

@@ -14,7 +14,8 @@ using calibration::FoundItem;
 using calibration::SoughtKind;
 using ui::commands::SetDeclared;
 
-/// Index in the declaration of the muscle that one of the settings comes from.
+/// Index in the declaration of the muscle that one of the settings comes from; their number if there is none. Order and
+/// names may differ from the settings, where muscles are renamed, added and removed.
 std::size_t declared_index(const ui::commands::Scene& scene, const std::string& name) {
     const auto& muscles = source_of(scene).experiment.muscles;
     const auto found = std::find_if(muscles.begin(), muscles.end(),
@@ -37,12 +38,14 @@ Result<ui::commands::Settings> with_found_design(ui::commands::Settings settings
             continue;
         }
         ui::commands::Muscle& muscle = settings.muscles[item.index];
+        // A mask has weights and directions and goes with the settings; a single direction is a key of the declaration.
         if (item.mask)
             muscle.paint = item.mask;
         else if (item.fibre)
             edits.push_back(SetDeclared{{"muscle", declared_index(scene, muscle.declared), "fibre"},
                                         toml::toml_vector(*item.fibre)});
     }
+    // An edit of the declaration makes the window read the experiment again.
     if (edits.empty()) return settings;
     Result<ui::commands::Declaration> declaration = edited_declaration(scene, settings.declaration, edits);
     if (!declaration) return declaration.error();

@@ -19,7 +19,7 @@ namespace {
 
 /// Whether the scene is a bundled example, which must not be modified.
 bool is_bundled(const ui::commands::Scene& scene) {
-    // Constant while the program runs.
+    // Constant while the program runs, and too slow to be read again for every change of a choice.
     static const std::vector<ui::commands::Example> examples = bundled_examples();
     std::error_code ignored;
     return std::any_of(examples.begin(), examples.end(), [&](const ui::commands::Example& example) {
@@ -33,6 +33,7 @@ std::string problem_of_marker(const ui::commands::Scene& scene, const ui::comman
     if (has_markers(scene) && !marker_named(declared_scene_markers(scene), marker.name))
         return "The experiment has no marker " + marker.name + ".";
     if (!view.target_m.col(label).allFinite()) return "The marker " + marker.name + " has no place on the body yet.";
+    // A new marker needs a rest position, which is the mean of its samples before the start.
     if (!has_markers(scene) && !view.before_m.col(label).allFinite())
         return "The marker " + marker.name + " is not seen before the start; leave it out.";
     return "";
@@ -78,6 +79,7 @@ std::string import_problem(const ui::commands::Scene& scene, const ui::commands:
     // Displacements are relative to the rest pose, so every marker of the body must be visible before the start.
     if (has_trials(scene) && experiment.markers.compare == experiment::Comparison::displacement)
         for (const experiment::MarkerDeclaration& own : experiment.markers.on_body) {
+            // No recording holds a probe.
             if (own.probe) continue;
             const auto found = std::find_if(choices.markers.begin(), choices.markers.end(),
                                             [&](const ui::commands::ImportedMarker& m) { return m.name == own.name; });

@@ -18,10 +18,11 @@ bool has_trials(const ui::commands::Scene& scene);
 /// markers that the user places during the import.
 bool has_markers(const ui::commands::Scene& scene);
 
-/// Signed permutation matrix: axes[i] is the recorded axis (1 ... 3, negative: reversed) that becomes axis i.
+/// Matrix from recorded axes to those of the body: axes[i] is the recorded axis (1 ... 3, negative: reversed) that
+/// becomes axis i. A signed permutation if no axis is repeated; a rotation only if its determinant is 1.
 Eigen::Matrix3d axes_rotation(const std::array<int, 3>& axes);
 
-/// The marker with this name, or null.
+/// The marker with this name, or null. The pointer is valid as long as `markers`.
 const ui::commands::SceneMarker* marker_named(const std::vector<ui::commands::SceneMarker>& markers,
                                               const std::string& name);
 

@@ -7,6 +7,7 @@
 namespace myo::backend {
 namespace {
 
+/// Parameters of the law of the settings, in its order; none for an unknown law.
 std::vector<material::LawParameter> parameters_of(const ui::commands::Settings& settings) {
     const material::MaterialPointer law = material::find_material(settings.material);
     return law ? law->parameters() : std::vector<material::LawParameter>{};
@@ -29,6 +30,8 @@ std::vector<ui::commands::Choice> law_choices() {
 std::vector<double> law_values(const ui::commands::Settings& settings) {
     std::vector<double> values;
     for (const material::LawParameter& p : parameters_of(settings)) {
+        // Settings keep numbers of laws that were chosen before; a name that two laws share may be out of this one's
+        // range.
         const auto set = settings.law.find(p.name);
         values.push_back(set != settings.law.end() ? std::clamp(set->second, p.lower, p.upper) : p.usual);
     }

@@ -39,15 +39,18 @@ struct LiveTrial {
     measurement::ObservationError observed;
 };
 
+/// Model, options and observed markers of a trial with the settings. Errors: see make_live_model().
 Result<LiveTrial> live_trial(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,
                              const ui::commands::Settings& settings, std::size_t trial, const Progress& progress) {
     if (source_of(scene).experiment.trials.empty()) {
         Result<effect::Affected> release = mesh_scene_release(scene, body, settings);
         if (!release) return release.error();
+        // A plain mesh has neither markers nor a camera.
         return LiveTrial{std::move(release->model), release->options, {}, {}};
     }
     const Result<setup::Setup> setup = scene_setup(scene, body, settings, setup_settings(settings), progress);
     if (!setup) return setup.error();
+    // Free levels have their declared values until a slider moves them.
     const prediction::ParameterValues values = prediction::with_predicted_levels(*setup,
                                                                                  prediction::declared_values(*setup));
     effect::Affected affected = prediction::affected_trial(*setup, trial, values);
@@ -57,6 +60,9 @@ Result<LiveTrial> live_trial(const ui::commands::Scene& scene, const ui::command
 }
 
 /// See ui::commands::LiveModel. Actuators are the muscles that follow none, then chambers and tendons.
+///
+/// Two frames occur: the model computes in that of its mount, the window shows the laboratory. The two agree unless an
+/// effect moves the mount.
 class CoreLiveModel final : public ui::commands::LiveModel {
 public:
     CoreLiveModel(std::unique_ptr<dynamics::LiveRun> run, LiveTrial trial, experiment::Experiment experiment,
@@ -88,11 +94,13 @@ public:
 
     double spring_N_m() const override {
         const model::Model& model = run_->model();
+        // Young's modulus of the stiffest cell, E = 3 mu for an incompressible material.
         double modulus = 0.0;
         for (const material::Moduli& moduli : model.moduli) modulus = std::max(modulus, 3.0 * moduli.mu);
         return live_model_policy.spring_share * modulus * std::cbrt(model.body->volume_m3);
     }
 
+    // Markers are those of the moved body in the laboratory, without errors of clock, scale or lens.
     Result<LiveFrame> step(const LiveControls& controls, const Progress& progress) override {
         const Result<void> stepped = run_->advance(core_controls(controls), progress);
         if (!stepped) return stepped.error();
@@ -103,6 +111,7 @@ public:
         if (trial_.observed.mount) x = mount_pose().in_laboratory(x);
         for (const measurement::MarkerBinding& marker : trial_.markers.bindings)
             frame.markers_m.push_back(measurement::marker_position(marker, x(Eigen::all, marker.nodes)));
+        // Mean place of the held patch less its offsets at the grip: the end of the spring on the body.
         if (controls.grip) {
             frame.force_N = run_->grip_force().norm();
             frame.pulled_m = (x(Eigen::all, controls.grip->nodes) - controls.grip->offsets_m) * controls.grip->shares;
@@ -120,6 +129,7 @@ private:
         return (pose.rotation.transpose() * (places_m.colwise() - pose.place_m)).colwise() + pose.pivot_m;
     }
 
+    /// Slider of an activation [-]; its range is widened to hold the level at which the model begins.
     static LiveActuator slider_of_muscle(const std::string& name, double level) {
         LiveActuator slider{
             name, "Activation", "", 1.0, live_model_policy.least_activation, live_model_policy.greatest_activation,
@@ -129,6 +139,8 @@ private:
         return slider;
     }
 
+    /// Slider of a pressure, tension or shortening, between the declared limits and the level at which the model
+    /// begins.
     LiveActuator slider_of_command(const experiment::Actuator& actuator, double level) const {
         const ui::commands::ShownCommand shown = shown_unit(actuator);
         const std::vector<std::string> names = setup::actuator_names(experiment_);
@@ -146,11 +158,14 @@ private:
                 level};
     }
 
+    /// Controls of the core from those of the window; without levels the actuators stay as the model begins.
     dynamics::LiveControls core_controls(const LiveControls& controls) const {
         dynamics::LiveControls core = begun_;
         core.h_s = controls.time_step_s;
         core.damping_s = controls.damping_s;
         core.velocity_force_1_s = controls.velocity_force_1_s;
+        // `controls.levels` has no entries of followers; the second loop computes them from their leaders, as
+        // with_level() does: followers scale a - 1 by their ratio.
         std::size_t level = 0;
         for (std::size_t m = 0; m < core.activation.size() && level < controls.levels.size(); ++m)
             if (!experiment_.muscles[m].follows) core.activation[m] = controls.levels[level++];

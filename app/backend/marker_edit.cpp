@@ -26,6 +26,7 @@ std::vector<TomlPath> places_of(const TomlValue& document, const TomlPath& path,
     return places;
 }
 
+/// Number of elements of an array of tables; 0 if there is none.
 std::size_t count_of(const TomlValue& document, const char* table) {
     const TomlValue* const found = document.find(table);
     return found ? found->items.size() : 0;
@@ -43,6 +44,7 @@ std::vector<TomlPath> references_to(const TomlValue& document, const std::string
     return all;
 }
 
+/// Whether a trial of the declaration has a recording.
 bool is_recorded(const TomlValue& document) {
     for (std::size_t i = 0; i < count_of(document, "trial"); ++i)
         if (toml::find_at(document, {"trial", i, "trace"})) return true;
@@ -54,15 +56,19 @@ bool is_recorded(const TomlValue& document) {
 Result<std::string> with_renamed_marker(const std::string& text, const std::string& name, const std::string& wanted) {
     const Result<TomlValue> document = toml::parse_toml(text, "");
     if (!document) return document.error();
+    // Markers on the body, probes and markers on the mount share one set of names.
     for (const char* other : {"rest_m", "probe_m", "fixed_m"})
         if (toml::find_at(*document, {"markers", other, wanted}))
             return Error{"there is a marker \"" + wanted + "\" already", ""};
     const bool marker = toml::find_at(*document, {"markers", "rest_m", name}) != nullptr;
     Result<std::string> result = toml::with_renamed_key(text, {"markers", marker ? "rest_m" : "probe_m", name}, wanted);
+    // Recordings name the marker by its label, which is its former name if none was declared. The label keeps that
+    // name, so that files need not change.
     if (result && toml::find_at(*document, {"markers", "labels", name}))
         result = toml::with_renamed_key(*result, {"markers", "labels", name}, wanted);
     else if (result && marker && is_recorded(*document))
         result = toml::with_value(*result, {"markers", "labels", wanted}, toml::toml_text(name));
+    // Paths found before the renaming stay valid: they lie in other tables and contain no marker's name.
     for (const TomlPath& place : references_to(*document, name))
         if (result) result = toml::with_value(*result, place, toml::toml_text(wanted));
     return result;

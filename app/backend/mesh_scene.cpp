@@ -31,10 +31,12 @@ experiment::Experiment mesh_scene_experiment(const mesh::SurfaceMesh& surface, c
     // The clamp is a thin box at the lower end of the longest axis.
     int axis = 0;
     bounds.size().maxCoeff(&axis);
+    // The margin holds the nodes of the end face in spite of rounding.
     const double margin = 1e-3 * bounds.size()(axis);
     experiment.clamp_box_m = {bounds.lowest.array() - margin, bounds.highest.array() + margin};
     experiment.clamp_box_m.highest(axis) = bounds.lowest(axis) + margin;
     experiment.material.model = material::neo_hookean()->id();
+    // Soft silicone rubber: nearly incompressible, lightly damped.
     experiment.material.youngs_modulus_Pa = 2.6e5;
     experiment.material.poissons_ratio = 0.49;
     experiment.material.density_kg_m3 = 1070.0;
@@ -43,6 +45,7 @@ experiment::Experiment mesh_scene_experiment(const mesh::SurfaceMesh& surface, c
 }
 
 ui::commands::SceneTrial mesh_scene_trial() {
+    // No role, as nothing is measured; times every 10 ms for the time axis of the window.
     return {"release", "", Eigen::VectorXd::LinSpaced(101, 0.0, release_s), {}};
 }
 
@@ -56,6 +59,7 @@ ui::commands::Settings mesh_scene_settings(const experiment::Experiment& experim
     settings.density_kg_m3 = experiment.material.density_kg_m3;
     settings.damping_s = experiment.material.damping_s.value_or(0.0);
     settings.integrator = to_string(dynamics::Integrator::tr_bdf2);
+    // Two steps per displayed time.
     settings.time_step_s = 0.005;
     return settings;
 }
@@ -74,6 +78,9 @@ effect::TrialContext site_of(const experiment::Experiment& experiment, const mod
 }
 
 /// The body of the scene with the settings of the window.
+///
+/// @param held  nodes that are clamped
+/// Errors: an unknown material law; those of setup::muscle_groups().
 Result<model::Model> scene_model(const experiment::Experiment& experiment, const ui::commands::Settings& settings,
                                  const setup::BodyMesh& mesh, const std::vector<int>& held) {
     model::Model model;
@@ -90,12 +97,14 @@ Result<model::Model> scene_model(const experiment::Experiment& experiment, const
     Result<std::vector<fibre::FibreGroup>> muscles = setup::muscle_groups(experiment, mesh);
     if (!muscles) return muscles.error();
     model.fibres = std::make_shared<const std::vector<fibre::FibreGroup>>(std::move(*muscles));
+    // Passive unless a muscle has a signal of its own.
     model.activation.assign(experiment.muscles.size(), fibre::Signal::constant(1.0));
     setup::declare_activation(experiment, model.activation);
     return model;
 }
 
-/// The run for the window. Without a recording there is no error.
+/// The run for the window. Without a recording there is no error: rms values are NaN. An incomplete run has its reason
+/// as `problem`.
 ui::commands::RunResult shown_release(const dynamics::Trace& trace, model::Model model) {
     ui::commands::RunResult result;
     result.steps = std::max(0.0, static_cast<double>(trace.times_s.size()) - 1.0);
@@ -103,6 +112,7 @@ ui::commands::RunResult shown_release(const dynamics::Trace& trace, model::Model
     if (!trace.complete()) result.problem = trace.message;
     ui::commands::SimulatedTrial shown;
     shown.name = mesh_scene_trial().name;
+    // Every step is a frame; shown_run() thins those of experiments.
     shown.frames = trace.positions;
     shown.frame_time_s = Eigen::Map<const Eigen::VectorXd>(trace.times_s.data(),
                                                            static_cast<Eigen::Index>(trace.times_s.size()));
@@ -131,6 +141,7 @@ Result<effect::Affected> mesh_scene_release(const ui::commands::Scene& scene, co
     affected.options.integrator = setup.scheme();
     affected.options.h_s = settings.time_step_s;
     affected.options.end_s = release_s;
+    // Last: effects change the model and the options as they are.
     effect::apply_effects(site_of(experiment, affected.model.body), experiment.effects, affected);
     return affected;
 }

@@ -28,6 +28,7 @@ bool is_mask_name(const std::string& name) {
     const std::string form = mask_tail(0);
     if (name.size() <= form.size()) return false;
     const std::string tail = name.substr(name.size() - form.size());
+    // The zeros of the pattern stand for hexadecimal digits.
     const auto fits = [](char c, char formed) {
         return formed == '0' ? std::isxdigit(static_cast<unsigned char>(c)) != 0 : c == formed;
     };
@@ -43,6 +44,7 @@ std::string mask_name(const std::string& muscle, const fibre::PaintedMask& mask)
     print.add_all(mask.weights);
     print.add_all(mask.directions);
     std::string name = muscle;
+    // Muscle names may contain characters that file names must not.
     std::replace_if(
         name.begin(), name.end(), [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); }, '_');
     return name + mask_tail(print.value());
@@ -68,6 +70,7 @@ std::set<std::string> named_masks(const fs::path& file, const fs::path& files) {
 bool is_named_beside(const fs::path& file, const std::string& mask) {
     std::error_code ignored;
     for (const auto& entry : fs::directory_iterator(fs::absolute(file, ignored).parent_path(), ignored)) {
+        // The ending is searched within the name: backups such as "finger.myoloop~" reference masks, too.
         const bool may_be_project = entry.is_regular_file(ignored) &&
                                     entry.path().filename().string().find(ui::commands::project_ending) !=
                                         std::string::npos;

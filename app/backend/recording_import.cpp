@@ -50,11 +50,16 @@ Matrix3Xd places_before(const ui::commands::RecordingFile& file, double start_s)
 }
 
 /// Registration by all pairs of recorded and known positions; three non-collinear ones also determine the rotation.
+///
+/// @param view   with target_m; receives rotation, translation and how they were found
+/// @param seen   mean positions before the start, 3 x labels [m], camera frame
+/// @param pairs  labels with both positions
 void place_by_pairs(ui::commands::ImportView& view, const ui::commands::Scene& scene,
                     const ui::commands::ImportChoices& choices, const Matrix3Xd& seen,
                     const std::vector<Index>& pairs) {
     const Index count = seen.cols();
     const Matrix3Xd from = seen(Eigen::all, pairs), to = view.target_m(Eigen::all, pairs);
+    // The axes that the user chose count unless the markers determine the rotation.
     view.rotation = axes_rotation(choices.axes);
     const std::string number = std::to_string(pairs.size()) + (pairs.size() == 1 ? " marker" : " markers");
     const Result<measurement::Registration> fit = choices.turns ? measurement::rigid_registration(from, to)
@@ -110,6 +115,7 @@ Result<std::vector<ui::commands::ImportedMarker>> matched_markers(const ui::comm
     for (const ui::commands::SceneMarker& marker : markers)
         if (const auto found = measurement::find_labels(plain_labels, plain(marker.name)); found.size() == 1)
             by_name[found.front()].name = marker.name, ++named;
+    // A symmetric arrangement of markers fits in several ways; three names are then the better evidence.
     if (named >= 3 && (!match->unique || match->count() < named)) return by_name;
 
     return by_distance;
@@ -126,6 +132,7 @@ experiment::NewTrial new_trial(const ui::commands::RecordingFile& file, const ui
     char about[200];
     std::snprintf(about, sizeof about, " from %.6g s on, registered with %.3g mm rms", choices.start_s, 1e3 * rms_m);
     trial.origin = "From " + file.path.filename().string() + about + ".";
+    // Tracks follow in add_recording_trial(), under the names of markers instead of labels.
     trial.recording.time_s = placed.time_s;
     trial.recording.rate_Hz = placed.rate_Hz;
     return trial;
@@ -165,6 +172,7 @@ Result<fs::path> add_to_folder(const fs::path& from, const fs::path& to, const e
 
 Result<ui::commands::RecordingFile> read_recording_file(const fs::path& path,
                                                         const ui::commands::ReadingOptions& options) {
+    // The window asks for unit and rate only if the file lacks them.
     Result<measurement::TraceSource> source = measurement::guess_trace_source(path);
     if (!source) return source.error();
     ui::commands::RecordingFile file;
@@ -180,6 +188,7 @@ Result<ui::commands::RecordingFile> read_recording_file(const fs::path& path,
         source->columns->rate_Hz = file.reading.rate_Hz;
         source->columns->zero_is_occluded = options.zero_is_occluded;
     }
+    // Some formats have a unit in some files only: the reader fails without one, and a second attempt assumes it.
     Result<measurement::Recording> read = measurement::read_trace(path, *source);
     if (!read && reader.may_lack_unit) {
         file.asks_unit = true;
@@ -188,6 +197,7 @@ Result<ui::commands::RecordingFile> read_recording_file(const fs::path& path,
     }
     if (!read) return read.error();
     if (read->labels.empty() || read->sample_count() < 2) return Error{"holds no samples of markers", path.string()};
+    // One entry per label, in their order.
     for (const measurement::MarkerGaps& gaps : measurement::gap_map(*read))
         file.seen.push_back(1.0 - gaps.occluded_fraction);
     const measurement::StartOfMotion start = measurement::find_motion_start(*read);
@@ -223,11 +233,13 @@ ui::commands::ImportView view_recording(const ui::commands::Scene& scene, const 
         if (view.target_m.col(i).allFinite() && seen.col(i).allFinite()) pairs.push_back(i);
     }
     place_by_pairs(view, scene, choices, seen, pairs);
+    // NaN stays NaN: labels without a place have no residual.
     view.before_m = (view.rotation * seen).colwise() + view.translation_m;
     view.residual_m = (view.before_m - view.target_m).colwise().norm();
     double squares = 0.0;
     for (const Index i : pairs) squares += view.residual_m[i] * view.residual_m[i];
     view.rms_m = pairs.empty() ? unseen : std::sqrt(squares / static_cast<double>(pairs.size()));
+    // Last, as import_problem() reads the registered view.
     const bool unit_is_open = file.asks_unit && !file.reading.metres_per_unit;
     view.problem = unit_is_open ? "Choose the unit of the file's lengths." : import_problem(scene, choices, view);
     return view;
@@ -275,6 +287,7 @@ Result<double> align_recording(const ui::commands::Scene& scene, const ui::comma
         for (std::size_t m = 0; m < scene.markers.size() && m < run.markers.size(); ++m) {
             if (choices.markers[i].name != scene.markers[m].name || run.markers[m].cols() != time_s.size()) continue;
             simulated.push_back(run.markers[m]);
+            // The translation is left out: only displacements are correlated.
             recorded.push_back(view.rotation * file.recording->tracks[i]);
         }
     // At least one marker must be in the recording and in the run.
@@ -291,6 +304,7 @@ Result<fs::path> add_recording_trial(const ui::commands::Scene& scene, const ui:
                                      const ui::commands::ImportChoices& choices) {
     const ui::commands::ImportView view = view_recording(scene, file, choices);
     if (!view.problem.empty()) return Error{view.problem, ""};
+    // Mesh frame and trial time from here on.
     const measurement::Recording placed = measurement::shift_time(
         measurement::transform(*file.recording, {view.rotation, view.translation_m}), -choices.start_s);
     experiment::Experiment declared = with_settings(source_of(scene).experiment, settings);
@@ -299,6 +313,8 @@ Result<fs::path> add_recording_trial(const ui::commands::Scene& scene, const ui:
         trial.recording.labels.push_back(name);
         trial.recording.tracks.push_back(std::move(track));
     };
+    // Three cases: a plain mesh becomes an experiment, an experiment without markers gets those that were placed, one
+    // with markers gets a trial only.
     if (!has_trials(scene)) {
         declared.markers = {};
         for (std::size_t i = 0; i < choices.markers.size(); ++i) {

@@ -25,6 +25,7 @@ Result<std::vector<std::string>> write_scene_report(const fs::path& folder, cons
     std::vector<std::string> files, names, trials;
     for (const ui::commands::SceneMarker& marker : scene.markers) names.push_back(marker.name);
     for (const ui::commands::SceneTrial& trial : scene.trials) trials.push_back(trial.name);
+    // Names as files: without unsafe characters, and distinct.
     trials = results::trial_file_names(trials);
     for (std::size_t t = 0; t < run.trials.size() && t < scene.trials.size(); ++t) {
         // Trials that did not run have no markers.
@@ -37,6 +38,7 @@ Result<std::vector<std::string>> write_scene_report(const fs::path& folder, cons
         if (const Result<void> written = measurement::write_trace_csv(folder / files.back(), simulated); !written)
             return written.error();
     }
+    // Pages are opaque to the window; this backend makes them as HtmlReport.
     const auto page = [&](const char* name, const std::shared_ptr<const void>& content) -> Result<void> {
         if (!content) return {};
         files.emplace_back(name);

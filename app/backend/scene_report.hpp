@@ -10,7 +10,11 @@ namespace myo::backend {
 
 /// Writes simulated markers as tables, and the pages of a search and a diagnosis if they are given (may be null).
 ///
-/// @return  names of the files
+/// Trials are written to "<trial>.csv" with all markers of the scene at the sample times; trials that did not run have
+/// no file. Pages are fit.html and diagnosis.html.
+///
+/// @param folder  made if missing
+/// @return        names of the files, relative to the folder
 /// Errors: a file that the experiment is read from would be replaced; the folder cannot be written.
 Result<std::vector<std::string>> write_scene_report(const std::filesystem::path& folder,
                                                     const ui::commands::Scene& scene,

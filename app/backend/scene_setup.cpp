@@ -8,6 +8,7 @@
 namespace myo::backend {
 namespace {
 
+/// Declared effects, and every effect that can be added with start values; `lacking` says what one needs first.
 ui::commands::SceneEffects shown_effects(const experiment::Experiment& experiment, const Box& body, double time_s) {
     ui::commands::SceneEffects shown;
     shown.declared = experiment.effects;
@@ -20,6 +21,7 @@ ui::commands::SceneEffects shown_effects(const experiment::Experiment& experimen
     return shown;
 }
 
+/// Shape [m] and friction coefficient of an obstacle.
 ui::commands::SceneObstacle shown_obstacle(const experiment::ObstacleDeclaration& declared) {
     using Declared = experiment::ObstacleDeclaration;
     ui::commands::SceneObstacle shown;
@@ -33,6 +35,7 @@ ui::commands::SceneObstacle shown_obstacle(const experiment::ObstacleDeclaration
     return shown;
 }
 
+/// A part with its declared values. An empty damping time is that of the body.
 ui::commands::ScenePart shown_part(const experiment::PartDeclaration& declared) {
     ui::commands::ScenePart shown;
     shown.name = declared.name;

@@ -5,9 +5,10 @@
 
 namespace myo::backend {
 
-/// Fills in the effects, obstacles and parts of an experiment.
+/// Fills in the effects, obstacles and parts of an experiment; those that the scene had are replaced.
 ///
-/// @param time_s  within the first trial, for new effects that are events
+/// @param surface  of the body [m]; its bounds give places to new effects
+/// @param time_s   within the first trial [s], for new effects that are events
 void show_declared(const experiment::Experiment& experiment, const mesh::SurfaceMesh& surface, double time_s,
                    ui::commands::Scene& scene);
 

@@ -14,9 +14,10 @@ using Eigen::Matrix3Xd;
 
 namespace {
 
-/// Frames of a trace up to `end_s`, thinned to about 200 MB. Runs extend beyond the data because the start may shift;
-/// body and markers end together.
+/// Frames of a trace up to `end_s` [s], thinned to about 200 MB. Runs extend beyond the data because the start may
+/// shift; body and markers end together.
 void add_frames(const dynamics::Trace& trace, double end_s, ui::commands::SimulatedTrial& shown) {
+    // Three doubles per node and step.
     const double bytes = 24.0 * static_cast<double>(trace.positions.front().cols() *
                                                     static_cast<Eigen::Index>(trace.positions.size()));
     const auto stride = static_cast<std::size_t>(std::max(1.0, std::ceil(bytes / 2e8)));

@@ -12,6 +12,7 @@ ui::commands::SceneSupports shown_supports(const experiment::Experiment& experim
 }
 
 std::vector<Box> mesh_boxes(const experiment::Experiment& experiment) {
+    // scene_of() compares two lists entry by entry, so their order is fixed.
     std::vector<Box> boxes = setup::part_boxes(experiment);
     boxes.push_back(experiment.clamp_box_m);
     for (const experiment::SupportDeclaration& support : experiment.supports) boxes.push_back(support.box_m);

@@ -17,6 +17,7 @@ ui::commands::SceneUnknowns shown_unknowns(const setup::Setup& setup) {
         unknown.value = p.value;
         unknown.lowest = p.lower;
         unknown.highest = p.upper;
+        // Declared bounds are shown apart: p.lower and p.upper include limits that the model sets itself.
         for (std::size_t i = 0; i < declared.size(); ++i) {
             if (declared[i].name != p.name) continue;
             unknown.declared = static_cast<int>(i);

@@ -23,6 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Begin of the name of a recovery file: "unsaved-<process>-<start of the process>.myoloop".
 const std::string recovery_stem = "unsaved-";
 
 /// Folder by the XDG base directory specification; empty if neither the variable nor HOME is set.
@@ -33,6 +34,7 @@ fs::path folder_of(const char* variable, const char* below_home) {
     return home && *home ? fs::path(home) / below_home / "myoloop" : fs::path();
 }
 
+/// TOML literal string. Apostrophes are left out, as such a string cannot hold them.
 std::string quoted(const std::string& text) {
     std::string result = "'";
     for (const char c : text)
@@ -48,6 +50,7 @@ std::string list(const std::vector<fs::path>& paths) {
     return "[" + text + (text.empty() ? "]" : "\n]");
 }
 
+/// Measured times of a step by mesh size, with which the window estimates how long a run takes.
 std::string step_costs(const std::vector<ui::commands::StepCost>& costs) {
     std::string text;
     for (const ui::commands::StepCost& cost : costs)
@@ -89,10 +92,13 @@ ui::commands::Preferences read_document(const toml::TomlValue& root) {
 /// process of another user counts.
 bool is_alive(long process) {
     if (process <= 0 || process == getpid()) return false;
+    // Signal 0 is not sent; the call only says whether the process exists.
     if (kill(static_cast<pid_t>(process), 0) != 0) return errno == EPERM;
     std::error_code unknown;
     const fs::path own = fs::read_symlink("/proc/self/exe", unknown),
                    other = fs::read_symlink("/proc/" + std::to_string(process) + "/exe", unknown);
+    // If /proc cannot say, the file is left to its possible owner: unsaved work must not be taken from a running
+    // window.
     return unknown || own.filename() == other.filename();
 }
 
@@ -141,6 +147,7 @@ fs::path recovery_file() {
 std::string unsaved_work_words(const fs::path& file) {
     std::string name = "without a name";
     if (const Result<toml::TomlValue> work = toml::read_toml(file)) {
+        // `copy_of` is the project that the unsaved work belongs to; work that was never saved has its source only.
         const toml::TomlValue* const copied = work->find("copy_of");
         const toml::TomlValue* const source = copied != nullptr ? copied : work->find("source");
         fs::path from = source != nullptr ? source->text : name;
@@ -151,6 +158,7 @@ std::string unsaved_work_words(const fs::path& file) {
     std::tm local{};
     std::array<char, 64> text{};
     if (::stat(file.c_str(), &facts) != 0 || localtime_r(&facts.st_mtime, &local) == nullptr) return name;
+    // %e pads days below ten with a space.
     std::strftime(text.data(), text.size(), "%e %b %Y, %H:%M", &local);
     return name + ", " + (text[0] == ' ' ? text.data() + 1 : text.data());
 }
@@ -165,6 +173,7 @@ std::vector<fs::path> found_recoveries(const fs::path& folder) {
         if (it->path().filename() == recovery_file().filename()) continue;
         if (is_alive(std::atol(stem.c_str() + recovery_stem.size()))) continue;
         std::error_code other;
+        // The time sorts the files; one that vanished meanwhile sorts first.
         found.emplace_back(fs::last_write_time(it->path(), other), it->path());
     }
     std::sort(found.begin(), found.end());

@@ -22,10 +22,11 @@ Result<void> write_preferences(const std::filesystem::path& file, const ui::comm
 /// is known.
 std::filesystem::path recovery_file();
 
-/// Name and time of unsaved work: "finger.myoloop, 29 Nov 2026, 14:05"; the experiment's name if it was never saved.
+/// Name and local time of unsaved work: "finger.myoloop, 29 Nov 2026, 14:05"; the experiment's name if it was never
+/// saved, "without a name" if the file cannot be read.
 std::string unsaved_work_words(const std::filesystem::path& file);
 
-/// Unsaved work that no window of Myoloop writes to, oldest first.
+/// Unsaved work that no window of Myoloop writes to, oldest first; none if the folder does not exist.
 std::vector<std::filesystem::path> found_recoveries(const std::filesystem::path& folder);
 
 }  // namespace myo::backend
