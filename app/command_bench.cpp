@@ -29,6 +29,7 @@ struct BenchCall {
     std::string figure;  // output file of the scaling figure; empty: none
 };
 
+/// Published times of other programs for the case of a run; `ratio` above 1: the other program is slower.
 report::Json references_json(const bench::BenchFigures& f) {
     report::Json references = report::Json::array();
     for (const bench::BenchReference& r : f.references)
@@ -38,6 +39,7 @@ report::Json references_json(const bench::BenchFigures& f) {
     return references;
 }
 
+/// Physical results of a run; a quantity without expected value or target has null there.
 report::Json quantities_json(const bench::BenchFigures& f) {
     report::Json quantities = report::Json::array();
     for (const bench::BenchQuantity& q : f.quantities)
@@ -50,7 +52,8 @@ report::Json quantities_json(const bench::BenchFigures& f) {
     return quantities;
 }
 
-/// One run as JSON. A run executes in a child process and returns its figures in this form.
+/// One run as JSON. A run executes in a child process and returns its figures in this form; peak memory is added by the
+/// parent, which measures it.
 report::Json figures_json(const bench::BenchFigures& f) {
     const report::Json references = references_json(f);
     const report::Json quantities = quantities_json(f);
@@ -80,6 +83,7 @@ report::Json figures_json(const bench::BenchFigures& f) {
             {"note", f.note}};
 }
 
+/// Name of a case and the heads of the columns that print_figures() fills.
 void print_heading(const bench::BenchCase& one) {
     print_format("\n%s: %s\n", one.id.c_str(), one.summary.c_str());
     print_format("  %9s %7s %9s %7s %7s %9s %8s %7s  %s\n", "ms/step", "goal", "us/DOF", "iter.", "factor", "real time",
@@ -87,7 +91,7 @@ void print_heading(const bench::BenchCase& one) {
     print_format("  %9s %7s %9s %7s %7s %9s %8s %7s\n", "", "ms", "and step", "a step", "a step", "factor", "MB", "ms");
 }
 
-/// Comparison with the target error: "; target 2 %, MISSED".
+/// Comparison with the target error: "; target 2 %, MISSED"; empty without a target. A target needs an expected value.
 std::string aimed_at(const report::Json& quantity) {
     if (quantity["target"].is_null()) return "";
     const double target = quantity["target"].get<double>();
@@ -111,7 +115,7 @@ void print_quantity(const report::Json& quantity) {
     print_format("  %*s  %s: %s\n", 71, "", quantity["name"].get<std::string>().c_str(), text.c_str());
 }
 
-// Static cases have no times per step.
+/// One row of the table, then its quantities, references and note. Static cases have no times per step.
 void print_figures(const report::Json& row) {
     const auto optional = [&](const char* key) {
         return row[key].is_null() ? std::string("-") : format_number(row[key].get<double>(), 3);
@@ -137,6 +141,7 @@ void print_figures(const report::Json& row) {
 
 /// Shares of the solver's parts in the time of a run [%].
 void print_split(const report::Json& row) {
+    // Time that the solver counts for none of its parts is the rest.
     const double run = row["run_s"].get<double>();
     double rest = 100.0;
     std::string text;
@@ -149,7 +154,7 @@ void print_split(const report::Json& row) {
         print_format("  %*s  %srest %s %%\n", 71, "", text.c_str(), format_number(std::max(rest, 0.0), 2).c_str());
 }
 
-/// Exponent of y ~ x^p, by linear least squares on the logarithms.
+/// Exponent p of y ~ x^p, by linear least squares on the logarithms. Rows have at least two different values of x.
 double exponent(const report::Json& rows, const char* y, const char* x) {
     double n = 0.0, sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0;
     for (const report::Json& row : rows) {
@@ -189,6 +194,7 @@ std::string scaling_figure(const report::Json& rows, double time_exponent, doubl
 
 /// Prints and returns the exponents of a case whose rows differ in size only.
 report::Json print_scaling(const report::Json& rows, const std::string& figure, Console& console, int& status) {
+    // A failed run leaves no row, so that even a case of several sizes may have one only.
     if (rows.size() < 2) return {};
     const double time = exponent(rows, "ms_per_step", "dofs"), memory = exponent(rows, "peak_memory_bytes", "dofs");
     print_format("  time per step ~ DOF^%.2f, peak memory ~ DOF^%.2f, at the largest %.1f kB per DOF\n", time, memory,
@@ -207,7 +213,8 @@ report::Json rows_of(const bench::BenchCase& one, Console& console, int& status)
         const OwnProcessResult process = run_in_own_process([&] {
             solver::use_one_blas_thread();
             Result<bench::BenchFigures> figures = Error{"did not run", run.name};
-            // One thread, unless the run itself starts more.
+            // A task of parallel_tasks() has one thread, unless the run itself starts more: times of runs are
+            // comparable.
             parallel_tasks(1, 1, [&](int) { figures = run.run(); });
             return report::json_line(figures ? figures_json(*figures)
                                              : report::Json{{"error", figures.error().text()}});
@@ -230,6 +237,7 @@ report::Json rows_of(const bench::BenchCase& one, Console& console, int& status)
 /// Runs the selected cases and writes the requested files. A failed run is reported and the others continue.
 int run_bench(const BenchCall& call) {
     Console console(false, false);
+    // Published results must not be replaced, which is checked before minutes of computation.
     for (const auto& [option, file] : {std::pair{"--json", call.json}, std::pair{"--figure", call.figure}})
         if (const Result<void> kept = check_overwrites(option, {file}, reference_files()); !kept)
             return console.refuse(kept.error());
@@ -256,7 +264,7 @@ int run_bench(const BenchCall& call) {
 
 }  // namespace
 
-// The shared pointer keeps the parsed call alive until the action runs; the same in all commands.
+// The shared pointer keeps the parsed call alive until the action runs, in all commands.
 std::function<int()> declare_bench(CLI::App& app) {
     auto call = std::make_shared<BenchCall>();
     app.add_option("case", call->id, "One of: " + join(bench::bench_ids()) + "; all of them when left out");

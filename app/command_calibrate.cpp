@@ -20,6 +20,7 @@ namespace {
 /// Parsed call of `myoloop calibrate`.
 struct CalibrateCall : ExperimentCall {
     std::vector<std::string> parameters;  // material parameters to fit; empty: material.calibrate
+    // Continues from the calibrate.json in the output folder.
     bool resume = false;
     int starts = 1;  // number of starts of the fit
 };
@@ -31,8 +32,8 @@ std::vector<std::string> material_parameters() {
     return names;
 }
 
-/// Parts of the standard deviation that are known: "noise 0.0004, mesh 0.011, step 0.001; "; empty if only the noise
-/// is.
+/// Parts of the standard deviation that are known, in the unit of the parameter: "noise 0.0004, mesh 0.011, step 0.001;
+/// "; empty if only the noise is.
 std::string deviation_parts(const calibration::Calibration& calibration, Eigen::Index row) {
     const calibration::NumericalDeviations& numerical = calibration.numerical;
     if (!(calibration.fit.deviations(row) > 0.0) || (numerical.mesh.size() == 0 && numerical.step.size() == 0))
@@ -62,7 +63,7 @@ std::string parameter_lines(const calibration::Calibration& calibration) {
     return text;
 }
 
-/// Outcome of each start, if there are several.
+/// Outcome of each start, if there are several; else empty.
 std::string start_lines(const calibration::Calibration& calibration) {
     std::string text;
     if (calibration.starts.size() < 2) return text;
@@ -82,10 +83,11 @@ std::string start_lines(const calibration::Calibration& calibration) {
     return text + "\n";
 }
 
-/// rms per trial before and after the fit.
+/// rms per trial before and after the fit [mm], "-" for a trial that did not complete, and the errors of sensors.
 std::string trial_lines(const setup::Setup& setup, const calibration::Calibration& calibration) {
     std::size_t width = 5;
     for (const setup::PreparedTrial& trial : setup.trials) width = std::max(width, trial.name.size());
+    // A longer name would not fit the buffer of a line.
     const int column = static_cast<int>(std::min<std::size_t>(width, 120));
     char line[512];
     std::snprintf(line, sizeof line, "%-*s  %-9s  %9s  %9s", column, "rms [mm]", "", "before", "after");
@@ -107,6 +109,7 @@ std::string trial_lines(const setup::Setup& setup, const calibration::Calibratio
 /// Writes calibrate.json, traces and report.html.
 Result<void> write_results(const CalibrateCall& call, const setup::Setup& setup,
                            const calibration::Calibration& calibration, const results::RunFacts& facts) {
+    // The file that --resume reads comes first: the disk may become full.
     const report::Json json = results::calibrate_json(setup, calibration, facts);
     if (const Result<void> written = report::write_json(call.out / "calibrate.json", json); !written)
         return written.error();
@@ -167,6 +170,7 @@ std::string calibration_lines(const setup::Setup& setup, const calibration::Cali
            distance_line(calibration.before, calibration.after) + "\n" + start_lines(calibration);
 }
 
+/// Number of evaluations and wall-clock time of the fit, and where the report is.
 std::string cost_line(const CalibrateCall& call, const calibration::Calibration& calibration) {
     return std::to_string(calibration.evaluations()) +
            (calibration.evaluations() == 1 ? " evaluation, " : " evaluations, ") +
@@ -180,11 +184,13 @@ int calibrate_command(const CalibrateCall& call) {
     OpenedExperiment opening = open_command(call, TrialChoice::all, first_evaluation, console, progress);
     if (!opening.setup) return opening.status;
     std::optional<setup::Setup>& setup = opening.setup;
+    // Errors of the call come before the first simulation.
     if (const Result<void> unknown = check_unknowns(call, *setup); !unknown) return console.refuse(unknown.error());
     calibration::CalibrationSettings settings{call.parameters, {}, call.starts, call.work.seed.value_or(1)};
     const Result<calibration::EarlierCalibration> earlier = earlier_calibration(call, *setup, settings);
     if (!earlier) return console.refuse(earlier.error());
     for (const std::string& note : earlier->notes) console.warn(note);
+    // The other starts, if there are any, stay random.
     if (call.resume) settings.from = earlier->values;
     for (const std::string& warning : setup->warnings) console.warn(warning);
     // Checks run before the fit, so that a user can stop a long fit that cannot succeed.
@@ -197,6 +203,7 @@ int calibrate_command(const CalibrateCall& call) {
     if (!calibration.usable()) return end_without_fit(calibration, console);
     for (const std::string& warning : calibration.warnings) console.warn(warning);
     results::RunFacts facts = run_facts(call, setup_s);
+    // Includes the findings before the fit; only new ones are printed.
     facts.findings = check::check_after({*setup, &calibration.after, &calibration}, before);
     tell_findings(facts.findings, before, console);
     console.print(calibration_lines(*setup, calibration, facts));
@@ -210,9 +217,11 @@ int calibrate_command(const CalibrateCall& call) {
 
 std::function<int()> declare_calibrate(CLI::App& app) {
     const auto call = std::make_shared<CalibrateCall>();
+    // Makes open_command() require a trial of role fit.
     call->fits = true;
     declare_experiment_call(app, *call);
-    // Known before the run, so that inputs are never overwritten.
+    // Known before the run, so that inputs are never overwritten. A plain pointer, because the call holds this
+    // function: a shared one would never be released.
     call->outputs = [own = call.get()](const experiment::Experiment& experiment) {
         return trace_files_and(*own, experiment, {"calibrate.json", "report.html"});
     };

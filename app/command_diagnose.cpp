@@ -43,11 +43,13 @@ std::string candidate_lines(const diagnosis::Diagnosis& d) {
     std::snprintf(line, sizeof line, "%-22s %10s %12s %12s %12s %8s", "candidate", "explains", "rms [mm]", "held out",
                   "systematic", "weight");
     std::string text = line;
+    // rms in mm; held-out and systematic residuals in multiples of the noise; weights sum to 1 over all fits.
     std::snprintf(line, sizeof line, "\n%-22s %10s %12.4f %10.3f x %10.3f x %8.3f", "(declared)", "",
                   1e3 * d.declared.rms_m, d.declared.held_out_rms, d.declared.tests.systematic.rms, d.declared.weight);
     text += line;
     int shown = 0;
     for (const diagnosis::Candidate& c : d.candidates) {
+        // The screening puts the most promising first; the report has the others.
         if (++shown > 12) break;
         if (!c.judged)
             std::snprintf(line, sizeof line, "\n%-22s %8.1f %%", c.score.id.c_str(),
@@ -80,6 +82,7 @@ std::string verdict_lines(const diagnosis::Diagnosis& d) {
                 c.first + " and " + c.second + " (cosine " + format_number(c.cosine, 4) + "); " + c.next_experiment +
                 " would separate them";
     for (const std::string& note : d.notes) text += "\nnote: " + note;
+    // A missing force is inferred only if no effect explains the residual.
     if (d.missing_force && !d.missing_force->failure.empty())
         text += "\nno force is inferred: " + d.missing_force->failure;
     if (d.missing_force && !d.missing_force->modes.empty())
@@ -90,7 +93,7 @@ std::string verdict_lines(const diagnosis::Diagnosis& d) {
     return text;
 }
 
-/// rms per trial before and after.
+/// rms per trial [mm] with the declared model and with the effects of the verdict, and the errors of sensors.
 std::string trial_lines(const setup::Setup& setup, const diagnosis::Diagnosis& d) {
     std::string text;
     char line[256];
@@ -115,7 +118,7 @@ std::string cost_lines(const diagnosis::Diagnosis& d) {
 
 /// Writes both JSON reports, the augmented experiment, traces and report.html.
 ///
-/// @param next  the trial that would tell more; empty: none is proposed
+/// @param next  trial that would separate what this diagnosis could not; empty: none is proposed
 Result<void> write_results(const DiagnoseCall& call, const experiment::Experiment& experiment,
                            const setup::Setup& setup, const diagnosis::Diagnosis& d,
                            const std::optional<planning::Proposal>& next, const results::RunFacts& facts) {
@@ -129,6 +132,7 @@ Result<void> write_results(const DiagnoseCall& call, const experiment::Experimen
         page.sections.push_back(planning::proposal_section(*next, planning::PlanningPolicy().proposal));
         if (const Result<void> signal = write_signal(call.out, *next); !signal) return signal.error();
     }
+    // Under the name of the experiment as well, so that reports of several experiments can be gathered in one folder.
     for (const std::string& file : {std::string("report.json"), name + ".json"})
         if (const Result<void> json = report::write_json(call.out / file, report); !json) return json.error();
     const Result<std::string> augmented = diagnosis::augmented_experiment(declaration_of(call), d.verdict.effects,
@@ -139,6 +143,7 @@ Result<void> write_results(const DiagnoseCall& call, const experiment::Experimen
     return report::write_html(call.out / "report.html", page);
 }
 
+/// Settings of the diagnosis. Without --resume, fits kept from an earlier call are removed.
 diagnosis::DiagnoseSettings diagnose_settings(const DiagnoseCall& call) {
     diagnosis::DiagnoseSettings settings;
     settings.without = call.without;
@@ -162,6 +167,7 @@ int diagnose_command(const DiagnoseCall& call) {
     console.print(setup.experiment.name + "\n" + size_line(setup));
     const diagnosis::DiagnoseSettings settings = diagnose_settings(call);
     const double setup_s = opening.stopwatch.seconds();
+    // A stopped diagnosis has no verdict, and nothing but its fits is worth keeping.
     const diagnosis::Diagnosis d = diagnosis::whole_diagnosis(setup, settings, progress);
     if (d.stopped) {
         console.complain("stopped; what was fitted is kept in " + call.out.string() + ", --resume continues from it");
@@ -171,6 +177,7 @@ int diagnose_command(const DiagnoseCall& call) {
         console.complain(d.failure);
         return status_failed;
     }
+    // Not an essential part: without a proposal the diagnosis is complete.
     const std::optional<planning::Proposal> next = next_experiment(setup, d, declaration_of(call), progress);
     results::RunFacts facts = run_facts(call, setup_s);
     facts.findings = check::check_after({diagnosis::as_diagnosed(d, setup), &d.after}, before);

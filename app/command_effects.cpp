@@ -9,6 +9,7 @@
 namespace myo::app {
 
 std::function<int()> declare_effects(CLI::App&) {
+    // Id, kind and summary in a line, parameters below; the 13 columns are those of the kind and its blanks.
     return [] {
         std::size_t width = 0;
         for (const effect::Effect& effect : effect::effect_catalogue()) width = std::max(width, effect.id.size());

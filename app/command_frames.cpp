@@ -17,11 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// One line of the table: number of frames, median, 95th percentile, longest and goal [ms], name of the situation.
 void print_times(const FrameTimes& times) {
     print_format("%8zu %8.1f %8.1f %8.1f %8.0f  %s\n", times.ms.size(), times.percentile(0.5), times.percentile(0.95),
                  times.percentile(1.0), times.goal_ms, times.name.c_str());
 }
 
+/// Content of the file of --json (schema frames/1); width and height are those of bench_frames() [pixels].
 report::Json frames_json(const FrameBench& bench) {
     report::Json rows = report::Json::array();
     for (const FrameTimes& times : bench.situations)
@@ -43,7 +45,8 @@ report::Json frames_json(const FrameBench& bench) {
             {"situations", rows}};
 }
 
-/// Measures in a temporary folder, which is removed afterwards.
+/// Measures in a temporary folder, which is removed afterwards; the process number keeps concurrent calls apart. A
+/// missed goal is no failure: times depend on the machine.
 int frames_command(const fs::path& json) {
     Console console(false, false);
     const Progress progress = console.progress();

@@ -15,6 +15,7 @@ namespace {
 
 /// Largest relative difference between adjoint and finite differences of a passed check.
 constexpr double max_relative_error = 1e-5;
+/// What an early cancellation prevents, for stopped_before().
 const char* const complete_check = "the check was complete";
 
 /// Parsed call of `myoloop gradcheck`.
@@ -48,6 +49,7 @@ std::string untested_sentence(const sensitivity::GradientCheck& check) {
                             " parameters without influence within these steps were not compared; more --steps may help";
 }
 
+/// Content of the file of --json (schema gradcheck/1), SI units.
 report::Json gradcheck_json(const setup::Setup& setup, const calibration::TrialGradientCheck& run,
                             const results::RunFacts& facts) {
     report::Json rows = report::Json::array();
@@ -91,6 +93,7 @@ int judge_gradient(const calibration::TrialGradientCheck& run, Console& console)
     return status_failed;
 }
 
+/// Opens the trial, compares adjoint and differences, prints the table and writes it on request.
 int gradcheck_command(const GradcheckCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     const Progress progress = console.progress();
@@ -107,6 +110,7 @@ int gradcheck_command(const GradcheckCall& call) {
     const double setup_s = opening.stopwatch.seconds();
     const calibration::TrialGradientCheck run = calibration::gradcheck(setup, 0, call.steps, progress);
     if (progress.cancelled()) return stopped_before(complete_check, console);
+    // The run itself failed, so there is nothing to compare.
     if (!run.check.complete()) {
         console.complain("the gradient could not be checked: " + run.check.message +
                          "; a smaller --dt or fewer --steps may help");
@@ -133,6 +137,7 @@ std::function<int()> declare_gradcheck(CLI::App& app) {
     const auto call = std::make_shared<GradcheckCall>();
     // Only an optional JSON file is written, so no output folder is locked.
     call->writes_folder = false;
+    // A few steps are run: choosing their length would cost more than the check.
     call->step_choice = StepChoice::half_interval;
     call->outputs = [own = call.get()](const experiment::Experiment&) {
         return std::vector<std::filesystem::path>{own->json};

@@ -40,14 +40,14 @@ struct MeshCall {
     WorkOptions work;
 };
 
-/// Mesh made or checked, with its quality.
+/// Mesh made or checked, nodes [m], with its quality.
 struct MeshOutcome {
     mesh::VolumeMesh mesh;
     mesh::QualityReport quality;
     std::vector<std::string> warnings;
 };
 
-// In lower case: files from other systems are often in capitals.
+/// Extension with its point, in lower case: files from other systems are often in capitals.
 std::string extension_of(const std::filesystem::path& file) {
     std::string extension = file.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
@@ -55,6 +55,7 @@ std::string extension_of(const std::filesystem::path& file) {
     return extension;
 }
 
+// Formats of the window as well, see app/backend/core_scene.cpp.
 const std::vector<std::string> surface_extensions{".stl", ".obj", ".ply", ".vtp"};
 const std::vector<std::string> volume_extensions{".vtu", ".vtk", ".msh", ".node", ".ele"};
 
@@ -63,6 +64,9 @@ bool contains(const std::vector<std::string>& list, const std::string& word) {
 }
 
 /// Surface in metres with merged vertices, outward and of plausible size; corrections are reported as warnings.
+///
+/// Errors: no unit, those of the reader, an implausible size, a surface that is open or not manifold, parts that cannot
+/// be turned.
 Result<mesh::SurfaceMesh> open_surface(const MeshCall& call, std::vector<std::string>& warnings) {
     if (!call.metres_per_unit) return Error{"a surface file does not say its unit; state m or mm", "--unit"};
     const Result<mesh::SurfaceMesh> read = mesh::read_surface(call.file, *call.metres_per_unit,
@@ -70,12 +74,14 @@ Result<mesh::SurfaceMesh> open_surface(const MeshCall& call, std::vector<std::st
     if (!read) return read.error();
     mesh::SurfaceMesh surface = mesh::weld(*read);
     const mesh::SurfaceReport report = mesh::check_surface(surface);
+    // Size before topology: a wrong unit is named as such.
     if (const Result<void> size = mesh::check_plausible_size(report.size); !size)
         return Error{size.error().what, call.file.string()};
     if (!report.closed || !report.manifold)
         return Error{"cannot be meshed: " +
                          (report.messages.empty() ? "the surface is not closed" : join(report.messages, "; ")),
                      call.file.string()};
+    // A surface whose normals all point inward is turned, not refused.
     if (report.oriented && !report.outward) surface = mesh::flipped(std::move(surface));
     Result<mesh::FacingParts> parts = mesh::facing_parts(surface);
     if (!parts) return Error{parts.error().what, call.file.string()};
@@ -94,6 +100,7 @@ Result<void> check_surface_call(const MeshCall& call, const mesh::SurfaceMesh& s
     if (call.quality && *call.quality < 1.2)
         return Error{"a radius-edge ratio below 1.2 may never be reached", "--quality"};
     if (!call.resolution_m && !call.max_volume_m3) return Error{"state the edge length in metres", "--resolution"};
+    // Without --resolution, the edge of a regular tetrahedron of the largest volume.
     const double edge = call.resolution_m.value_or(mesh::tet_edge_for_volume(call.max_volume_m3.value_or(1.0)));
     const double cells = mesh::estimate_counts(surface, *call.type, edge).cells;
     if (cells > mesh::box_mesh_policy.max_grid_cells)
@@ -102,7 +109,7 @@ Result<void> check_surface_call(const MeshCall& call, const mesh::SurfaceMesh& s
     return {};
 }
 
-/// Meshes a surface file with the requested element.
+/// Meshes a surface file with the requested element. Errors: those of the call, the surface and the mesher; cancelled.
 Result<MeshOutcome> mesh_surface(const MeshCall& call, const Progress& progress) {
     MeshOutcome outcome;
     const Result<mesh::SurfaceMesh> surface = open_surface(call, outcome.warnings);
@@ -119,6 +126,7 @@ Result<MeshOutcome> mesh_surface(const MeshCall& call, const Progress& progress)
         options.edge = call.resolution_m;
         options.max_volume = call.max_volume_m3;
         if (call.quality) options.radius_edge_ratio = *call.quality;
+        // TetGen keeps the triangles of the surface, so those are brought to the size of the tetrahedra first.
         const double edge = call.max_volume_m3 ? mesh::tet_edge_for_volume(*call.max_volume_m3) : *call.resolution_m;
         const mesh::SizedSurface sized = setup::surface_for_tetrahedra(*surface, edge, progress);
         outcome.warnings.insert(outcome.warnings.end(), sized.notes.begin(), sized.notes.end());
@@ -126,11 +134,15 @@ Result<MeshOutcome> mesh_surface(const MeshCall& call, const Progress& progress)
         if (!mesh) return mesh.error();
         outcome.mesh = std::move(*mesh);
     }
+    // Volume error against the surface of the file, not against the resized one.
     outcome.quality = mesh::mesh_quality(outcome.mesh, &*surface);
     return outcome;
 }
 
-/// Reads a volume mesh and converts it if possible; tet4 to tet10 is the only conversion.
+/// Reads a volume mesh and converts it if possible; tet4 to tet10 is the only conversion. Without --unit the lengths
+/// are metres, with a warning.
+///
+/// Errors: an option of meshing; those of the reader; another conversion; an implausible size.
 Result<MeshOutcome> check_volume(const MeshCall& call) {
     if (call.resolution_m || call.max_volume_m3 || call.quality)
         return Error{"is a volume mesh already: its elements can be checked and converted, not remeshed",
@@ -151,6 +163,7 @@ Result<MeshOutcome> check_volume(const MeshCall& call) {
     return outcome;
 }
 
+/// What --json prints (schema mesh/1), SI units, angles in degrees.
 report::Json outcome_json(const MeshCall& call, const MeshOutcome& outcome) {
     const mesh::QualityReport& q = outcome.quality;
     report::Json json{{"schema", "mesh/1"},
@@ -204,6 +217,7 @@ std::string outcome_text(const MeshOutcome& outcome) {
     return text;
 }
 
+/// Errors of the call that are known before the file is read.
 Result<void> check_mesh_call(const MeshCall& call) {
     if (call.file.empty()) return Error{"name a surface or a volume mesh", ""};
     if (!call.out.empty() && extension_of(call.out) != ".vtu")
@@ -237,6 +251,7 @@ int mesh_command(const MeshCall& call) {
     else
         console.print(outcome_text(*outcome));
     if (!call.out.empty()) {
+        // Quality per cell, so that a viewer shows where bad elements lie.
         const Eigen::MatrixXd shapes = mesh::cell_shapes(outcome->mesh).transpose();
         if (const Result<void> written = mesh::write_vtu(call.out, outcome->mesh, {}, {{"quality", shapes}}); !written)
             return console.fail(written.error());

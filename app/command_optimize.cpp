@@ -24,7 +24,9 @@ namespace {
 
 /// Parsed call of `myoloop optimize`; empty options have the defaults of OptimizeSettings.
 struct OptimizeCall : ExperimentCall {
+    // Smoothness in mm per unit of change per second; bounds of a muscle's activation [-].
     std::optional<double> frequency_Hz, smoothness_mm_s, lowest, highest;
+    // Piecewise constant signals instead of linear ones.
     bool hold = false;
     bool resume = false;
     std::vector<std::string> seek;  // words of calibration::to_string(); empty: signals
@@ -32,6 +34,7 @@ struct OptimizeCall : ExperimentCall {
     int starts = 1;
 };
 
+/// Experiment with what a search found of the body; written if --seek names anything.
 constexpr const char* optimized_file = "experiment_optimized.toml";
 
 /// Settings of the search from the options of the call; what is sought is read with the experiment.
@@ -68,7 +71,7 @@ std::string deviation_text(const inverse::ActuationDeviations& deviations, Eigen
     return ", ± " + format_number(*middle, 2) + unit + (known.size() > 1 ? " (median)" : "");
 }
 
-/// Errors of the markers before and after the search.
+/// Errors of the markers before and after the search, rms [mm].
 std::string marker_lines(const calibration::Optimization& result) {
     char line[256];
     std::snprintf(line, sizeof line, "%-32s %9s  %9s", "marker, rms [mm]", "before", "after");
@@ -85,6 +88,7 @@ std::string marker_lines(const calibration::Optimization& result) {
     return text;
 }
 
+/// Registration that the search found: shift [mm] and rotation vector [degrees].
 std::string placement_line(const calibration::Optimization& result) {
     char line[256];
     const Eigen::Vector3d moved = 1e3 * result.fit.best.placement.translation_m,
@@ -107,6 +111,7 @@ std::string result_lines(const setup::Setup& setup, const calibration::Optimizat
         const std::string unit = unit_after(setup, signal);
         text += "\nsignal " + signal.name + ": ";
         if (result.problem.sought.seek_before)
+            // The first value is then the level before the start, see SoughtSignals::seek_before.
             text += "held " + format_number(row(0), 4) + unit + " before t = 0 (sought)\nsignal " + signal.name + ": ";
         text += result.problem.sought.constant
                     ? format_number(row(0), 4)
@@ -120,6 +125,7 @@ std::string result_lines(const setup::Setup& setup, const calibration::Optimizat
         text += result.miss.goals ? "\ngoals not reached"
                                   : "\ntarget not reached: " + format_number(result.miss.noise_levels, 3) +
                                         " times the noise is left";
+    // A message of a search that did not converge is printed by end_status().
     if (result.fit.converged() && !result.fit.message.empty()) text += "\n" + result.fit.message;
     return text + "\n\n" + std::to_string(result.fit.log.size()) + " evaluations of the best start, " +
            format_number(result.seconds, 3) + " s, " + std::to_string(setup.body->dofs()) + " DOF, steps of " +
@@ -133,6 +139,7 @@ Result<void> write_design(const OptimizeCall& call, const experiment::Experiment
     if (result.found.empty()) return {};
     if (const Result<void> masks = results::write_masks(call.out, experiment, result.found); !masks)
         return masks.error();
+    // Index in the whole experiment: the setup has the one trial only.
     const std::size_t trial = *prediction::find_trial(experiment, setup.trials.front().name);
     std::string skipped;
     const Result<std::string> text = results::optimized_experiment(declaration_of(call), call.out, setup, result, trial,
@@ -144,6 +151,9 @@ Result<void> write_design(const OptimizeCall& call, const experiment::Experiment
     return {};
 }
 
+/// Writes optimize.json, traces and signals, the experiment with the found body, and report.html.
+///
+/// @param experiment  complete, while `setup` has the searched trial only
 Result<void> write_results(const OptimizeCall& call, const experiment::Experiment& experiment,
                            const setup::Setup& setup, const calibration::Optimization& result,
                            const results::RunFacts& facts, Console& console) {
@@ -223,23 +233,28 @@ int optimize_command(const OptimizeCall& call) {
     const Progress progress = console.progress();
     OpenedExperiment opening = open_command(call, TrialChoice::one, first_evaluation, console, progress);
     if (!opening.setup) return opening.status;
+    // Before with_goals(), which replaces the recording that some checks look at.
     const std::vector<check::Finding> before = check::check_before(*opening.setup);
     Result<setup::Setup> target = prediction::with_goals(*std::move(opening.setup));
     if (!target) return console.refuse(target.error());
     setup::Setup& setup = *target;
     calibration::OptimizeSettings settings = settings_of(call);
+    // Words are known once the experiment is read: muscles and parts have names.
     if (!call.seek.empty()) {
         Result<std::vector<calibration::SoughtItem>> seek = calibration::sought_items(call.seek, setup.experiment);
         if (!seek) return console.refuse({seek.error().what, "--seek"});
         settings.seek = *std::move(seek);
     }
+    // Changes the setup: fibres of painted muscles become such as a mask gives. Hence before the problem is set up.
     const Result<calibration::BodyDesign> design = calibration::body_design(setup, settings.seek);
     if (!design) return console.refuse(design.error());
     const Result<inverse::ActuationProblem> problem = calibration::actuation_problem(setup, settings,
                                                                                      design->variables);
     if (!problem) return console.refuse(problem.error());
+    // With --resume, signals of other knots or muscles are an error of the call.
     const Result<results::EarlierOptimization> from = first_signals(call, setup, *problem);
     if (!from) return console.refuse(from.error());
+    // From here on the call is right: what follows are warnings.
     for (const std::string& note : from->notes) console.warn(note);
     for (const std::string& warning : setup.warnings) console.warn(warning);
     if (!setup.experiment.sensors.empty())
@@ -249,6 +264,7 @@ int optimize_command(const OptimizeCall& call) {
     const double setup_s = opening.stopwatch.seconds();
     calibration::Optimization result = calibration::optimize_with_chosen_steps(setup, *problem, settings,
                                                                                {from->values, from->design}, progress);
+    // Earlier evaluations count, so that the file shows the total cost.
     result.earlier_evaluations += from->evaluations;
     if (!result.usable()) return end_without_signals(result, console);
     result.found = calibration::found_items(setup, *design, result.fit.design);
@@ -262,7 +278,7 @@ int optimize_command(const OptimizeCall& call) {
     return end_status(call, result, console);
 }
 
-/// Files that the command writes.
+/// Files that the command may write, for ExperimentCall::outputs.
 std::vector<std::filesystem::path> optimize_files(const OptimizeCall& call, const experiment::Experiment& experiment) {
     std::vector<std::filesystem::path> files = trace_files_and(call, experiment, {"optimize.json", "report.html"});
     const std::vector<std::filesystem::path> signals = results::actuation_files(call.out, experiment);
@@ -276,6 +292,7 @@ std::vector<std::filesystem::path> optimize_files(const OptimizeCall& call, cons
     return files;
 }
 
+/// Value of --smoothness; 0 is allowed and switches the term off. Throws CLI::ValidationError.
 void read_smoothness(const std::string& text, OptimizeCall& call) {
     double value = 0.0;
     if (!parse_number(text, value) || !std::isfinite(value) || value < 0.0)

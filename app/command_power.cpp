@@ -9,17 +9,22 @@
 namespace myo::app {
 namespace {
 
+/// What an early cancellation prevents, for stopped_before().
 const char* const complete_map = "the map was complete";
 const char* const map_json_file = "power.json";
 const char* const map_page_file = "power.html";
 
 /// Parsed call of `myoloop power`.
 struct PowerCall : ExperimentCall {
+    // Output file; empty: none.
     std::string json;
+    // rms error of predictions by mesh and step; empty: from the noise.
     std::optional<double> numerical_error_m;
+    // Ids of the effects that are considered; empty: all.
     std::vector<std::string> only;
 };
 
+/// Writes the map as JSON where --json asks for it, and as JSON and page into the folder of --out.
 Result<void> write_map(const PowerCall& call, const planning::PowerMap& map, const experiment::Experiment& experiment,
                        const results::RunFacts& facts) {
     const std::string folder = std::filesystem::weakly_canonical(experiment.folder).filename().string();
@@ -31,9 +36,11 @@ Result<void> write_map(const PowerCall& call, const planning::PowerMap& map, con
     return report::write_html(call.out / map_page_file, planning::power_report(map, experiment.name, facts));
 }
 
+/// Opens the experiment, runs every effect on it, prints and writes the map.
 int power_command(PowerCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     const Progress progress = console.progress();
+    // Unlike in other commands, --out is optional; without it no folder is locked.
     call.writes_folder = !call.out.empty();
     const OpenedExperiment opening = open_command(call, TrialChoice::all, complete_map, console, progress);
     if (!opening.setup) return opening.status;

@@ -15,18 +15,24 @@
 namespace myo::app {
 namespace {
 
+/// What an early cancellation prevents, for stopped_before().
 const char* const first_proposal = "a trial was proposed";
 const char* const proposal_json_file = "proposal.json";
 const char* const proposal_page_file = "proposal.html";
 const char* const trial_file = "next_trial.toml";
+/// Word of --between for the declared model, without effects.
 const char* const declared_word = "none";
 
 /// Parsed call of `myoloop propose`.
 struct ProposeCall : ExperimentCall {
+    // As given, one set per option.
     std::vector<std::string> between;
     std::vector<std::string> between_ids;  // all that they name
+    // JSON report of a finished diagnosis, instead of --between; empty: none.
     std::filesystem::path report;
+    // Limits of --limits; each replaces that of the experiment.
     experiment::LimitsDeclaration limits;
+    // rms error of predictions by mesh and step; empty: from the noise.
     std::optional<double> numerical_error_m;
 };
 
@@ -38,7 +44,8 @@ std::vector<std::pair<std::string, std::optional<double>*>> limit_keys(experimen
             {"duration_s", &limits.duration_s}};
 }
 
-/// "force_N=0.5,duration_s=3".
+/// Limits out of "force_N=0.5,duration_s=3"; throws CLI::ValidationError for an unknown key or a value that is not
+/// positive.
 void read_limits(const std::string& text, experiment::LimitsDeclaration& limits) {
     const auto keys = limit_keys(limits);
     std::vector<std::string> names;
@@ -67,11 +74,14 @@ std::vector<std::string> read_set(const std::string& text) {
     return ids;
 }
 
-/// The rivals of a call.
+/// The two sets of effects of a call, to be fitted or, from a report, with fitted values.
+///
+/// Errors: neither or both of --between and --report; not two different sets; those of planning::reported_rivals().
 Result<std::array<planning::RivalStart, 2>> starts_of(const ProposeCall& call) {
     if (call.between.empty() == call.report.empty())
         return Error{"give either two sets of effects, or --report with the report of a diagnosis", "--between"};
     if (!call.report.empty()) {
+        // Laws of the experiment may be effects of the report. An experiment that cannot be read is reported later.
         const Result<experiment::Experiment> declared = experiment::read_experiment(call.experiment,
                                                                                     call.setup.overrides);
         return planning::reported_rivals(call.report, declared ? declared->laws : effect::Laws());
@@ -79,12 +89,15 @@ Result<std::array<planning::RivalStart, 2>> starts_of(const ProposeCall& call) {
     if (call.between.size() != 2) return Error{"must be given twice, once for each set of effects", "--between"};
     std::array<planning::RivalStart, 2> starts{planning::RivalStart{read_set(call.between[0])},
                                                planning::RivalStart{read_set(call.between[1])}};
+    // The order of a set has no meaning.
     std::array<std::vector<std::string>, 2> sorted{starts[0].ids, starts[1].ids};
     for (std::vector<std::string>& ids : sorted) std::sort(ids.begin(), ids.end());
     if (sorted[0] == sorted[1]) return Error{"both sets are the same", "--between"};
     return starts;
 }
 
+/// Writes proposal.json, the trial as TOML with its signal, and proposal.html into the folder of --out, if there is
+/// one.
 Result<void> write_proposal(const ProposeCall& call, const planning::Proposal& proposal,
                             const experiment::Experiment& experiment, const results::RunFacts& facts) {
     if (call.out.empty()) return {};
@@ -103,6 +116,7 @@ Result<void> write_proposal(const ProposeCall& call, const planning::Proposal& p
     return report::write_html(call.out / proposal_page_file, page);
 }
 
+/// Opens the experiment, fits both sets, rates trials, prints and writes the best.
 int propose_command(ProposeCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     const Progress progress = console.progress();
@@ -127,6 +141,7 @@ int propose_command(ProposeCall& call) {
             " mm rms, noise " + format_number(1e3 * setup::mean_noise(fitted->setup), 3) + " mm" +
             (fitted->made_motion ? "; nothing is recorded, so the motion is that of the first with typical values"
                                  : ""));
+    // Trials are tried as tables appended to this text.
     const Result<std::string> declaration = read_file(declaration_of(call));
     if (!declaration) return console.refuse(declaration.error());
     const double fits_s = opening.stopwatch.seconds() - setup_s;
@@ -151,6 +166,7 @@ int propose_command(ProposeCall& call) {
         !written)
         return console.fail(written.error());
     if (!call.out.empty()) console.print("trial: " + (call.out / trial_file).string());
+    // Without a trial that can be run there is nothing to do with the output.
     return proposal->best() ? status_done : status_failed;
 }
 

@@ -22,13 +22,15 @@ namespace {
 
 /// Parsed call of `myoloop reproduce`.
 struct ReproduceCall {
+    // Id of the case; empty: the cases are listed.
     std::string id;
     std::filesystem::path out;
+    // Small meshes and few steps, to try a case.
     bool coarse = false;
     WorkOptions work;
 };
 
-// A dash for values that do not exist, as in the HTML report.
+/// Text of a cell; a dash for values that do not exist, as in the HTML report.
 std::string cell_text(const report::Cell& cell, const report::Column& column) {
     if (const auto* text = std::get_if<std::string>(&cell.content)) return *text;
     const double value = std::get<double>(cell.content);
@@ -43,6 +45,7 @@ std::size_t width_of(const std::string& text) {
 
 /// Aligned columns with titles and units above.
 std::string table_text(const report::Table& table) {
+    // The first two rows are titles and units.
     std::vector<std::vector<std::string>> rows(2);
     for (const report::Column& column : table.columns) {
         rows[0].push_back(column.title);
@@ -60,12 +63,14 @@ std::string table_text(const report::Table& table) {
             for (const std::vector<std::string>& other : rows)
                 if (i < other.size()) width = std::max(width, width_of(other[i]));
             const std::string blanks(width - width_of(row[i]), ' ');
+            // Names to the left, numbers to the right.
             text += " " + (i == 0 ? row[i] + blanks : blanks + row[i]) + " ";
         }
     }
     return text;
 }
 
+/// Prints id and summary of every case.
 int list_cases() {
     for (const reproduce::ReproductionCase& one : reproduce::reproduction_catalogue())
         print_format("%-18s %s\n", one.id.c_str(), one.summary.c_str());
@@ -85,6 +90,7 @@ Result<FolderLock> claim_folder(const ReproduceCall& call, const reproduce::Repr
     return lock;
 }
 
+/// Settings of the case from the call; all hardware threads unless --threads limits them.
 reproduce::ReproduceSettings reproduce_settings(const ReproduceCall& call) {
     reproduce::ReproduceSettings settings;
     settings.data = bench::data_folder();

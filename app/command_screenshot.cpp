@@ -53,12 +53,14 @@ std::vector<std::filesystem::path> files_drawn(const ui::panels::ScreenshotOptio
     return files;
 }
 
+/// Opens the file, runs what was asked for, and writes the picture.
 int screenshot_command(const ScreenshotCall& call) {
     Console console(call.quiet, call.json_progress);
     if (call.out.empty()) return console.refuse({"name the picture to write", "--out"});
     // The only format that is written.
     if (call.out.extension() != ".png")
         return console.refuse({"'" + call.out.string() + "' does not end in .png", "--out"});
+    // A picture may lie in the folder of the experiment, but not in the place of one of its files.
     const Result<void> kept = check_overwrites("--out", {call.out}, files_drawn(call.picture));
     if (!kept) return console.refuse(kept.error());
     const Progress progress = console.progress();

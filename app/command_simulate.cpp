@@ -51,12 +51,14 @@ std::string score_table(const setup::Setup& setup, const prediction::SetupRun& r
         if (score == nullptr) continue;
         const auto worst = std::max_element(score->markers.begin(), score->markers.end(),
                                             [](const prediction::MarkerScore& a, const prediction::MarkerScore& b) {
+                                                // A NaN, of a marker that was never seen, is less than every number.
                                                 return !(b.rms_m <= a.rms_m) && b.rms_m == b.rms_m;
                                             });
         add(score->name.c_str(), to_string(score->role).c_str(),
             std::to_string(run.predictions[t].trace.times_s.size() - 1).c_str(), in_millimetres(score->rms_m),
             worst != score->markers.end() ? in_millimetres(worst->rms_m) + "  " + worst->name : "");
     }
+    // The line break of the last row.
     text.pop_back();
     return text + results::sensor_lines(run);
 }
@@ -64,6 +66,7 @@ std::string score_table(const setup::Setup& setup, const prediction::SetupRun& r
 /// Writes simulate.json, traces and optional VTU series.
 Result<void> write_results(const SimulateCall& call, const setup::Setup& setup, const prediction::SetupRun& run,
                            const results::RunFacts& facts, const Progress& progress) {
+    // Without a complete trial nothing is written, and end_simulation() gives the reason.
     if (run.scores.empty()) return {};
     // The smallest and most valuable file first, as in all commands: the disk may become full.
     const report::Json json = results::simulate_json(setup, run, facts);
@@ -103,6 +106,7 @@ int end_simulation(const SimulateCall& call, const setup::Setup& setup, const pr
     return status_done;
 }
 
+/// Opens the experiment, runs checks and trials, prints scores and writes results.
 int simulate_command(const SimulateCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     const Progress progress = console.progress();
@@ -114,10 +118,12 @@ int simulate_command(const SimulateCall& call) {
     tell_findings(before, opening.told, console);
     const double setup_s = opening.stopwatch.seconds();
 
+    // Nothing is fitted: free levels have their declared values.
     const prediction::ParameterValues values = prediction::with_predicted_levels(*setup,
                                                                                  prediction::declared_values(*setup));
     console.print(setup->experiment.name + "\n" + size_line(*setup) + "\n" + values_line(*setup, values));
     const prediction::SetupRun run = prediction::run_with_chosen_steps(*setup, values, progress, call.trial);
+    // open_command() has checked the integration already unless the run chooses its steps.
     if (!setup->integration && !progress.cancelled()) report_integration(*setup, console);
     results::RunFacts facts = run_facts(call, setup_s);
     facts.findings = check::check_after({.setup = *setup, .run = &run, .as_declared = true}, before);

@@ -25,18 +25,24 @@ struct SweepCall {
     fs::path file, out;
     int jobs = 0;  // 0: all processors
     bool list = false;
+    // Program, share and treatment of earlier cases; see SweepRun.
     sweep::SweepRun run;
     SlurmOptions slurm;
     WorkOptions work;
 };
 
-/// Parses arguments as the command will, without running it.
+/// Parses arguments as the command will, without running it: a mistake is found before the first case, not in each.
+///
+/// @param command  a known one
+/// @param words    as in the sweep file, without experiment and output folder
+/// Errors: the message of the parser; an argument that the command does not take.
 Result<void> check_arguments(const std::string& command, const std::vector<std::string>& words) {
     const auto known = std::find_if(commands().begin(), commands().end(),
                                     [&](const Subcommand& c) { return c.name == command; });
     CLI::App app("", "myoloop " + command);
     app.allow_extras();
     const std::function<int()> action = known->declare(app);  // owns what the options write to
+    // CLI11 takes words from the back. "EXP" stands for the experiment, which comes first.
     std::vector<std::string> reversed(words.rbegin(), words.rend());
     reversed.emplace_back("EXP");
     try {
@@ -48,6 +54,7 @@ Result<void> check_arguments(const std::string& command, const std::vector<std::
     return {};
 }
 
+/// Cases by their state: "12 cases: 10 done, 2 failed".
 std::string count_words(const sweep::SweepTable& table) {
     const std::size_t cases = table.rows.size();
     std::string words = std::to_string(cases) + (cases == 1 ? " case: " : " cases: ") +
@@ -74,11 +81,13 @@ int collect(const SweepCall& call, const sweep::PreparedSweep& sweep, Console& c
         return console.fail(written.error());
     console.print(count_words(table) + "\ntable: " + (call.out / "sweep.csv").string() +
                   "\nreport: " + (call.out / "sweep.html").string());
+    // Single failures are rows of the table; only a sweep without any other row has failed itself.
     if (table.count(sweep::CaseState::failed) < static_cast<int>(table.rows.size())) return status_done;
     console.complain("every case failed, the first with: " + table.rows.front().message);
     return status_failed;
 }
 
+/// Runs the missing cases and prints each when it ends, then collects. Returns the exit status.
 int run_cases(const SweepCall& call, const sweep::PreparedSweep& sweep, Console& console) {
     const Progress progress = console.progress();
     int ended = 0;
@@ -95,6 +104,7 @@ int run_cases(const SweepCall& call, const sweep::PreparedSweep& sweep, Console&
     return status_stopped;
 }
 
+/// Checks the call, then lists, collects, submits or runs.
 int run_sweep_command(SweepCall call) {
     Console console(call.work.quiet, call.work.json_progress);
     if (call.file.empty()) return console.refuse({"name a sweep file", ""});
@@ -103,6 +113,7 @@ int run_sweep_command(SweepCall call) {
         return console.refuse(fine.error());
     const Result<sweep::Sweep> read = sweep::read_sweep(call.file);
     if (!read) return console.refuse(read.error());
+    // Every case is prepared before the first one runs, so that errors of the file are known at once.
     const Result<sweep::PreparedSweep> sweep = sweep::prepare_sweep(*read, check_arguments, MYOLOOP_VERSION);
     if (!sweep) return console.refuse(sweep.error());
     if (call.list) return list_cases(call, *sweep, console);
@@ -118,6 +129,7 @@ int run_sweep_command(SweepCall call) {
                                 .at_once = std::max(1, call.jobs)},
                                console);
     std::error_code code;
+    // Each case runs this program as a child.
     call.run.program = fs::read_symlink("/proc/self/exe", code);
     call.run.jobs = call.jobs > 0 ? call.jobs : hardware_threads();
     return run_cases(call, *sweep, console);

@@ -23,6 +23,7 @@ namespace {
 
 /// Parsed call of `myoloop validate`.
 struct ValidateCall {
+    // Which cases are drawn, and which of them this process runs.
     validation::ValidationOptions options;
     bool defaults = false;  // validates the defaults of calibrate instead of the diagnosis
     std::filesystem::path out;
@@ -30,7 +31,8 @@ struct ValidateCall {
     SlurmOptions slurm;
 };
 
-/// One case: "  7  tail+  viscoelastic_creep      5.2 x  viscoelastic_creep  0.97  21 s".
+/// One case: number, body ("+": with muscles), truth, level in multiples of the noise, right, group or WRONG, answer,
+/// confidence, time. A truth in parentheses was withheld from the diagnosis.
 std::string record_line(const validation::CaseRecord& r) {
     char line[256];
     const std::string truth = r.kind == validation::CaseKind::deleted ? "(" + r.truth + ")" : r.truth;
@@ -44,7 +46,8 @@ std::string record_line(const validation::CaseRecord& r) {
     return line;
 }
 
-/// validation.json and validation.html of all cases that the folder holds.
+/// Prints the summary and writes validation.json and validation.html of all cases that the folder holds; nothing if
+/// there are none. Returns the exit status.
 template <class Record, class Summary>
 int write_summary(const ValidateCall& call, const Summary& summary, const report::HtmlReport& report, Console& console,
                   const std::vector<Record>& records) {
@@ -96,6 +99,7 @@ int defaults_validation(const ValidateCall& call, const Progress& progress, Cons
                          validation::defaults_report(*records, join(command_line(), " ")), console, *records);
 }
 
+/// Checks the call, then submits, or runs missing cases and summarises.
 int run_validate(ValidateCall call) {
     Console console(call.work.quiet, call.work.json_progress);
     if (call.out.empty()) return console.refuse({"name a folder for the results", "--out"});
@@ -106,6 +110,7 @@ int run_validate(ValidateCall call) {
             {"draws its own bodies and has no effects; leave --geometry and --effects out", "--defaults"});
     if (const Result<void> fine = check_slurm_options(call.slurm, call.options.range.share); !fine)
         return console.refuse(fine.error());
+    // Tasks of the array run the cases; this process only submits.
     if (call.slurm.submit)
         return submit_to_slurm(call.slurm,
                                {.name = "myoloop-validate",
@@ -114,8 +119,9 @@ int run_validate(ValidateCall call) {
                                 .at_once_option = "--threads",
                                 .at_once = std::max(1, call.work.threads)},
                                console);
+    // No case is run: what follows summarises the records of the folder.
     if (call.slurm.collect) call.options.range.cases = 0;
-    // The same seed draws the same cases.
+    // Equal seeds draw equal cases.
     call.options.choice.seed = call.work.seed.value_or(1);
     call.options.range.threads = call.work.threads > 0 ? call.work.threads : hardware_threads();
     const Progress progress = console.progress();
@@ -127,6 +133,7 @@ int run_validate(ValidateCall call) {
     return status_stopped;
 }
 
+/// Value of --first. Throws CLI::ValidationError.
 void read_first(const std::string& text, cases::CaseRange& range) {
     int value = 0;
     const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -135,6 +142,7 @@ void read_first(const std::string& text, cases::CaseRange& range) {
     range.first = value;
 }
 
+/// Value of --geometry. Throws CLI::ValidationError for an unknown body.
 void read_families(const std::string& text, std::vector<validation::BodyFamily>& families) {
     families.clear();
     for (const std::string& id : split_words(text)) {

@@ -28,9 +28,9 @@ std::vector<std::string> command_names();
 std::function<int()> declare_simulate(CLI::App& app);
 /// Finds the effect that the declared model lacks.
 std::function<int()> declare_diagnose(CLI::App& app);
-/// Tells which effects an experiment could reveal.
+/// Lists which effects of which size an experiment could reveal.
 std::function<int()> declare_power(CLI::App& app);
-/// Proposes the trial that tells two sets of effects apart.
+/// Proposes the trial that best separates two sets of effects.
 std::function<int()> declare_propose(CLI::App& app);
 /// Validates diagnosis or defaults on synthetic experiments.
 std::function<int()> declare_validate(CLI::App& app);
@@ -59,7 +59,7 @@ std::function<int()> declare_info(CLI::App& app);
 
 /// The call as recorded in result files: program name without its folder, then the arguments.
 const std::vector<std::string>& command_line();
-/// Stores the call; to be called once at the start of main().
+/// Stores the call; to be called once at the start of main(), before threads exist.
 void remember_command_line(int argc, const char* const* argv);
 
 }  // namespace myo::app

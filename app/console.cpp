@@ -15,14 +15,14 @@
 namespace myo::app {
 namespace {
 
-// Messages are single lines, so that scripts can read them.
+/// Text without line breaks: messages are single lines, so that scripts can read them.
 std::string one_line(std::string text) {
     std::replace_if(
         text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
     return text;
 }
 
-// Rounded to the unit that matters: seconds, minutes with seconds, hours.
+/// Duration rounded to the unit that matters: seconds, minutes with seconds, hours.
 std::string duration_text(double seconds) {
     char text[32];
     if (seconds < 60.0)
@@ -35,6 +35,9 @@ std::string duration_text(double seconds) {
     return text;
 }
 
+/// Bar of 24 characters with percent, "[######    ]  25 %".
+///
+/// @param share  0 ... 1
 std::string bar_of(double share) {
     std::string bar(24, ' ');
     std::fill_n(bar.begin(), static_cast<std::ptrdiff_t>(std::lround(24.0 * share)), '#');
@@ -49,6 +52,8 @@ std::string evaluation_bar(const ProgressEvent& event, double elapsed_s) {
     const double complete = std::floor(event.done);
     std::string text = event.task + "  evaluation " + format_number(complete + 1.0, 4) + " " +
                        bar_of(event.done - complete) + "  " + duration_text(elapsed_s) + " so far";
+    // `done` is fractional: whole evaluations plus the part of the running one. Before the first is complete, there is
+    // no time to extrapolate.
     if (event.done >= 1.0 && event.done < event.total)
         text += ", at most " + duration_text(elapsed_s * (event.total - event.done) / event.done) + " left";
     return event.message.empty() ? text : text + "  " + event.message;
@@ -71,6 +76,7 @@ Progress Console::progress() {
 void Console::show(const ProgressEvent& event) {
     // Progress arrives from worker threads.
     const std::lock_guard<std::mutex> lock(mutex_);
+    // Every event is a line, without throttling.
     if (json_progress_) {
         const std::string line = progress_line(event) + "\n";
         std::fputs(line.c_str(), stderr);
@@ -87,6 +93,7 @@ void Console::show(const ProgressEvent& event) {
     const bool last = event.total > 0.0 && event.done >= event.total;
     if (!last && !throttle_.ready()) return;
     bar_shown_ = true;
+    // Return, erase the line, draw again: the bar stays in one line of the terminal.
     std::fprintf(stderr, "\r\033[K%s",
                  progress_bar(event, std::chrono::duration<double>(now - task_start_).count()).c_str());
     std::fflush(stderr);

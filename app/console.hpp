@@ -15,6 +15,8 @@ namespace myo::app {
 /// Progress is a bar with the remaining time on a terminal, JSON lines on request, and nothing otherwise.
 class Console {
 public:
+    /// @param quiet          prints errors only
+    /// @param json_progress  progress as JSON lines, also without a terminal
     Console(bool quiet, bool json_progress);
     ~Console();
     Console(const Console&) = delete;
@@ -32,21 +34,25 @@ public:
     /// Prints "myoloop: ..." as one line on standard error, even if quiet.
     void complain(const std::string& text);
 
-    /// Reports wrong input; returns the exit status.
+    /// Reports wrong input; returns status_wrong.
     int refuse(const Error& error);
 
-    /// Reports that results cannot be written; returns the exit status.
+    /// Reports that results cannot be written; returns status_failed.
     int fail(const Error& error);
 
 private:
+    // Draws a progress event; called from worker threads.
     void show(const ProgressEvent& event);
+    // Erases the bar, so that a message does not follow it in one line. Requires the lock.
     void clear_bar();
 
     using Clock = std::chrono::steady_clock;
 
     bool quiet_;
     bool json_progress_;
+    // Standard error is a terminal.
     bool terminal_;
+    // Guards output and the members below.
     std::mutex mutex_;
     std::string task_;
     Clock::time_point task_start_;

@@ -2,7 +2,7 @@
 
 namespace myo::app {
 
-/// Exit status of the program.
+/// Exit status of the program. Bad input and a failed computation differ, so that scripts can react to them.
 enum ExitStatus : int {
     status_done = 0,
     status_failed = 1,     // the computation failed

@@ -30,7 +30,7 @@
 namespace myo::app {
 namespace {
 
-// Total memory of the machine, not what is free now.
+/// Total memory of the machine [bytes], not what is free now.
 double physical_memory_bytes() {
     return static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGE_SIZE));
 }
@@ -49,7 +49,8 @@ Result<void> check_resolution(const ExperimentCall& call, const experiment::Expe
                  "--resolution"};
 }
 
-/// Rejects steps whose stored states would exceed the memory: position and velocity, 6 doubles per node and step.
+/// Rejects steps whose stored states would exceed 70 % of the memory: position and velocity, 6 doubles per node and
+/// step.
 Result<void> check_steps(const setup::Setup& setup) {
     double bytes = 0.0, steps = 0.0;
     for (const setup::PreparedTrial& trial : setup.trials) {
@@ -67,11 +68,13 @@ Result<void> check_steps(const setup::Setup& setup) {
 Result<experiment::Experiment> open_experiment(const ExperimentCall& call, std::optional<FolderLock>& lock) {
     if (call.experiment.empty()) return Error{"name an experiment folder", ""};
     if (call.writes_folder && call.out.empty()) return Error{"name a folder for the results", "--out"};
+    // Options that would be ignored silently are errors.
     if (call.setup.spectral_radius && call.setup.settings.integrator != dynamics::Integrator::generalized_alpha)
         return Error{"only --integrator " + to_string(dynamics::Integrator::generalized_alpha) + " has one to choose",
                      "--spectral-radius"};
     Result<experiment::Experiment> experiment = experiment::read_experiment(call.experiment, call.setup.overrides);
     if (!experiment) return experiment;
+    // Names of effects may be laws of the experiment, so they are checked once it is read.
     for (const auto& [option, ids] : call.named_effects)
         for (const std::string& id : *ids)
             if (effect::find_effect(id, experiment->laws) == nullptr)
@@ -82,6 +85,7 @@ Result<experiment::Experiment> open_experiment(const ExperimentCall& call, std::
         if (!left) return left.error();
         experiment->warnings.push_back("left out of the fit, and predicted: " + join(*left));
     }
+    // Nothing is created on disk before all files of the call are known to be harmless.
     const Result<void> kept = check_overwrites(call.writes_folder ? "--out" : "--json", call.outputs(*experiment),
                                                results::files_read(call.experiment, *experiment));
     if (!kept) return kept.error();
@@ -106,6 +110,7 @@ Result<setup::Setup> open_setup(const ExperimentCall& call, const experiment::Ex
     if (const auto untested = prediction::untested_fit(*setup); untested && call.fits)
         setup->warnings.push_back(*untested);
     const bool choosable_steps = prediction::choosable(setup->settings);
+    // A trial in milliseconds read as seconds is refused; a doubtful unit is only reported.
     const std::vector<check::Finding> on_units = check::findings_on_units(*setup);
     if (const Result<void> in_seconds = check::require_time_unit(*setup, on_units); !in_seconds)
         return in_seconds.error();
@@ -115,7 +120,9 @@ Result<setup::Setup> open_setup(const ExperimentCall& call, const experiment::Ex
         tell_findings(told, {}, console);
         check::choose_declared_steps(*setup, told, progress);
     }
+    // After the choice of steps, which decides how many states are stored.
     if (const Result<void> few = check_steps(*setup); !few) return few.error();
+    // Steps that the run chooses itself are checked after it.
     if (call.step_choice != StepChoice::in_run || !choosable_steps) setup::check_integration(*setup);
     return setup;
 }
@@ -145,6 +152,7 @@ std::string distance_line(const prediction::SetupRun& before, const prediction::
                 if (score.role == role) sum += score.distance_m, ++count;
             return sum / count;
         };
+        // 0 / 0: no trial of this role was run.
         if (std::isnan(mean(before)) && std::isnan(mean(after))) continue;
         text += (text.empty() ? "" : "\n") + std::string("mean distance of the markers in the ") +
                 (role == experiment::TrialRole::fit ? "fitted" : "predicted") + " trials [mm] " +
@@ -186,6 +194,7 @@ OpenedExperiment open_command(const ExperimentCall& call, TrialChoice choice, co
     }
     Result<setup::Setup> setup = open_setup(call, *experiment, console, progress, opening.told);
     opening.experiment = std::move(*experiment);
+    // A cancelled preparation returns an error as well, which would read like wrong input.
     if (progress.cancelled())
         opening.status = stopped_before(first_result, console);
     else if (!setup)
@@ -211,6 +220,7 @@ void tell_findings(const std::vector<check::Finding>& findings, const std::vecto
 results::RunFacts run_facts(const ExperimentCall& call, double setup_s) {
     rusage usage{};
     ::getrusage(RUSAGE_SELF, &usage);
+    // Linux gives ru_maxrss in KiB.
     return {MYOLOOP_VERSION, command_line(), setup_s, static_cast<std::uint64_t>(usage.ru_maxrss) * 1024u,
             call.work.seed};
 }

@@ -41,7 +41,9 @@ struct ExperimentCall {
     WorkOptions work;
     SetupOptions setup;
 };
-/// Adds the common options to a command.
+/// Adds the common options to a command: experiment, --out, those of add_setup_options() and add_work_options().
+///
+/// @param call  receives the values at parsing; must outlive `app`, as in all functions of this file that add options
 void declare_experiment_call(CLI::App& app, ExperimentCall& call);
 
 /// Adds an option that names effects, "A,B": of the catalogue, or laws of the experiment. Unknown ones are refused once
@@ -56,7 +58,7 @@ void declare_leave_out(CLI::App& app, ExperimentCall& call);
 /// trials [mm]  15.2  6.1"; empty if there is none.
 std::string distance_line(const prediction::SetupRun& before, const prediction::SetupRun& after);
 
-/// Traces of all trials and files of these names in the output folder, for ExperimentCall::outputs.
+/// Paths of the traces of all trials and of files of these names in the output folder, for ExperimentCall::outputs.
 std::vector<std::filesystem::path> trace_files_and(const ExperimentCall& call, const experiment::Experiment& experiment,
                                                    const std::vector<std::string>& names);
 
@@ -89,14 +91,16 @@ OpenedExperiment open_command(const ExperimentCall& call, TrialChoice choice, co
 /// First result of calibrations and searches for signals.
 inline constexpr const char* first_evaluation = "the first evaluation was complete";
 
-/// Reports a cancellation before anything was written; returns the exit status.
+/// Reports a cancellation before anything was written; returns status_stopped.
 int stopped_before(const std::string& first_result, Console& console);
 
-/// Prints findings that no warning states and that are not among those printed before.
+/// Prints findings as warnings, unless a warning states them already or they are among those printed before.
 void tell_findings(const std::vector<check::Finding>& findings, const std::vector<check::Finding>& before,
                    Console& console);
 
-/// Facts about this run for result files; peak memory is that of the process so far.
+/// Facts about this run for result files, without findings; peak memory is that of the process so far.
+///
+/// @param setup_s  wall-clock time of reading and preparing [s]
 results::RunFacts run_facts(const ExperimentCall& call, double setup_s);
 
 /// Note on the assumed damping if none is declared, else empty.

@@ -25,6 +25,7 @@ constexpr double plate_m = 0.142, layer_m = 0.002;
 constexpr double bar_m = 0.182, bar_side_m = 0.0594, bar_cell_m = 0.0021;
 // Beam of 4,608 degrees of freedom for playing live.
 constexpr double beam_m = 0.1, beam_side_m = 0.03, beam_cell_m = beam_m / 23.0;
+// Five seconds at the frame rate of frame_ms().
 constexpr int live_frames = 150;
 
 /// Declaration of a box; `rest` holds markers, muscles and trials.
@@ -92,6 +93,7 @@ public:
     Bench(const Progress& progress, const std::function<void(const FrameTimes&)>& done)
         : progress_(progress), done_(done), workbench_(backend::make_core_backend()) {}
 
+    /// Runs the three parts; the context must exist as long as the window draws.
     Result<FrameBench> run(const std::filesystem::path& folder) {
         auto context = ui::platform::OffscreenContext::make(picture_width, picture_height);
         if (!context) return context.error();
@@ -106,6 +108,9 @@ public:
 private:
     const ui::commands::WorkbenchState& state() const { return workbench_.state(); }
 
+    /// Draws a frame; returns its wall-clock time [ms].
+    ///
+    /// @param seconds  time that passes for animations and playback
     Result<double> frame_ms(double seconds = 1.0 / 30.0) {
         if (progress_.cancelled()) return Error{"stopped", ""};
         const Stopwatch watch;
@@ -121,12 +126,15 @@ private:
             if (const auto ms = frame_ms(); !ms) return ms.error();
         return {};
     }
+    /// Waits until no job runs. Errors: a job failed; cancelled.
     Result<void> wait() { return ui::panels::wait_for_jobs(workbench_, progress_); }
+    /// Publishes the times of a situation.
     void finish(FrameTimes times) {
         if (done_) done_(times);
         result_.situations.push_back(std::move(times));
     }
 
+    /// Opens an experiment and meshes it with hexahedra of this edge length [m].
     Result<void> open(const std::filesystem::path& folder, double cell_m) {
         workbench_.execute(ui::commands::Open{folder, std::nullopt});
         if (const auto opened = wait(); !opened) return opened;
@@ -145,6 +153,7 @@ private:
         if (!view) return Error{"the window shows no view", ""};
         // At the edge of the view, where a brush does not take the drag.
         const ImVec2 start{view->lowest.x + 0.5f * view->width(), view->highest.y - 12.0f};
+        // Press and release lie outside of the measured frames: they may change more than the view.
         window_->input().push(ui::platform::MouseMoved{start.x, start.y});
         window_->input().push(ui::platform::MouseButton{0, true, {}});
         if (const auto settled = settle(); !settled) return settled.error();
@@ -161,6 +170,7 @@ private:
         return times;
     }
 
+    /// Many triangles: panels, rotation and playback, without and with a job in the background.
     Result<void> draw_plate(const std::filesystem::path& folder) {
         if (const auto written = write_plate(folder / "plate"); !written) return written;
         // Every panel once still and once rotating, then playback, then a background search.
@@ -189,6 +199,7 @@ private:
 
         window_->show_panel("markers");
         FrameTimes playing{"the run plays over the marker plots", goal_ms, {}};
+        // A tenth of real time, as the motion lasts 0.2 s only.
         workbench_.execute(ui::commands::SetSpeed{0.1});
         workbench_.execute(ui::commands::Play{});
         if (const auto settled = settle(); !settled) return settled;
@@ -225,6 +236,7 @@ private:
         window_->show_panel("live");
         if (const auto settled = settle(); !settled) return settled;
         workbench_.execute(ui::commands::PlayLive{});
+        // The model is made in the background; frames must be drawn for its result to arrive.
         for (const Stopwatch watch; !(state().live && state().live->ready) && watch.seconds() < 20.0;)
             if (const auto ms = frame_ms(); !ms) return ms.error();
         const auto view = window_->items().find("view");
@@ -279,6 +291,7 @@ private:
             // The stroke is visible when the tints of the surface differ.
             const Eigen::Matrix4Xf before = window_->scene().tints;
             window_->input().push(ui::platform::MouseButton{0, true, {}});
+            // A press may need several frames until its colours are visible; all of them count.
             double waited = 0.0;
             for (int frame = 0; frame < 10; ++frame) {
                 const auto ms = frame_ms();
@@ -316,6 +329,7 @@ double FrameTimes::percentile(double share) const {
     if (ms.empty()) return std::nan("");
     std::vector<double> sorted = ms;
     std::sort(sorted.begin(), sorted.end());
+    // Nearest rank, from 1: a time that was measured, not an interpolation.
     const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
     return sorted[std::clamp<std::size_t>(rank, 1, sorted.size()) - 1];
 }

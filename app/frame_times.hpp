@@ -14,6 +14,7 @@ namespace myo::app {
 struct FrameTimes {
     std::string name;      // "the view turns"
     double goal_ms = 0.0;  // target for the 95th percentile
+    // One entry per frame, in their order.
     std::vector<double> ms;
 
     /// Percentile by nearest rank [ms]; NaN without frames.
@@ -30,6 +31,7 @@ struct FrameBench {
     double live_rate = 0.0;    // simulated time over real time
     double live_step_s = 0.0;  // length of its steps
     int live_dofs = 0;
+    // In the order in which they were measured.
     std::vector<FrameTimes> situations;
 };
 

@@ -9,6 +9,7 @@ namespace {
 std::atomic<bool> stop{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
+// Relaxed: the flag orders nothing else, it is only read again and again.
 extern "C" void on_interrupt(int signal) {
     stop.store(true, std::memory_order_relaxed);
     // The default action of the next signal ends the program at once.

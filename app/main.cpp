@@ -58,7 +58,7 @@ void note_former_name(const std::string& word) {
             std::fprintf(stderr, "myoloop: note: '%s' is now called '%s'\n", word.c_str(), command.name.c_str());
 }
 
-/// Parses the call and runs the command, or opens the window.
+/// Parses the call and runs the command, or opens the window. Returns the exit status.
 int run(int argc, char** argv) {
     remember_command_line(argc, argv);
     if (argc > 1) note_former_name(argv[1]);
@@ -89,11 +89,14 @@ int run(int argc, char** argv) {
     }
     const std::vector<CLI::App*> chosen = app.get_subcommands();
     if (chosen.empty()) return open_or_complain(file, app);
+    // `file` takes a word that is no command, so "myoloop exp simulate" arrives here.
     if (!file.empty()) return complain("'" + file + "' stands before the command " + chosen.front()->get_name());
     if (chosen.size() > 1)
         return complain("one command at a time: " + chosen[0]->get_name() + " or " + chosen[1]->get_name());
     if (!chosen.front()->remaining().empty()) return complain(surplus_arguments(*chosen.front()));
+    // Only for commands: the window catches interrupts itself.
     catch_interrupts();
+    // For long loops that receive no Progress of their own.
     const Progress interrupts({}, &interrupt_flag());
     const CancellationScope scope(&interrupts);
     return actions.at(chosen.front())();

@@ -26,9 +26,11 @@ std::optional<planning::Proposal> next_experiment(const setup::Setup& setup, con
     const Result<std::string> text = read_file(declaration);
     if (!rivals || !text) return std::nullopt;
     const planning::PlanningPolicy policy;
+    // Cost is counted in runs, which, unlike seconds, do not depend on the machine: the proposal is reproducible.
     const int runs = std::accumulate(diagnosis.cost.begin(), diagnosis.cost.end(), 0,
                                      [](int sum, const diagnosis::PhaseCost& cost) { return sum + cost.runs; });
     // A run with its derivatives counts as one per parameter, as in the costs of a diagnosis.
+    // A trial is predicted by both rivals with the derivatives of all their parameters.
     const double of_a_trial = 2.0 +
                               static_cast<double>((*rivals)[0].parameters.size() + (*rivals)[1].parameters.size());
     const auto affordable = static_cast<std::size_t>(policy.proposal.most_time * runs / of_a_trial);

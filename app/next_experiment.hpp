@@ -9,7 +9,9 @@
 
 namespace myo::app {
 
-/// A folder for files of one run, removed at the end.
+/// A folder for files of one run below the temporary folder of the system, removed at the end with its content.
+///
+/// Errors: the constructor throws std::filesystem::filesystem_error if the folder cannot be made.
 class PassingFolder {
 public:
     PassingFolder();
@@ -23,15 +25,16 @@ private:
     std::filesystem::path path_;
 };
 
-/// The trial that would tell apart what a diagnosis could not, with a small share of the runs that it took. Empty where
-/// everything was told apart, where no trial can be run, or if cancelled.
+/// The trial that would separate what a diagnosis could not, found with a small share of the runs that it took. Empty
+/// where everything was separated, where no trial can be run, or if cancelled.
 ///
 /// @param setup        as given to the diagnosis
 /// @param declaration  file of the experiment
 std::optional<planning::Proposal> next_experiment(const setup::Setup& setup, const diagnosis::Diagnosis& diagnosis,
                                                   const std::filesystem::path& declaration, const Progress& progress);
 
-/// Writes the signal of the best trial into a folder, if it has one.
+/// Writes the signal of the best trial into a folder, if it has one; its name is planning::signal_file. Errors: the
+/// file cannot be written.
 Result<void> write_signal(const std::filesystem::path& folder, const planning::Proposal& proposal);
 
 }  // namespace myo::app

@@ -15,12 +15,12 @@
 namespace myo::app {
 namespace {
 
-// CLI11 prints the option and the sentence.
+/// Ends parsing with an error. CLI11 prints the option and the sentence.
 [[noreturn]] void reject(const std::string& option, const std::string& sentence) {
     throw CLI::ValidationError(option, sentence);
 }
 
-// Long option names of a command, for suggestions.
+/// Long option names of a command, for suggestions.
 std::vector<std::string> option_names(const CLI::App& app) {
     std::vector<std::string> names;
     for (const CLI::Option* option : app.get_options())
@@ -109,6 +109,7 @@ void add_overrides(CLI::App& app, SetupOptions& options) {
 std::string unknown_word(const std::string& word, const std::vector<std::string>& known) {
     // The list of known words follows in any case, so that one message suffices.
     const std::string near = closest_word(word, known);
+    // A question ends a sentence, so that the list begins a new one.
     return "'" + word + "' is not known" + (near.empty() ? "" : "; did you mean '" + near + "'?") +
            (near.empty() ? "; known: " : " Known: ") + join(known);
 }
@@ -118,6 +119,7 @@ std::string surplus_arguments(const CLI::App& app) {
     const auto option = std::find_if(rest.begin(), rest.end(),
                                      [](const std::string& word) { return word.size() > 1 && word[0] == '-'; });
     if (option == rest.end()) return "'" + rest.front() + "' is one argument too many";
+    // "--dt=0.1" is the option --dt.
     const std::string name = option->substr(0, option->find('='));
     return "unknown option " + unknown_word(name, option_names(app));
 }

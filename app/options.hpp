@@ -24,7 +24,7 @@ struct WorkOptions {
 };
 /// Adds --quiet and --json-progress.
 void add_console_options(CLI::App& app, WorkOptions& options);
-/// Adds those, --threads and --seed.
+/// Adds --threads, --seed and the options of add_console_options().
 void add_work_options(CLI::App& app, WorkOptions& options);
 
 /// Options on how an experiment is simulated.
@@ -33,9 +33,9 @@ struct SetupOptions {
     std::optional<double> spectral_radius;
     std::vector<std::pair<std::string, std::string>> overrides;  // keys and values of --set
 };
-/// Adds mesh, material, time integration and --set options.
+/// Adds options of mesh, material and time integration, --as-published and --set.
 void add_setup_options(CLI::App& app, SetupOptions& options);
-/// Settings from all parsed options.
+/// Settings of the core from all parsed options, with the number of threads resolved.
 setup::SetupSettings setup_settings(const SetupOptions& options, const WorkOptions& work);
 
 // Options whose values are checked with a single sentence that names the option: "--dt: 'x' is not a number". The
@@ -44,7 +44,7 @@ setup::SetupSettings setup_settings(const SetupOptions& options, const WorkOptio
 /// A number > 0.
 CLI::Option* add_positive_number(CLI::App& app, const std::string& name, std::optional<double>& target,
                                  const std::string& help);
-/// A finite number.
+/// A finite number; add_optional_number() leaves its target empty without the option.
 CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, const std::string& help);
 CLI::Option* add_optional_number(CLI::App& app, const std::string& name, std::optional<double>& target,
                                  const std::string& help);
@@ -53,13 +53,14 @@ CLI::Option* add_count(CLI::App& app, const std::string& name, int& target, cons
 /// An element by its id.
 CLI::Option* add_element(CLI::App& app, const std::string& name, std::optional<fem::ElementKind>& target);
 
-/// Ids of effects out of "A,B"; an unknown one is refused under the name of the option.
+/// Ids of effects of the catalogue out of "A,B". Throws CLI::ValidationError under the name of the option for an
+/// unknown one; laws of an experiment are unknown here, see add_named_effects().
 std::vector<std::string> effect_list(const std::string& option, const std::string& text);
-/// A list of effects, "A,B".
+/// A list of effects of the catalogue, "A,B".
 CLI::Option* add_effect_list(CLI::App& app, const std::string& name, std::vector<std::string>& target,
                              const std::string& help);
 
-/// --share I/N.
+/// --share I/N: every N-th case, beginning with the I-th, from 1.
 CLI::Option* add_share(CLI::App& app, cases::Share& share);
 
 /// --unit mm|m, stored as metres per unit.
@@ -68,7 +69,8 @@ CLI::Option* add_unit(CLI::App& app, std::optional<double>& metres_per_unit);
 /// Message "'voxel' is not known; did you mean 'x'? Known: a, b, c".
 std::string unknown_word(const std::string& word, const std::vector<std::string>& known);
 
-/// Message for arguments that a command leaves over: an unknown option, or one argument too many.
+/// Message for arguments that a command leaves over: an unknown option, or one argument too many. There is at least one
+/// such argument.
 std::string surplus_arguments(const CLI::App& app);
 
 /// Splits at commas: "a,b" -> {"a", "b"}; surrounding blanks are removed, empty words are kept.

@@ -19,6 +19,7 @@ long resident_bytes() {
     return resident * sysconf(_SC_PAGESIZE);
 }
 
+/// Writes a text to a pipe, in pieces if necessary. A failure leaves it incomplete, which the parent takes for a crash.
 void write_all(int descriptor, const std::string& text) {
     for (std::size_t at = 0; at < text.size();) {
         const ssize_t count = write(descriptor, text.data() + at, text.size() - at);
@@ -48,6 +49,7 @@ OwnProcessResult run_in_own_process(const std::function<std::string()>& work) {
         write_all(ends[1], std::to_string(usage.ru_maxrss * 1024 - start) + "\n" + text);
         _exit(0);
     }
+    // The parent's writing end must be closed, or read() below would wait for it for ever.
     close(ends[1]);
     std::string text;
     std::array<char, 4096> buffer{};

@@ -11,6 +11,7 @@ namespace fs = std::filesystem;
 std::vector<fs::path> reference_files() {
     std::vector<fs::path> files;
     std::error_code missing;
+    // A missing folder has no files; an unreadable one is skipped.
     for (const char* const part : {"data", "design/reference"}) {
         const auto skip = fs::directory_options::skip_permission_denied;
         fs::recursive_directory_iterator entry(bench::data_folder() / part, skip, missing);

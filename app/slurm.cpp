@@ -18,7 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A word for the shell, in single quotes if it needs them.
+/// A word for the shell, in single quotes if it needs them. An apostrophe ends the quotes, is escaped, and begins them
+/// again.
 std::string shell_word(const std::string& word) {
     const auto plain = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
@@ -30,7 +31,7 @@ std::string shell_word(const std::string& word) {
     return quoted + "'";
 }
 
-/// The call without the options that the scripts replace.
+/// The call without the options that the scripts replace, in both spellings: "--nodes 4" and "--nodes=4".
 std::vector<std::string> repeated_words(const std::vector<std::string>& words, const std::string& at_once_option) {
     const std::vector<std::string> flags{"--slurm", "--collect"},
         valued{"--partition", "--time", "--account", "--nodes", at_once_option};
@@ -67,7 +68,8 @@ std::string head(const SlurmOptions& options, const std::string& name, const fs:
     return text;
 }
 
-/// A program by name in the folders of PATH.
+/// A program by name in the folders of PATH; empty if there is none. An empty folder in PATH, the current one for a
+/// shell, is skipped.
 std::optional<fs::path> found_program(const std::string& name) {
     const char* const path = std::getenv("PATH");
     std::istringstream folders(path != nullptr ? path : "");
@@ -78,11 +80,15 @@ std::optional<fs::path> found_program(const std::string& name) {
     return std::nullopt;
 }
 
-/// Submits a script. Returns the number of the job.
+/// Submits a script. Returns the number of the job. Interrupts end the waiting.
+///
+/// @param options  further ones of sbatch
+/// Errors: sbatch cannot be started or refuses, with its message.
 Result<std::string> submitted(const fs::path& sbatch, const std::vector<std::string>& options, const fs::path& script) {
     std::vector<std::string> words{"--parsable"};
     words.insert(words.end(), options.begin(), options.end());
     words.push_back(script.string());
+    // Output goes to files, because run_child() has no pipes.
     const fs::path said = script.parent_path() / "sbatch.txt", complaint = script.parent_path() / "sbatch_error.txt";
     const ChildEnd end = run_child({.program = sbatch, .arguments = words, .output = said, .messages = complaint},
                                    [] { return interrupt_flag().load(); });
@@ -132,11 +138,14 @@ SlurmScripts slurm_scripts(const SlurmOptions& options, const SlurmJob& job, con
                            const std::vector<std::string>& words, const fs::path& folder, const SlurmPolicy& policy) {
     SlurmScripts scripts;
     scripts.tasks = std::max(1, std::min(job.cases, options.nodes > 0 ? options.nodes : policy.most_tasks));
+    // The task works in the folder of the call, as its words name files relative to it; exec passes signals of Slurm on
+    // to the program.
     std::string call = "set -euo pipefail\ncd -- " + shell_word(folder.string()) + "\nexec " +
                        shell_word(program.string());
     for (const std::string& word : repeated_words(words, job.at_once_option)) call += " " + shell_word(word);
     const fs::path logs = fs::absolute(job.out) / "slurm";
     const std::string tasks = std::to_string(scripts.tasks), processors = std::to_string(job.at_once);
+    // Task i of the array runs share i of `tasks`.
     scripts.array = head(options, job.name, logs, "task_%a.txt") + "#SBATCH --array=1-" + tasks +
                     "\n#SBATCH --cpus-per-task=" + processors + "\n" + call + " --share \"$SLURM_ARRAY_TASK_ID/" +
                     tasks + "\" " + job.at_once_option + " " + processors + "\n";
@@ -148,6 +157,7 @@ int submit_to_slurm(const SlurmOptions& options, const SlurmJob& job, Console& c
     std::error_code code;
     const fs::path program = fs::read_symlink("/proc/self/exe", code), folder = fs::current_path(code);
     std::vector<std::string> words = command_line();
+    // The first word is the name of the program; the scripts call it by its path.
     if (!words.empty()) words.erase(words.begin());
     const SlurmScripts scripts = slurm_scripts(options, job, program, words, folder);
     const fs::path array = job.out / "slurm" / "array.sh", collect = job.out / "slurm" / "collect.sh";

@@ -4,7 +4,8 @@
 
 namespace myo::app {
 
-/// Writes to standard output and flushes; the first failure is stored for output_failure().
+/// Writes to standard output and flushes; the first failure is stored for output_failure(). Not thread-safe: Console
+/// holds a lock.
 void print_text(const std::string& text);
 
 /// std::printf() by print_text().

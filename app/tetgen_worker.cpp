@@ -17,14 +17,15 @@
 
 namespace {
 
-// Resource limit of this process; 0: none.
+/// Sets a resource limit of this process, in the unit of setrlimit(); 0: none.
 void limit(__rlimit_resource_t resource, unsigned long long value) {
     if (value == 0) return;
     const rlimit bound{static_cast<rlim_t>(value), static_cast<rlim_t>(value)};
     setrlimit(resource, &bound);
 }
 
-// TetGen frees these arrays itself, hence new[].
+/// Fills the input of TetGen: points [3 x n], triangles of the surface as facets, a point in each hole. TetGen frees
+/// these arrays itself, hence new[].
 void describe(const myo::mesh::TetgenExchange& request, tetgenio& input) {
     input.firstnumber = 0;
     input.numberofpoints = static_cast<int>(request.points.size() / 3);
@@ -51,7 +52,9 @@ void describe(const myo::mesh::TetgenExchange& request, tetgenio& input) {
     std::copy(request.holes.begin(), request.holes.end(), input.holelist);
 }
 
-// Reads the request, runs TetGen and writes the answer; returns the exit status.
+/// Reads the request, runs TetGen and writes the answer; returns the exit status, see mesh::worker_status.
+///
+/// @param switches  of TetGen; by value, as it takes a modifiable text
 int run(const std::string& request_path, const std::string& answer_path, std::string switches) {
     myo::mesh::TetgenExchange request, answer;
     if (!myo::mesh::read_exchange(request_path, request) || request.points.empty() || request.cells.empty()) {
@@ -62,6 +65,7 @@ int run(const std::string& request_path, const std::string& answer_path, std::st
     try {
         tetrahedralize(switches.data(), &input, &output);
     } catch (int code) {
+        // TetGen throws its error code; 1 is a lack of memory.
         return code == 1 ? myo::mesh::worker_status::out_of_memory : myo::mesh::worker_status::tetgen_error + code;
     }
     if (output.numberofpoints > 0) answer.points.assign(output.pointlist, output.pointlist + 3 * output.numberofpoints);

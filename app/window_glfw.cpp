@@ -42,6 +42,7 @@ struct GlfwLibrary {
     GlfwLibrary& operator=(const GlfwLibrary&) = delete;
 };
 
+/// Deleter of a window for std::unique_ptr.
 struct DestroyWindow {
     void operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
 };
@@ -112,10 +113,12 @@ int key_of(int key) {
     return character_key(name[0]);
 }
 
+/// Modifier keys out of the bits of GLFW.
 ui::platform::Modifiers modifiers_of(int bits) {
     return {(bits & GLFW_MOD_CONTROL) != 0, (bits & GLFW_MOD_SHIFT) != 0, (bits & GLFW_MOD_ALT) != 0};
 }
 
+/// The workbench that run_window() has stored with the window.
 ui::panels::WorkbenchWindow& workbench_of(GLFWwindow* window) {
     return *static_cast<ui::panels::WorkbenchWindow*>(glfwGetWindowUserPointer(window));
 }
@@ -126,6 +129,7 @@ void push(GLFWwindow* window, const ui::platform::InputEvent& event) {
     workbench_of(window).wake();
 }
 
+/// Queues a position of the mouse, given in screen coordinates.
 void push_cursor(GLFWwindow* w, double x, double y) {
     // Screen coordinates to pixels; they differ on high-resolution displays.
     int screen = 1, pixels = 1, ignored = 0;
@@ -135,9 +139,11 @@ void push_cursor(GLFWwindow* w, double x, double y) {
     push(w, ui::platform::MouseMoved{static_cast<float>(x * ratio), static_cast<float>(y * ratio)});
 }
 
+/// Connects input and redraw requests of the window to the workbench.
 void set_callbacks(GLFWwindow* window) {
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) { push_cursor(w, x, y); });
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
+        // A mouse outside of the window is over nothing.
         if (entered == GLFW_FALSE) push(w, ui::platform::MouseMoved{-1e6f, -1e6f});
     });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
@@ -229,6 +235,7 @@ public:
     }
 
 private:
+    /// Writes the preferences if they have changed since the last time. A failure is a warning in the log.
     void keep_preferences() {
         const ui::commands::Preferences& now = workbench_.state().preferences;
         const auto file = backend::preferences_file();
@@ -314,6 +321,7 @@ Result<void> draw_frames(GLFWwindow* window, ui::commands::Workbench& workbench,
     return {};
 }
 
+/// The main loop with what must happen at its end, regular or not.
 Result<void> run_frames(GLFWwindow* window, ui::commands::Workbench& workbench, ui::panels::WorkbenchWindow& view) {
     Keeper keeper(workbench);
     catch_interrupts();
@@ -355,6 +363,7 @@ Result<void> run_window(std::shared_ptr<ui::commands::Backend> backend, const Wi
     glfwMakeContextCurrent(window.get());
     glfwSwapInterval(1);
     if (const auto loaded = ui::platform::gl::load(glfwGetProcAddress); !loaded) return loaded;
+    // Background jobs wake the waiting main loop through an empty event.
     ui::commands::Workbench workbench(std::move(backend), [] { glfwPostEmptyEvent(); });
     float across = 1.0f, down = 1.0f;
     glfwGetWindowContentScale(window.get(), &across, &down);

@@ -14,6 +14,7 @@ struct WindowOptions {
     int width = 1600;  // [screen units]
     int height = 900;
     std::filesystem::path open;  // experiment folder or mesh; empty: none
+    // A given scale replaces that of the preferences.
     std::optional<float> scale;  // of text and controls; default: that of the screen
 };
 
