@@ -9,9 +9,8 @@ namespace myo::backend {
 
 /// Summary of a file or folder before it is opened.
 ///
-/// Declarations of experiments and projects; size and elements of meshes;
-/// markers, frames, rate and duration of recordings. Of large files only the size, so that browsing stays fast. Empty
-/// if unknown.
+/// Declarations of experiments and projects; size and elements of meshes; markers, frames, rate and duration of
+/// recordings. For large files only the size is given, so that browsing stays fast. Empty if unknown.
 std::vector<ui::commands::ReportLine> preview_of(const std::filesystem::path& path);
 
 }  // namespace myo::backend

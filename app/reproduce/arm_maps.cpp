@@ -29,6 +29,7 @@ Matrix3Xd goal_of(const ArmVariant& variant, const Matrix3Xd& pose) {
         return goal;
     }
     Matrix3Xd goal = about_axis(-bending_direction({pose})) * pose;
+    // Column 0 is the tip centre, the others are the markers; either is compared, as the centre is derived from them.
     if (variant.fit_markers)
         goal.col(0).setConstant(std::nan(""));
     else
@@ -94,7 +95,8 @@ ArmPrediction predict_arm(const FittedArm& arm, const std::vector<std::size_t>& 
         if (std::abs(arm.pressures_mbar[i] - pressure_mbar) < std::abs(arm.pressures_mbar[nearest] - pressure_mbar))
             nearest = i;
     }
-    // The map is made from the known trials only; the equilibrium starts at the nearest of them.
+    // The map is made from the known trials only; the equilibrium starts at the nearest of them, so that a prediction
+    // lies on the branch that was fitted.
     const bool published = arm.variant.body.published;
     const MuscleConfiguration& configuration = arm.response->configuration();
     ArmPrediction result;
@@ -104,6 +106,7 @@ ArmPrediction predict_arm(const FittedArm& arm, const std::vector<std::size_t>& 
     // Polynomials can leave the admissible range between or beyond the known pressures.
     result.signals = result.signals.cwiseMax(configuration.lower).cwiseMin(configuration.upper);
     const TipPose pose = arm.response->at(result.signals, arm.fits[nearest].pose.x);
+    // The bending direction, too, comes from the known trials.
     if (pose.ok) result.tip_m = about_axis(published ? 0.0 : bending_direction(poses)) * pose.tracked_m();
     return result;
 }

@@ -13,6 +13,7 @@ namespace {
 using Eigen::Index;
 using Eigen::Vector3d;
 
+/// Appends one row per score to predictions_table(); places at the end of the record [mm], errors at both instants [%].
 void add_scores(report::Table& table, const std::string& kind, const std::vector<Score>& early,
                 const std::vector<Score>& late) {
     for (std::size_t i = 0; i < late.size(); ++i) {
@@ -22,7 +23,8 @@ void add_scores(report::Table& table, const std::string& kind, const std::vector
     }
 }
 
-/// Relative increase of the displacement of a step trial after `until_s`, until it is vented.
+/// Relative increase of the displacement of a step trial after `until_s` [s], until it is vented: the largest mean of
+/// 0.1 s, since the displacement falls again when the pressure is released.
 double creep(const RobotTrial& trial, double until_s) {
     const double then = mean_between(trial, until_s - 0.1, until_s).col(0).norm();
     double most = then;
@@ -48,6 +50,7 @@ double mean_error(const std::vector<Score>& scores, bool with_extrapolated) {
 
 double error_in_plane(const Score& score) {
     const Vector3d &p = score.prediction.tip_m, &m = score.measured_m;
+    // Distance from the axis and height: the angle about the axis is left out.
     return std::hypot(std::hypot(p(0), p(1)) - std::hypot(m(0), m(1)), p(2) - m(2)) / m.norm();
 }
 
@@ -104,8 +107,10 @@ report::Table fits_table(const std::vector<ArmVariant>& list, const Assessments&
         const FittedArm& arm = all[v][1]->arm;
         for (std::size_t i = 0; i < arm.fits.size(); ++i) {
             const Vector3d u = arm.measured_m[i].col(0), model = arm.fits[i].pose.tracked_m();
+            // The plane of the fit: x and z as published, else that of the bending, where the model bends towards -x.
             const Eigen::Vector2d plane(list[v].body.published ? u(0) : -std::hypot(u(0), u(1)), u(2)),
                 off = plane - Eigen::Vector2d(model(0), model(2));
+            // From signal to activation, see MuscleConfiguration.
             const auto activation = [&](std::size_t m) {
                 if (m >= list[v].configuration.muscles.size()) return std::nan("");
                 const inverse::SignalShare& share = list[v].configuration.muscles[m];
@@ -199,6 +204,7 @@ std::string map_figure(const std::vector<ArmVariant>& list, const Assessments& a
         }
         const PressureMap map = list[v].body.published ? polynomial_map(arm.pressures_mbar, signals)
                                                        : map_from_rest(arm.pressures_mbar, signals, lengths);
+        // The published polynomial means nothing below the first pressure.
         for (double p = list[v].body.published ? arm.pressures_mbar.front() : 0.0; p <= arm.pressures_mbar.back();
              p += 5.0) {
             curve.x.push_back(p);
@@ -225,6 +231,7 @@ std::string error_figure(const std::vector<ArmVariant>& list, const Assessments&
 }
 
 std::string pose_figure(const Assessments& all) {
+    // Variant 1 is AC2 as published.
     const Assessment &published = *all[1][1], &own = *all[chosen_variant][1];
     chart::Chart chart{
         .title = "Tip centre at the end of the record", .x = {.label = "pressure", .unit = "mbar"}, .panels = {}};
@@ -266,6 +273,7 @@ std::vector<std::string> findings_of(const Assessments& all) {
         "One muscle alone does it in our model with " + percent(error(2, 1)) +
             " at the end; tying a contracting antagonist to it (AC2) lifts the tip too much: " + percent(error(3, 1)) +
             "."};
+    // Range of the antagonist's signal over the pressures.
     double lowest = 10.0, highest = -10.0;
     for (const PoseFit& fit : late.arm.fits) {
         lowest = std::min(lowest, fit.signals(1));

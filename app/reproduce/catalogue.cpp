@@ -2,6 +2,7 @@
 
 namespace myo::reproduce {
 
+// In the order of the paper: beam, arm, fish.
 const std::vector<ReproductionCase>& reproduction_catalogue() {
     static const std::vector<ReproductionCase> cases = {
         reproduce_beam_static(), reproduce_beam_modulus(), reproduce_numerical_damping(), reproduce_lambda(),

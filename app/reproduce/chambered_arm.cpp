@@ -14,11 +14,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Half width, chamber limits, half web, length and end caps of the plain arm [m].
+// Half width, outer limit of the chambers, half web, length and end caps of the plain arm [m].
 constexpr double half = 22.2e-3, inner = 16.2e-3, web = 3e-3, length = 0.1, cap = 5e-3;
 const Box walls{{-half, -half, 0.0}, {half, half, length}};
 
-/// Hexahedra of the full block, with grid planes at all walls, so that removed cells leave exact chambers.
+/// Hexahedra of the full block with edges of about `edge` [m], and grid planes at all walls, so that removed cells
+/// leave exact chambers.
 mesh::VolumeMesh grid_mesh(double edge) {
     return mesh::hex_mesh(
         mesh::grid_lines(walls, edge, {{{-inner, -web, web, inner}, {-inner, -web, web, inner}, {cap, length - cap}}}));
@@ -40,7 +41,7 @@ mesh::VolumeMesh plain_mesh(double edge) {
     return mesh::without_unused_nodes(mesh);
 }
 
-/// Material of the paper, clamped at the top.
+/// Model with the material of the paper, clamped at the top (z = 0.1 m), under gravity.
 model::Model silicone(mesh::VolumeMesh mesh, fem::ElementKind kind) {
     const double top = mesh.nodes.row(2).maxCoeff();
     const std::vector<int> clamped = mesh::nodes_in_box(mesh, {{-1.0, -1.0, top - 1e-6}, {1.0, 1.0, top + 1e-6}});
@@ -64,6 +65,7 @@ measurement::MarkerSet face_points(const mesh::VolumeMesh& mesh) {
                                           {middle(0), box.highest(1), z}});
 }
 
+/// Tetrahedra of a closed surface in mm, with edges of about `edge` [m]. Errors: those of reader and mesher.
 Result<mesh::VolumeMesh> file_mesh(const std::filesystem::path& file, double edge) {
     const Result<mesh::SurfaceMesh> read = mesh::read_surface(file, 1e-3);
     if (!read) return read.error();
@@ -93,6 +95,7 @@ Result<ChamberedArm> make_chambered_arm(const ReproduceSettings& settings, doubl
     // Closed cavities of the boundary are the chambers, in a file of the user as well.
     for (const std::vector<int>& chamber : model::closed_cavities(body)) {
         ++arm.chambers;
+        // Sum of the faces' centres: its sign is that of the chamber's centre.
         double x = 0.0;
         for (const int face : chamber) x += body.mesh.nodes(Eigen::all, body.boundary.nodes.col(face)).row(0).mean();
         // Chambers with their centre at +x are pressurised.

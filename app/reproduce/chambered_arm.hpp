@@ -28,7 +28,10 @@ std::filesystem::path chamber_geometry_file(const ReproduceSettings& settings);
 /// Errors: those of the file and of the mesher; no chamber at +x.
 Result<ChamberedArm> make_chambered_arm(const ReproduceSettings& settings, double edge_m);
 
-/// The plain arm with filled chambers and muscles along z in place of those at +x (first muscle) and -x.
+/// The plain arm with filled chambers and muscles along z in place of those at +x (first muscle) and -x. Its points are
+/// those of the chambered arm, so that the two can be compared.
+///
+/// @param muscles  1 or 2
 MuscleBody filled_arm(double edge_m, int muscles);
 
 }  // namespace myo::reproduce

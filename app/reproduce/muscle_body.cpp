@@ -25,6 +25,7 @@ constexpr double muscle_stiffness_Pa = 2e5;
 measurement::MarkerBinding tracked_point(const mesh::VolumeMesh& mesh, const std::vector<Vector3d>& points) {
     std::map<int, double> share;
     for (const Vector3d& point : points) {
+        // Cell with the smallest distance to the point; 0 for the cell that holds it.
         double nearest = std::numeric_limits<double>::infinity();
         Eigen::Index cell = 0;
         Vector3d best = Vector3d::Zero();  // reference coordinates, -1 ... 1
@@ -43,6 +44,7 @@ measurement::MarkerBinding tracked_point(const mesh::VolumeMesh& mesh, const std
     }
     measurement::MarkerBinding binding;
     binding.weights.resize(static_cast<Eigen::Index>(share.size()));
+    // The offset of the binding is zero, so its gradient, which turns the offset, is not needed.
     binding.gradient.setZero(binding.weights.size(), 3);
     for (const auto& [node, weight] : share) {
         binding.weights(static_cast<Eigen::Index>(binding.nodes.size())) = weight;
@@ -51,7 +53,7 @@ measurement::MarkerBinding tracked_point(const mesh::VolumeMesh& mesh, const std
     return binding;
 }
 
-/// Tracked point first, then the markers on the surface.
+/// Tracked point first, then the markers on the surface; positions at rest [m].
 measurement::MarkerSet observed_points(const mesh::VolumeMesh& mesh, const std::vector<Vector3d>& tracked,
                                        const std::vector<Vector3d>& markers) {
     measurement::MarkerSet set = measurement::marker_set(mesh, markers);
@@ -59,7 +61,7 @@ measurement::MarkerSet observed_points(const mesh::VolumeMesh& mesh, const std::
     set.nodes.insert(set.nodes.end(), set.bindings.front().nodes.begin(), set.bindings.front().nodes.end());
     std::sort(set.nodes.begin(), set.nodes.end());
     set.nodes.erase(std::unique(set.nodes.begin(), set.nodes.end()), set.nodes.end());
-    // Node lists and positions of the set are rebuilt for the additional binding.
+    // `positions` gives the place of each binding's nodes in the common list, which has changed.
     set.positions.clear();
     for (const measurement::MarkerBinding& binding : set.bindings) {
         set.positions.emplace_back();
@@ -70,8 +72,8 @@ measurement::MarkerSet observed_points(const mesh::VolumeMesh& mesh, const std::
     return set;
 }
 
-/// Columns of cubes, counted from the lowest side of the body, whose centres lie in the box: the published program
-/// selected whole cells.
+/// Columns of cubes of this edge [m], counted from the lowest side of the body, whose centres lie in the box: the
+/// published program selected whole cells.
 Box whole_columns(const Box& box, const Box& body, const Box& mesh, double edge) {
     Box columns = mesh;
     const double low = box.lowest(0) - body.lowest(0), high = box.highest(0) - body.lowest(0);
@@ -156,6 +158,7 @@ Result<MuscleBody> make_muscle_body(const ReproduceSettings& settings, const Mus
     model.material = material::find_material(options.published ? "projective_corotational" : "neo_hookean");
     model.moduli = model::uniform_moduli(model.body->cell_count(), options.youngs_modulus_Pa, 0.499);
     model.density_kg_m3 = 1070.0;
+    // Mass, integration and energy of the published program, see the case beam-static for what each of them changes.
     model.mass_model = options.published ? model::MassModel::equal_vertices : model::MassModel::consistent;
     model.damping_s = options.damping_s;
     model.gravity_m_s2 = Vector3d(0.0, 0.0, robot.gravity_m_s2);

@@ -38,6 +38,7 @@ struct MuscleBodyOptions {
     bool published = false;  // whole cubes, full integration, projective energy, equal vertex masses
     int muscles = 2;         // 1: the first only
     double edge_m = 0.0;     // of the cells; 0: that of the paper
+    // Modulus of the paper's silicone, fitted with a commercial solver.
     double youngs_modulus_Pa = 263824.0;
     double damping_s = 0.0;
 };
@@ -48,7 +49,7 @@ struct MuscleBody {
     measurement::MarkerSet points;  // tracked point, then the robot's markers
 };
 
-/// Meshes the robot and builds its model.
+/// Meshes the robot and builds its model, clamped and under gravity.
 ///
 /// Errors: those of the geometry file and of the mesher; a muscle without cells.
 Result<MuscleBody> make_muscle_body(const ReproduceSettings& settings, const MuscleRobot& robot,

@@ -14,6 +14,7 @@ namespace {
 
 const Box whole_beam{{-0.1, 0.0, 0.0}, {0.0, 0.03, 0.03}};
 
+/// Mesh of the beam, nodes [m]: whole cubes from the tip on as published, or equal cells that fill it.
 mesh::VolumeMesh mesh_of(const PaperBeam& beam) {
     if (beam.cube_edge_m > 0.0) {
         const Result<mesh::GridLines> grid = mesh::whole_cube_lines(whole_beam, beam.cube_edge_m, {true, false, false});
@@ -29,6 +30,7 @@ mesh::VolumeMesh mesh_of(const PaperBeam& beam) {
 
 model::Model make_paper_beam(const PaperBeam& beam) {
     mesh::VolumeMesh mesh = mesh_of(beam);
+    // The clamped end is that of the mesh: whole cubes end before x = -0.1 m.
     Box clamp = mesh::bounding_box(mesh.nodes);
     clamp.highest(0) = clamp.lowest(0);
     const std::vector<int> clamped = mesh::nodes_in_box(mesh, clamp);

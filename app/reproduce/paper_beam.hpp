@@ -24,10 +24,11 @@ struct PaperBeam {
     double velocity_force_1_s = 0.0;
     double tip_force_N = 0.0;  // downwards
 };
-/// Model of this beam.
+/// Model of this beam, with the options of the struct and a Poisson's ratio of 0.499. Asserts that cubes fit.
 model::Model make_paper_beam(const PaperBeam& beam);
 
-/// The published beam: 23 or 32 whole cubes along the length, full integration, projective energy, equal vertex masses.
+/// The published beam: 23 or 32 whole cubes along the length (fewer for coarse runs), full integration, projective
+/// energy, equal vertex masses.
 PaperBeam published_hex_beam(int cells_along);
 
 /// Vertex mass of the published program for its 23 x 7 x 7 cubes [kg]: density times volume of a cube.
@@ -38,7 +39,7 @@ inline constexpr int left_marker = 1;
 /// Points on the surface of the tip closest to the tracked markers [m]: the paper's Top, Left and Right.
 const std::array<Eigen::Vector3d, 3>& beam_surface_points();
 
-/// These points on a mesh; at the same relative position if truncated voxels made the body smaller.
+/// The tip's surface points on a mesh; at the same relative position if truncated voxels made the body smaller.
 std::array<mesh::BoundaryPoint, 3> bind_beam_points(const model::Model& model);
 
 /// Their displacements [m], columns Top, Left, Right, interpolated in the faces; linear in the nodal displacements.

@@ -32,6 +32,9 @@ Matrix3Xd nominal_positions() {
     return 1e-3 * X;
 }
 
+/// Reads a recording, finds the release and turns the displacements into the frame of the beam.
+///
+/// Errors (place: the file): those of the reader; labels missing; no release; markers hidden before it or at the end.
 Result<BeamTrial> read_trial_file(const std::filesystem::path& path, const TrialFile& file) {
     const Result<measurement::Recording> read = measurement::read_c3d(path);
     if (!read) return read.error();
@@ -51,6 +54,7 @@ Result<BeamTrial> read_trial_file(const std::filesystem::path& path, const Trial
     trial.tip_force_N = file.tip_force_N;
     trial.frame_rms_m = frame->rms_m;
     trial.time_s = all->time_s.array() - start.time_s;
+    // The last fifth is taken for the beam at rest.
     const Eigen::Index tail = std::max<Eigen::Index>(1, trial.time_s.size() / 5);
     for (Eigen::Index i = 0; i < 3; ++i) {
         const Matrix3Xd& track = all->tracks[static_cast<std::size_t>(i)];

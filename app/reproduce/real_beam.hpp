@@ -27,7 +27,8 @@ struct BeamTrial {
 /// Errors: a damaged file, markers missing, no start found.
 Result<std::vector<BeamTrial>> read_beam_trials(const ReproduceSettings& settings);
 
-/// Damped vibration fitted to the Left marker along z, from the first turning point on; not ok with too few samples.
+/// Damped vibration fitted to the Left marker along z, from the first turning point (0.065 s) to 1.5 s after the
+/// release; not ok with fewer than eight visible samples.
 inverse::DampedCosine measured_vibration(const BeamTrial& trial);
 
 }  // namespace myo::reproduce

@@ -53,6 +53,7 @@ const std::vector<Layout>& arm_layouts() {
     return layouts;
 }
 
+/// Layout of the fish tail; its tracked point is the marker on the spine.
 const Layout fish_layout{{"spine", "base_1", "base_2", "base_3"},
                          {{0, -14.19, 52.21}, {0, -32, -7}, {-16.12, -32, -26.622}, {16.12, -32, -26.622}},
                          1,
@@ -69,6 +70,9 @@ VectorXd tracked_weights(const Layout& layout) {
     return A.transpose() * (A * A.transpose()).inverse() * wanted;
 }
 
+/// Finds the onset of a recording and turns the displacements into the frame of the robot.
+///
+/// Errors (place: the file): labels missing; no onset; markers hidden before it.
 Result<RobotTrial> make_trial(const measurement::Recording& recording, const Layout& layout,
                               const std::filesystem::path& path) {
     const std::vector<std::string> moving(layout.labels.begin(),
@@ -94,6 +98,7 @@ Result<RobotTrial> make_trial(const measurement::Recording& recording, const Lay
     for (Index i = 0; i < weights.size(); ++i) {
         const Matrix3Xd& track = all->tracks[static_cast<std::size_t>(i)];
         trial.marker_m.push_back(frame->motion.rotation * (track.colwise() - rest->positions_m.col(i)));
+        // Displacements of an affine combination are the combination of the displacements; a hidden marker makes NaN.
         trial.tip_m += weights(i) * trial.marker_m.back();
         const measurement::NoiseEstimate noise = measurement::estimate_track_noise(track);
         // Noise of the tracked point: independent markers, weighted sum.
@@ -103,7 +108,7 @@ Result<RobotTrial> make_trial(const measurement::Recording& recording, const Lay
     return trial;
 }
 
-/// Pressure from a file name: the number before "mbar".
+/// Pressure from a file name [mbar]: the whole number before "mbar"; empty if there is none.
 std::optional<double> pressure_in(const std::string& name) {
     const std::size_t end = name.find("mbar");
     if (end == std::string::npos) return std::nullopt;
@@ -125,6 +130,7 @@ std::vector<std::filesystem::path> pressure_files(const std::filesystem::path& f
     return files;
 }
 
+/// Reads a recording of the arm, a step (.c3d) or one of the sweep (.csv), with its pressure.
 Result<RobotTrial> read_arm_file(const std::filesystem::path& path) {
     const bool stepped = path.extension() == ".c3d";
     const Result<measurement::Recording> read = stepped ? measurement::read_c3d(path)
@@ -143,6 +149,7 @@ Result<RobotTrial> read_arm_file(const std::filesystem::path& path) {
     return trial;
 }
 
+/// Reads all recordings of a folder in the order of their names; the first error ends the reading.
 Result<std::vector<RobotTrial>> read_arm_files(const std::filesystem::path& folder, const std::string& extension) {
     std::vector<RobotTrial> trials;
     for (const std::filesystem::path& path : pressure_files(folder, extension)) {
@@ -171,6 +178,8 @@ Matrix3Xd mean_between(const RobotTrial& trial, double from_s, double until_s) {
 double bending_direction(const std::vector<Matrix3Xd>& poses_m, double bends_to) {
     double x = 0.0, y = 0.0;
     for (const Matrix3Xd& pose : poses_m) {
+        // Unit vectors are averaged, not angles: angles jump at half a turn, and small displacements count like large
+        // ones.
         const double radius = std::hypot(pose(0, 0), pose(1, 0));
         x += bends_to * pose(0, 0) / radius;
         y += bends_to * pose(1, 0) / radius;

@@ -22,6 +22,7 @@ constexpr double mbar = 100.0;  // Pa
 /// Equilibrium of the chambered arm under a pressure.
 struct ChamberPose {
     double pressure_mbar = 0.0;
+    // One column per point of the arm, see ChamberedArm::points.
     Matrix3Xd points_m;     // displacements of the lower face's points from rest without pressure
     double bent_rad = 0.0;  // rotation of the lower face from rest
     double grown_m3 = 0.0;  // increase of the chamber volume
@@ -30,6 +31,7 @@ struct ChamberPose {
     Vector3d tip_m() const { return points_m.rowwise().mean(); }
 };
 
+/// Positions of markers, 3 x markers [m], for node positions x, 3 x n [m].
 Matrix3Xd points_at(const measurement::MarkerSet& markers, const Matrix3Xd& x) {
     Matrix3Xd points(3, static_cast<Eigen::Index>(markers.bindings.size()));
     for (std::size_t i = 0; i < markers.bindings.size(); ++i)
@@ -53,10 +55,12 @@ Result<Inflation> pressurise(const ChamberedArm& arm, const std::vector<double>&
     Matrix3Xd x = arm.model.body->mesh.nodes, origin;
     double volume = 0.0, before = 0.0;
     constexpr double max_at_once_mbar = 25.0;
+    // Zero pressure first: displacements count from the equilibrium under gravity alone.
     std::vector<double> all{0.0};
     all.insert(all.end(), pressures_mbar.begin(), pressures_mbar.end());
     for (const double pressure : all) {
         ChamberPose pose;
+        // Newton's method converges from the equilibrium of a slightly lower pressure.
         const int steps = std::max(1, static_cast<int>(std::ceil((pressure - before) / max_at_once_mbar)));
         for (int k = 1; k <= steps; ++k) {
             if (progress.cancelled()) return Error{"stopped", ""};
@@ -80,6 +84,7 @@ Result<Inflation> pressurise(const ChamberedArm& arm, const std::vector<double>&
         }
         pose.pressure_mbar = pressure;
         pose.points_m = points - origin;
+        // Points 0 and 1 lie at -x and +x: their connection turns with the lower face about y.
         const Vector3d side = points.col(1) - points.col(0);
         pose.bent_rad = std::atan2(-side(2), side(0));
         pose.grown_m3 = model::cavity_volume(*arm.model.body, arm.walls, x) - volume;
@@ -93,6 +98,7 @@ Result<Inflation> pressurise(const ChamberedArm& arm, const std::vector<double>&
 /// A muscle model fitted to all poses of the chambered arm.
 struct MuscleFit {
     std::string name;
+    // Signal per pose [-]; 1: passive.
     std::vector<double> levels;
     std::vector<Matrix3Xd> points_m;
     std::vector<double> rms_m;  // over the coordinates of the points
@@ -101,6 +107,7 @@ struct MuscleFit {
 /// One muscle level per pressure with the smallest distance of the lower face to that of the chambered arm.
 Result<MuscleFit> imitate(const std::vector<ChamberPose>& poses, MuscleConfiguration configuration, double edge,
                           const Progress& progress) {
+    // A wide range: the level is sought, not limited.
     configuration.lower = 0.3;
     configuration.upper = 4.0;
     const TipResponse response(filled_arm(edge, static_cast<int>(configuration.muscles.size())), configuration);
@@ -108,6 +115,7 @@ Result<MuscleFit> imitate(const std::vector<ChamberPose>& poses, MuscleConfigura
     MuscleFit result{configuration.name, {}, {}, {}};
     PoseFit last = unmoved(response);
     for (const ChamberPose& pose : poses) {
+        // From the level of the pressure before, along one branch of equilibria.
         const Result<PoseFit> fit = fit_pose(response, pose.points_m, last, progress);
         if (!fit) return fit.error();
         last = *fit;
@@ -119,7 +127,7 @@ Result<MuscleFit> imitate(const std::vector<ChamberPose>& poses, MuscleConfigura
     return result;
 }
 
-/// Nonlinearity: largest distance of values from the best straight line through (0, at_zero), over their range.
+/// Nonlinearity: largest distance of values from the best straight line through (0, at_zero), over their range [-].
 double bend_of_curve(const std::vector<double>& x, const std::vector<double>& y, double at_zero) {
     double xx = 0.0, xy = 0.0, off = 0.0, range = 0.0;
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -144,6 +152,7 @@ chart::Series path(const std::string& name, const std::vector<Vector3d>& tips, c
     return series;
 }
 
+/// Length in mm, without its unit.
 std::string mm(double m) { return format_number(1e3 * m, 3); }
 
 /// The two muscle models that imitate the chambers.
@@ -157,6 +166,9 @@ struct ChamberComparison {
     std::vector<Vector3d> chamber_tips, single_tips, tied_tips, real_tips;
 };
 
+/// Table and ways of the tips.
+///
+/// @param trials  of the sweep, in the order of the poses; may be fewer or none
 ChamberComparison compare(const std::vector<ChamberPose>& poses, const MuscleModels& muscles,
                           const std::vector<RobotTrial>& trials) {
     ChamberComparison all;
@@ -182,6 +194,7 @@ ChamberComparison compare(const std::vector<ChamberPose>& poses, const MuscleMod
     return all;
 }
 
+/// Ways of the tips in the bending plane as SVG.
 std::string tip_figure(const ChamberComparison& all) {
     chart::Chart chart;
     chart.title = "Way of the tip as the pressure rises";
@@ -198,6 +211,8 @@ std::string tip_figure(const ChamberComparison& all) {
     return chart::svg(chart);
 }
 
+/// The results in sentences.
+///
 /// @param pressures  [mbar], those of the poses
 std::vector<std::string> chamber_findings(const std::vector<ChamberPose>& poses, const std::vector<double>& pressures,
                                           const MuscleModels& muscles) {
@@ -246,6 +261,7 @@ std::vector<double> sweep_pressures(const std::vector<RobotTrial>& trials) {
     return pressures;
 }
 
+/// The case: chambers under pressure, two muscle models fitted to them, and the recorded arm.
 Result<Reproduction> run_arm_chamber(const ReproduceSettings& settings, const Progress& progress) {
     // Chambers and muscle models have one edge length, so that they are comparable.
     const double edge = settings.coarse ? 9e-3 : 5e-3;
@@ -257,6 +273,7 @@ Result<Reproduction> run_arm_chamber(const ReproduceSettings& settings, const Pr
     const Result<Inflation> inflation = pressurise(*arm, pressures, progress);
     if (!inflation) return inflation.error();
     const std::vector<ChamberPose>& poses = inflation->poses;
+    // Pressures beyond ballooning have no pose.
     pressures.resize(poses.size());
     const Result<MuscleFit> single = imitate(poses, one_muscle(), edge, progress);
     if (!single) return single.error();

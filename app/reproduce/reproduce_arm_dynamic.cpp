@@ -20,6 +20,7 @@ MuscleConfiguration playable(MuscleConfiguration configuration) {
     return configuration;
 }
 
+/// Models and configurations that are compared; run_arm_dynamic() relies on their order.
 std::vector<SignalVariant> arm_signal_variants(bool coarse) {
     // Damping of the same silicone in the beam: 2.7 1/s at 7.7 Hz.
     const MuscleBodyOptions own{.edge_m = coarse ? 11e-3 : 6e-3, .damping_s = 0.0023},
@@ -33,7 +34,8 @@ std::vector<SignalVariant> arm_signal_variants(bool coarse) {
             {"two signals, our model", own, playable(free_muscles()), 20.0, evaluations}};
 }
 
-/// The recording with the pressure closest to the wanted one, from the sweep if available.
+/// The recording with the pressure closest to the wanted one, from the sweep if available; an empty list without
+/// recordings.
 Result<std::vector<RobotTrial>> recording(const ReproduceSettings& settings) {
     Result<std::vector<RobotTrial>> trials = read_arm_sweep(settings);
     if (trials && trials->empty()) trials = read_arm_steps(settings);
@@ -44,6 +46,7 @@ Result<std::vector<RobotTrial>> recording(const ReproduceSettings& settings) {
         })};
 }
 
+/// The case: signals of all variants for one recording.
 Result<Reproduction> run_arm_dynamic(const ReproduceSettings& settings, const Progress& progress) {
     const Result<std::vector<RobotTrial>> trials = recording(settings);
     if (!trials) return trials.error();
@@ -72,6 +75,7 @@ Result<Reproduction> run_arm_dynamic(const ReproduceSettings& settings, const Pr
     const auto whole_range = [](const SignalFit& fit) {
         return format_number(1e3 * fit.range / fit.largest_rate_1_s, 3) + " ms";
     };
+    // Order of arm_signal_variants().
     const SignalFit &published = (*fits)[0], &single = (*fits)[1], &tied = (*fits)[2], &both = (*fits)[3];
     result.findings = {
         "AC2 in our model follows the tip centre with " + said(tied) + ", AC1 with " + said(single) +

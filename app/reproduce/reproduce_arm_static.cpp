@@ -27,6 +27,7 @@ std::vector<std::size_t> pressures_of_map(const std::vector<RobotTrial>& trials)
     return chosen.size() < 4 ? all : chosen;
 }
 
+/// Models that are compared. The order is that of `chosen_variant` and of the numbers in findings_of().
 std::vector<ArmVariant> arm_variants(bool coarse) {
     const MuscleBodyOptions published{.published = true, .edge_m = coarse ? 7e-3 : 0.0},
         own{.edge_m = coarse ? 9e-3 : 5e-3};
@@ -41,7 +42,7 @@ std::vector<ArmVariant> arm_variants(bool coarse) {
             {"two signals, our model", with(own, 2), free_muscles()},
             {"two signals, fitted to the markers", with(own, 2), free_muscles(), true}};
 }
-// A prediction outside the known pressures is marked as extrapolated.
+/// Prediction of one pressure from the trials `known`, marked as extrapolated outside of their pressures.
 Score predict(const FittedArm& arm, const std::vector<std::size_t>& known, const std::string& what,
               double pressure_mbar, const Vector3d& measured_m) {
     const auto pressure = [&](std::size_t i) { return arm.pressures_mbar[i]; };
@@ -59,6 +60,7 @@ Result<Assessment> assess(const std::shared_ptr<const TipResponse>& response, co
     const FittedArm& arm = result.arm;
     std::vector<std::size_t> all(map.size()), even;
     std::iota(all.begin(), all.end(), 0);
+    // The map through 75, 175, ... mbar predicts 125, 225, ... mbar: interpolation only.
     for (std::size_t i = 0; i < all.size(); i += 2) even.push_back(i);
     for (std::size_t i = 1; i < all.size() && !progress.cancelled(); i += 2)
         result.every_second.push_back(predict(arm, even, map[i].name, map[i].pressure_mbar, arm.measured_m[i].col(0)));
@@ -67,6 +69,7 @@ Result<Assessment> assess(const std::shared_ptr<const TipResponse>& response, co
         known.erase(known.begin() + static_cast<std::ptrdiff_t>(i));
         result.left_one_out.push_back(predict(arm, known, map[i].name, map[i].pressure_mbar, arm.measured_m[i].col(0)));
     }
+    // Length of the records of the sweep after the onset.
     const double as_long_s = map.front().time_s.tail(1)(0);
     for (const RobotTrial& trial : others) {
         if (progress.cancelled() || !in_full) break;
@@ -122,6 +125,7 @@ Result<Assessments> assess_all(const ReproduceSettings& settings, const std::vec
                                const std::vector<std::shared_ptr<const TipResponse>>& bodies,
                                const std::vector<RobotTrial>& map, const std::vector<RobotTrial>& others,
                                const Progress& progress) {
+    // A slot per variant and instant, so that tasks write without a lock.
     Assessments all(list.size(), {Result<Assessment>(Error{"not run", ""}), Result<Assessment>(Error{"not run", ""})});
     std::atomic<int> done{0};
     const int count = 2 * static_cast<int>(list.size());
@@ -153,6 +157,7 @@ Result<Reproduction> run_arm_static(const ReproduceSettings& settings, const Pro
     const std::vector<ArmVariant> list = arm_variants(settings.coarse);
     const auto bodies = responses(settings, list, progress);
     if (!bodies) return bodies.error();
+    // A map needs pressures to leave out.
     if (sweep->size() < 3) {
         Reproduction response = response_only(list, *bodies);
         response.warnings = result.warnings;
@@ -162,6 +167,7 @@ Result<Reproduction> run_arm_static(const ReproduceSettings& settings, const Pro
     const std::vector<std::size_t> of_map = pressures_of_map(*sweep);
     for (std::size_t i = 0; i < sweep->size(); ++i)
         (std::find(of_map.begin(), of_map.end(), i) != of_map.end() ? map : others).push_back((*sweep)[i]);
+    // Recordings that no map has seen: further pressures of the sweep, then the step trials.
     others.insert(others.end(), steps->begin(), steps->end());
     const Result<Assessments> all = assess_all(settings, list, *bodies, map, others, progress);
     if (!all) return all.error();

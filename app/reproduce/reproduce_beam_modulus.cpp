@@ -23,6 +23,7 @@ using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
+// Published moduli: mean of the paper's fits, and that of its commercial solver.
 constexpr double paper_Pa = 283271.0, commercial_Pa = 263824.0;
 constexpr double tip_weight_N = 1.00062;  // of the published scripts
 constexpr int start_count = 10;
@@ -49,6 +50,7 @@ public:
     explicit StaticFit(const Target& target) : target_(target), model_(make_paper_beam(target.beam)) {
         const mesh::BoundaryLocator locator(model_.body->mesh, model_.body->boundary);
         const std::array<mesh::BoundaryPoint, 3> points = bind_beam_points(model_);
+        // Outer normals at Top, Left and Right: markers stand off along them.
         const Eigen::Vector3d outwards[] = {Eigen::Vector3d::UnitZ(), -Eigen::Vector3d::UnitY(),
                                             Eigen::Vector3d::UnitY()};
         for (std::size_t i = 0; i < 3; ++i) {
@@ -64,6 +66,7 @@ public:
         const double E = 1.0 / compliance_1_Pa;
         model::Model model = model_;
         model.moduli = model::uniform_moduli(model.body->cell_count(), E, 0.499);
+        // From the straight shape in every evaluation: residuals then depend on the compliance only.
         dynamics::StageSolver solver(model);
         Matrix3Xd x = model.body->mesh.nodes;
         inverse::ResidualEvaluation evaluation;
@@ -90,6 +93,7 @@ public:
             const Eigen::Vector3d slope = -E * E *
                                           measurement::marker_tangent(binding, x(Eigen::all, binding.nodes),
                                                                       dx(Eigen::all, binding.nodes));
+            // x and z, the coordinates that the commercial solver's results hold.
             for (Eigen::Index c = 0; c < 2; ++c) {
                 evaluation.residuals(2 * i + c) = 1e3 * error(2 * c);
                 evaluation.jacobian(2 * i + c, 0) = 1e3 * slope(2 * c);
@@ -122,6 +126,7 @@ Result<ModulusFit> fit_modulus(const StaticFit& problem, double start_Pa, const 
                                         .upper = 1.0 / 4e4,
                                         .scale = 1.0 / commercial_Pa};
     inverse::LeastSquaresOptions options;
+    // Tight tolerance: what the ends of the starts differ by is a result.
     options.max_evaluations = 20;
     options.relative_decrease = 1e-7;
     const inverse::LeastSquaresReport fit = inverse::fit_least_squares(
@@ -133,8 +138,8 @@ Result<ModulusFit> fit_modulus(const StaticFit& problem, double start_Pa, const 
     return result;
 }
 
-/// Ten starts over a factor of ten around the commercial solver's value: one random start per tenth of the logarithmic
-/// range.
+/// Ten starts [Pa] over a factor of ten around the commercial solver's value: one random start per tenth of the
+/// logarithmic range.
 std::vector<double> random_starts(std::uint64_t seed) {
     std::mt19937_64 generator(seed);
     std::vector<double> starts;
@@ -146,6 +151,7 @@ std::vector<double> random_starts(std::uint64_t seed) {
     return starts;
 }
 
+/// Mean of the steady displacements of the trials [m], columns Top, Left, Right; not for an empty list.
 Matrix3d mean_steady(const std::vector<BeamTrial>& trials) {
     Matrix3d sum = Matrix3d::Zero();
     for (const BeamTrial& trial : trials) sum += trial.steady_m;
@@ -164,6 +170,7 @@ struct Summary {
     double mean_Pa = 0.0;
     double spread = 0.0;  // largest over smallest result, minus 1
     int simulations = 0;  // largest number of any start
+    // Remaining distance of the last start; that of the others is equal if the spread is small.
     double rms_m = 0.0;
     int starts = 0;
 };
@@ -211,6 +218,7 @@ Targets make_targets(const std::vector<BeamTrial>& trials, bool coarse) {
     targets.repeated = targets.all.size();
     for (const BeamTrial& trial : trials)
         targets.all.push_back({"our model, to " + trial.name + " alone", own, trial.steady_m});
+    // How much of the modulus depends on the weight that the paper's table prints.
     own.tip_force_N = 0.991;
     targets.all.push_back({"our model, to the real beam, with the 0.991 N of the paper's table", own, real});
     return targets;
@@ -235,6 +243,7 @@ std::string path_figure(const std::vector<Job>& jobs, std::size_t target, const 
 
 /// All fits in parallel.
 Result<std::vector<Job>> fit_all(const Targets& targets, const ReproduceSettings& settings, const Progress& progress) {
+    // Meshes and bindings are made once per target; at() is const and may run in parallel.
     std::vector<StaticFit> problems;
     for (const Target& target : targets.all) problems.emplace_back(target);
     std::vector<Job> jobs;
@@ -297,9 +306,11 @@ std::string model_error(double own_Pa, double published_Pa) {
            " % of the paper's modulus are the model's errors.";
 }
 
+/// The case: fits of the modulus to all targets.
 Result<Reproduction> run_beam_modulus(const ReproduceSettings& settings, const Progress& progress) {
     Result<std::vector<BeamTrial>> trials = read_beam_trials(settings);
     if (!trials) return trials.error();
+    // The targets are displacements under the weight.
     std::erase_if(*trials, [](const BeamTrial& trial) { return trial.tip_force_N == 0.0; });
     const Targets targets = make_targets(*trials, settings.coarse);
     const Result<std::vector<Job>> jobs = fit_all(targets, settings, progress);
@@ -322,6 +333,7 @@ Result<Reproduction> run_beam_modulus(const ReproduceSettings& settings, const P
                                       format_number(100.0 * s.spread, 2) + " % of each other, after at most " +
                                       std::to_string(s.simulations) + " simulations each.");
     }
+    // Targets 1 and 2 of make_targets() exist with recordings only.
     if (!trials->empty()) {
         const double own = summarise(*jobs, 1).mean_Pa, published = summarise(*jobs, 2).mean_Pa;
         result.findings.push_back(model_error(own, published));

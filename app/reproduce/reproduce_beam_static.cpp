@@ -35,6 +35,7 @@ struct StaticCase {
     std::string mesh() const { return hexahedra ? "hex" : "tet"; }
 };
 
+/// Meshes and loads of the paper's cases.
 std::vector<StaticCase> static_cases(bool coarse) {
     const Eigen::Vector3i hex1 = coarse ? Eigen::Vector3i(10, 3, 3) : Eigen::Vector3i(23, 7, 7),
                           hex2 = coarse ? Eigen::Vector3i(14, 4, 4) : Eigen::Vector3i(32, 9, 9);
@@ -96,6 +97,7 @@ Result<double> left_dz_mm(const model::Model& model) {
 Result<std::vector<StaticRow>> solve_all(const ReproduceSettings& settings, const Progress& progress) {
     std::vector<StaticRow> rows;
     for (const StaticCase& one : static_cases(settings.coarse)) rows.push_back({.one = one});
+    // One task per case and correction, each with a slot for its error.
     const int count = static_cast<int>(rows.size() * step_count);
     std::vector<std::optional<Error>> errors(static_cast<std::size_t>(count));
     std::atomic<int> done{0};
@@ -113,6 +115,7 @@ Result<std::vector<StaticRow>> solve_all(const ReproduceSettings& settings, cons
             return;
         }
         const model::Model model = make_paper_beam(beam_at(row.one, step));
+        // One task per row writes these two.
         if (step == published) {
             row.dofs = model.body->dofs();
             row.mass_share = model::mass_matrix(model).isotropic.sum() / (model.density_kg_m3 * 0.1 * 0.03 * 0.03);
@@ -125,6 +128,7 @@ Result<std::vector<StaticRow>> solve_all(const ReproduceSettings& settings, cons
     });
     for (const std::optional<Error>& error : errors)
         if (error) return *error;
+    // After all tasks: the value that is copied must exist.
     for (StaticRow& row : rows)
         if (!row.one.hexahedra) row.dz_mm[true_size] = row.dz_mm[true_mass];
     return rows;
@@ -226,6 +230,7 @@ std::string step_figure(const std::vector<StaticRow>& rows, const std::vector<Be
     return chart::svg(chart_of(chart));
 }
 
+/// Row of a case of the paper with this kind of mesh; there must be one.
 const StaticRow& row_of(const std::vector<StaticRow>& rows, bool hexahedra, const std::string& name) {
     return *std::find_if(rows.begin(), rows.end(), [&](const StaticRow& row) {
         return row.one.hexahedra == hexahedra && row.one.cases.find(name) != std::string::npos;
@@ -238,6 +243,7 @@ std::vector<std::string> findings_of(const std::vector<StaticRow>& rows) {
     const StaticRow &hex_a = row_of(rows, true, "A-1"), &tet_a = row_of(rows, false, "A-1"),
                     &fine_tet_a = row_of(rows, false, "A-2"), &hex_e = row_of(rows, true, "E");
     const double whole = commercial[0].dz_mm;
+    // Largest relative deviation of our model from the commercial solver.
     double worst_hex = 0.0, worst_tet = 0.0;
     for (const StaticRow& row : rows) {
         double& worst = row.one.hexahedra ? worst_hex : worst_tet;
@@ -269,6 +275,7 @@ std::vector<std::string> findings_of(const std::vector<StaticRow>& rows) {
                 "unknowns or, for quadratic tetrahedra, at most 20,787."};
 }
 
+/// The case: equilibria with all corrections, next to the commercial solver and the recordings.
 Result<Reproduction> run_beam_static(const ReproduceSettings& settings, const Progress& progress) {
     const Result<std::vector<BeamTrial>> trials = read_beam_trials(settings);
     if (!trials) return trials.error();

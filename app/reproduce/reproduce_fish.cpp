@@ -8,7 +8,9 @@ namespace myo::reproduce {
 // limits the accuracy.
 namespace {
 
+/// Models and configurations that are compared; run_fish() relies on their order.
 std::vector<SignalVariant> fish_variants(bool coarse) {
+    // Damping as in the arm, of the same silicone.
     const MuscleBodyOptions own{.edge_m = coarse ? 10e-3 : 5e-3, .damping_s = 0.0023},
         published{.published = true, .edge_m = coarse ? 9e-3 : 0.0};
     MuscleConfiguration tied = tied_muscles(), free = free_muscles();
@@ -35,6 +37,7 @@ double early_share(const SignalFit& fit) {
     return (fit.times_s.array() <= 2.0 / fit.variant.frequency_Hz).select(squared, 0.0).sum() / squared.sum();
 }
 
+/// The case: signals of all variants for the one recording.
 Result<Reproduction> run_fish(const ReproduceSettings& settings, const Progress& progress) {
     const Result<std::vector<RobotTrial>> trials = read_fish(settings);
     if (!trials) return trials.error();

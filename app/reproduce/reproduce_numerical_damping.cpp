@@ -17,6 +17,7 @@ namespace myo::reproduce {
 // beam; TR-BDF2 at the same steps as reference.
 namespace {
 
+/// Frequency [Hz] of an angular frequency [rad/s].
 double hertz(double omega) { return omega / (2.0 * std::numbers::pi); }
 
 /// Releases of one beam with one integrator, at every time step. Not a setup::Setup.
@@ -25,6 +26,7 @@ struct Setup {
     dynamics::TimeScheme scheme;
     std::vector<Result<RungBeam>> runs;
 
+    // Damping ratios at time step i of paper_steps_s, simulated and by the formula.
     double ratio(std::size_t i) const { return runs[i]->vibration.damping_ratio(); }
     double formula(std::size_t i) const {
         return dynamics::implicit_euler_numerical_damping(beam.mode.omega_rad_s, paper_steps_s[i]);
@@ -35,6 +37,7 @@ struct Setup {
 Result<std::vector<Setup>> simulate_all(const ReproduceSettings& settings, const Progress& progress) {
     PaperBeam own;
     if (settings.coarse) own.cells = {7, 2, 2};
+    // Equilibrium and mode are found once per beam, before the runs in parallel.
     const Result<RingingBeam> honest = ringing_beam(own),
                               published = ringing_beam(published_hex_beam(settings.coarse ? 6 : 23));
     if (!honest) return honest.error();
@@ -78,7 +81,9 @@ report::Table ratio_table(const std::vector<Setup>& studies) {
     return table;
 }
 
-/// Damping ratio over the time step.
+/// Damping ratio over the time step as SVG: formula as curves, simulations as dots.
+///
+/// @param measured  of the real beam; NaN: unknown, no line
 std::string ratio_figure(const std::vector<Setup>& studies, double measured) {
     chart::Series formula{.name = "the paper's formula, our beam"},
         published_formula{.name = "the same, as published", .style = chart::SeriesStyle::dashed},
@@ -112,7 +117,7 @@ std::string ratio_figure(const std::vector<Setup>& studies, double measured) {
                                    .panels = {panel}});
 }
 
-// First second of the Left marker.
+/// First second of the Left marker after the release, as a series; t [s], dz [m].
 chart::Series left_series(const std::string& name, const Eigen::VectorXd& t, const Eigen::VectorXd& dz) {
     chart::Series series{.name = name};
     for (Eigen::Index k = 0; k < t.size(); ++k)
@@ -143,7 +148,8 @@ std::string trace_figure(const std::vector<Setup>& studies, const std::vector<Be
     return chart::svg(chart);
 }
 
-/// Time step at which implicit Euler by itself damps as much as the material (bisection).
+/// Time step [s] at which implicit Euler by itself damps with this ratio, by bisection up to 0.1 s; the ratio grows
+/// with the step.
 double step_of_ratio(double omega, double ratio) {
     double low = 0.0, high = 0.1;
     while (high - low > 1e-7) {
@@ -187,6 +193,9 @@ MeasuredDamping measured_damping(const std::vector<BeamTrial>& trials) {
     return measured;
 }
 
+/// The results in sentences.
+///
+/// @param measured  damping ratio of the real beam; NaN: unknown
 std::vector<std::string> damping_findings(const std::vector<Setup>& studies, double measured) {
     const double omega = studies[0].beam.mode.omega_rad_s;
     double second_order = 0.0;
@@ -209,6 +218,7 @@ std::vector<std::string> damping_findings(const std::vector<Setup>& studies, dou
     return findings;
 }
 
+/// The case: releases at all steps, the formula, and the real beam without a weight.
 Result<Reproduction> run_numerical_damping(const ReproduceSettings& settings, const Progress& progress) {
     const Result<std::vector<BeamTrial>> all = read_beam_trials(settings);
     if (!all) return all.error();

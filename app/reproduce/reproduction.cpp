@@ -5,6 +5,7 @@
 namespace myo::reproduce {
 namespace {
 
+/// File name of a figure, see ReproductionFigure.
 std::string figure_name(const ReproductionCase& one, const ReproductionFigure& figure) {
     return one.id + (figure.ending.empty() ? "" : "_" + figure.ending) + ".svg";
 }
@@ -64,6 +65,7 @@ Result<void> write_reproduction(const std::filesystem::path& folder, const Repro
     report::Json json = {{"schema", "reproduce/1"}, {"case", one.id}, {"summary", one.summary}};
     json["findings"] = result.findings;
     json["warnings"] = result.warnings;
+    // Values stand at the top level beneath the fixed keys.
     for (const auto& [key, value] : result.values.items()) json[key] = value;
     for (const report::Table& table : result.tables)
         json["tables"].push_back({{"caption", table.caption}, {"rows", table_json(table)}});

@@ -15,6 +15,7 @@ namespace myo::reproduce {
 struct ReproduceSettings {
     std::filesystem::path data;  // folder with data/mocap; see data_folder()
     std::uint64_t seed = 1;      // of random starts
+    // Cases run their fits and simulations in parallel on these.
     int threads = 1;
     bool coarse = false;  // few cells and steps: seconds instead of minutes, numbers good to some percent
 };
@@ -32,6 +33,7 @@ struct Reproduction {
     std::vector<std::string> warnings;  // what is missing, and where to get it
     std::vector<report::Table> tables;
     std::vector<ReproductionFigure> figures;
+    // Numbers for scripts, which the file holds at its top level.
     report::Json values;  // a JSON object
 };
 
@@ -45,19 +47,19 @@ struct ReproductionCase {
 };
 /// All cases.
 const std::vector<ReproductionCase>& reproduction_catalogue();
-/// Ids of all cases.
+/// Ids of all cases, in the order of the catalogue.
 std::vector<std::string> reproduction_ids();
 
 /// The case with this id, or null.
 const ReproductionCase* find_reproduction(const std::string& id);
 
-/// HTML report of a case.
+/// HTML report of a case: warnings, findings, figures, tables, and the values as embedded JSON.
 report::HtmlReport reproduction_report(const ReproductionCase& one, const Reproduction& result);
 
-/// Files in this folder that write_reproduction() may replace.
+/// Files in this folder that write_reproduction() may replace; the folder need not exist.
 std::vector<std::filesystem::path> reproduction_files(const std::filesystem::path& folder, const ReproductionCase& one);
 
-/// Writes <case>.json, the figures and report.html. Errors: a file cannot be written.
+/// Writes <case>.json (schema reproduce/1), the figures and report.html. Errors: a file cannot be written.
 Result<void> write_reproduction(const std::filesystem::path& folder, const ReproductionCase& one,
                                 const Reproduction& result);
 

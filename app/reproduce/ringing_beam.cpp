@@ -15,6 +15,7 @@ Result<RingingBeam> ringing_beam(const PaperBeam& beam) {
     // A square section has two equal bending modes; the one along z is excited.
     const dynamics::NaturalModes modes = dynamics::natural_modes(solver, result.equilibrium, 2);
     if (!modes.ok()) return Error{"the beam's first vibration was not found", ""};
+    // Share of the z components in the length of the shape.
     const auto vertical = [](const dynamics::NaturalMode& mode) {
         return mode.shape.row(2).norm() / mode.shape.norm();
     };
@@ -29,6 +30,7 @@ Result<RungBeam> ring(const RingingBeam& beam, const RingingRun& run, const Prog
     dynamics::SimulationOptions options;
     options.integrator = run.scheme;
     options.h_s = run.h_s;
+    // The run starts at rest in the straight shape, as the defaults of the options say.
     options.end_s = run.end_s;
     const dynamics::Trace trace = dynamics::simulate(model, options, progress.with_sink({}));
     if (!trace.complete()) return Error{trace.message, "release at h = " + format_number(1e3 * run.h_s, 3) + " ms"};

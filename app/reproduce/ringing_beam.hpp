@@ -20,6 +20,7 @@ struct RingingBeam {
     PaperBeam beam;
     model::Model model;
     Eigen::Matrix3Xd equilibrium;  // 3 x n [m]
+    // First vertical bending mode about the equilibrium.
     dynamics::NaturalMode mode;
 };
 /// Errors: no equilibrium or no mode was found.
@@ -30,6 +31,7 @@ struct RingingRun {
     dynamics::TimeScheme scheme;
     double h_s = 0.01;                // time step
     double velocity_force_1_s = 0.0;  // Lambda
+    // Kelvin-Voigt time.
     double damping_s = 0.0;
     double end_s = 1.2;
 };
@@ -39,7 +41,9 @@ struct RungBeam {
     Eigen::VectorXd times_s;
     Eigen::VectorXd left_dz_m;  // of the paper's point Left
 };
-/// Simulates a release. Errors: the run did not complete, or nothing vibrates.
+/// Simulates a release with the model of `beam`, its velocity force and damping replaced by those of `run`.
+///
+/// Errors (place: the time step): the run did not complete, or nothing vibrates.
 Result<RungBeam> ring(const RingingBeam& beam, const RingingRun& run, const Progress& progress);
 
 }  // namespace myo::reproduce

@@ -32,6 +32,7 @@ inverse::SoughtSignals sought_signals(const SignalVariant& variant, double end_s
     sought.frequency_Hz = variant.frequency_Hz;
     sought.end_s = end_s;
     sought.hold = variant.body.published;
+    // Passive before the onset, so that the first change counts as a rate.
     sought.from_before = true;
     return sought;
 }
@@ -39,6 +40,7 @@ inverse::SoughtSignals sought_signals(const SignalVariant& variant, double end_s
 /// The record from its onset on, rotated so that the model bends along x.
 inverse::MarkerTarget target_of(const SignalVariant& variant, const measurement::MarkerSet& points,
                                 const RobotTrial& trial, const Matrix3d& to_model) {
+    // The rest before the onset is not compared: the model begins in equilibrium.
     Index first = 0;
     while (first < trial.time_s.size() && trial.time_s(first) < 0.0) ++first;
     inverse::MarkerTarget target;
@@ -46,6 +48,7 @@ inverse::MarkerTarget target_of(const SignalVariant& variant, const measurement:
     target.from_start = true;
     target.times_s = trial.time_s.tail(trial.time_s.size() - first);
     target.positions_m.assign(points.bindings.size(), Matrix3Xd::Constant(3, target.times_s.size(), std::nan("")));
+    // Only the tracked point is followed; the columns of the markers stay NaN.
     target.positions_m[0] = to_model * trial.tip_m.rightCols(target.times_s.size());
     if (variant.body.published) target.positions_m[0].row(1).setConstant(std::nan(""));
     return target;
@@ -55,6 +58,7 @@ inverse::MarkerTarget target_of(const SignalVariant& variant, const measurement:
 Result<MatrixXd> start_values(const TipResponse& response, const inverse::SoughtSignals& sought,
                               const inverse::MarkerTarget& target, const Progress& progress) {
     if (!response.rest().ok) return Error{response.rest().message, "at rest"};
+    // The mean of the last 0.1 s is taken for the final pose.
     const Index last = target.times_s.size(), tail = std::min<Index>(last, 10);
     Matrix3Xd goal = Matrix3Xd::Constant(3, static_cast<Index>(target.positions_m.size()), std::nan(""));
     goal.col(0) = target.positions_m[0].rightCols(tail).rowwise().mean();
@@ -109,6 +113,7 @@ Result<SignalFit> fit_signals(const ReproduceSettings& settings, const MuscleRob
 
     inverse::ActuationProblem problem;
     problem.model = body->model;
+    // Integrator and step of the published program, or ours at the same step.
     problem.options.start = dynamics::StartKind::equilibrium;
     problem.options.integrator = variant.body.published ? dynamics::Integrator::implicit_euler
                                                         : dynamics::Integrator::tr_bdf2;
@@ -159,12 +164,14 @@ Result<std::vector<SignalFit>> fit_all_signals(const ReproduceSettings& settings
         const auto report = [&](double evaluations) {
             const std::lock_guard lock(mutex);
             done[v] = evaluations;
+            // Total of all variants: each reports its own evaluations only.
             double sum = 0.0;
             for (const double one : done) sum += one;
             progress.report({robot.id, sum, total, "evaluations at most", variants[v].name});
         };
         results[v] = fit_signals(settings, robot, variants[v], trial,
                                  progress.with_sink([&](const ProgressEvent& event) { report(event.done); }));
+        // A fit that converged early counts as complete.
         report(variants[v].max_evaluations);
     });
     std::vector<SignalFit> fits;

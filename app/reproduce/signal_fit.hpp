@@ -19,6 +19,7 @@ struct SignalVariant {
 
 /// Signals found, and the resulting motion of the tracked point.
 struct SignalFit {
+    // What was fitted, and how.
     SignalVariant variant;
     inverse::SoughtSignals sought;
     inverse::ActuationFit fit;
@@ -42,7 +43,8 @@ struct SignalFit {
 Result<SignalFit> fit_signals(const ReproduceSettings& settings, const MuscleRobot& robot, const SignalVariant& variant,
                               const RobotTrial& trial, const Progress& progress);
 
-/// Several variants in parallel on the threads of the settings.
+/// Several variants in parallel on the threads of the settings; results in the order of the variants. Errors: the first
+/// variant that failed, in their order.
 Result<std::vector<SignalFit>> fit_all_signals(const ReproduceSettings& settings, const MuscleRobot& robot,
                                                const std::vector<SignalVariant>& variants, const RobotTrial& trial,
                                                const Progress& progress);
@@ -50,10 +52,10 @@ Result<std::vector<SignalFit>> fit_all_signals(const ReproduceSettings& settings
 /// Errors and smoothness, one row per fit.
 report::Table signal_table(const std::string& caption, const std::vector<SignalFit>& fits);
 
-/// x, y, z of all fits with the measured ones, and the signals below.
+/// x, y, z of all fits with the measured ones, and the signals below, as SVG. The fits are of one recording.
 std::string signal_figure(const std::string& title, const std::vector<SignalFit>& fits);
 
-/// The same numbers as JSON, with all signals.
+/// Numbers of signal_table() as JSON in SI units, with all signals.
 report::Json signal_json(const std::vector<SignalFit>& fits);
 
 }  // namespace myo::reproduce

@@ -20,6 +20,7 @@ MuscleConfiguration free_muscles() { return {"two signals", {{0, 1.0}, {1, 1.0}}
 TipResponse::TipResponse(MuscleBody body, MuscleConfiguration configuration)
     : body_(std::move(body)), configuration_(std::move(configuration)) {
     assert(body_.model.fibres->size() == configuration_.muscles.size());
+    // at() subtracts the origin, which is zero for the first call, so that it then gives positions.
     origin_m_.setZero(3, static_cast<Index>(body_.points.bindings.size()));
     rest_ = at(VectorXd::Ones(configuration_.signals));
     if (rest_.ok) origin_m_ = rest_.displacement_m;

@@ -18,6 +18,7 @@ struct MuscleConfiguration {
     int signals = 1;                            // number of signals
     double lower = 0.2, upper = 5.0;            // bounds of the signals
 };
+// Configurations of the paper, and one with more freedom.
 MuscleConfiguration one_muscle();    // AC1: a in [-5, 5]
 MuscleConfiguration tied_muscles();  // AC2: a1 = 1 + 2 x, a2 = 1 - x with x in [0, 2]; the signal is a1
 MuscleConfiguration free_muscles();  // two antagonists with a signal each
@@ -40,9 +41,11 @@ public:
 
     const MuscleConfiguration& configuration() const { return configuration_; }
     const MuscleBody& body() const { return body_; }
+    // Equilibrium with all signals at 1; not ok if there is none. The constructor computes it.
     const TipPose& rest() const { return rest_; }
 
-    /// Equilibrium at these signals.
+    /// Equilibrium at these signals, with the derivatives of the points. Without an equilibrium the pose is not ok and
+    /// says why.
     ///
     /// @param near  nodes of an equilibrium at similar signals, as initial guess; empty: the rest
     TipPose at(const Eigen::VectorXd& signals, const Eigen::Matrix3Xd& near = {}) const;
@@ -58,9 +61,10 @@ private:
 struct PoseFit {
     Eigen::VectorXd signals;
     TipPose pose;
+    // Equilibria that the fit has computed.
     int simulations = 0;
 };
-/// Least-squares fit of constant signals to point displacements.
+/// Least-squares fit of constant signals to point displacements, within the bounds of the configuration.
 ///
 /// @param goal_m  3 x points; NaN: not compared
 /// @param start   initial signals and equilibrium
