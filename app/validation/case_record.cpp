@@ -55,6 +55,7 @@ std::vector<ParameterError> parameter_errors(const effect::EffectDeclaration& tr
     const effect::EffectParameters right = comparable(truth), estimated = comparable(found);
     for (const auto& [name, value] : right) {
         const auto other = estimated.find(name);
+        // An axis is part of the vector that `comparable` makes, or has no size to compare.
         if (other == estimated.end() || name == "axis") continue;
         const VectorXd a = as_vector(value), b = as_vector(other->second);
         if (a.size() == 0 || a.size() != b.size()) continue;
@@ -94,6 +95,7 @@ CaseRecord judged_case(const MadeExperiment& made, const setup::Setup& setup, co
     // Parameters are only comparable if the effect is right.
     if (record.kind == CaseKind::named && !d.verdict.effects.empty() && d.verdict.effects.front().id == record.truth)
         record.errors = parameter_errors(*made.truth.effect, d.verdict.effects.front());
+    // The true noise, not the estimated one: records of all cases are comparable.
     record.before_over_noise = d.before.validation_rms_m / made.truth.noise_m;
     record.after_over_noise = d.after.validation_rms_m / made.truth.noise_m;
     record.fit_over_noise = d.augmented.rms_m / made.truth.noise_m;

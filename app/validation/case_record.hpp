@@ -21,10 +21,12 @@ struct ParameterError {
 struct CaseRecord {
     int number = 0;
     CaseKind kind = CaseKind::none;
+    // Body, see to_string(BodyFamily).
     std::string family;
     bool muscles = false;
     std::string truth;   // id of the effect; "none"
     double level = 0.0;  // size of the effect, in noise levels
+    // Parameters of the true effect by name; empty without an effect.
     report::Json truth_parameters = report::Json::object();
     /// Ids of the asserted effects; or "none" or "unknown" alone.
     std::vector<std::string> answer;
@@ -45,7 +47,7 @@ struct CaseRecord {
     /// The right answer: the effect's id, "none", or "unknown" for an effect withheld from the diagnosis.
     std::string expected() const;
     bool right() const { return answered() && answer.size() == 1 && answer.front() == expected(); }
-    /// Whether the right answer is among the first `places` of the ranking.
+    /// Whether the right answer is among the first `places` of the ranking; five places are stored.
     bool right_within(int places) const;
     bool grouped() const { return !group.empty(); }
     /// Whether the answer is right, or declared indistinguishable from the truth in this experiment.
@@ -64,12 +66,13 @@ CaseRecord judged_case(const MadeExperiment& made, const setup::Setup& setup, co
 /// @param failure  reason, a sentence for the report
 CaseRecord failed_case(const SyntheticCase& drawn, const std::string& failure);
 
-/// JSON form of a record.
+/// JSON form of a record, a line of cases.jsonl; numbers that are not finite are null.
 report::Json record_json(const CaseRecord& record);
-/// Inverse of record_json(). Errors: a key is missing or of another type.
+/// Inverse of record_json(); null becomes NaN. Errors: a key is missing or of another type.
 Result<CaseRecord> record_from_json(const report::Json& json);
 
-/// Errors of an effect's parameters; names are skipped. A tilt counts as the vector along its axis.
+/// Errors of an effect's parameters, by name; names of markers, trials and the like are skipped. Parameters are
+/// compared in the form of Effect::comparable: a tilt counts as the vector along its axis.
 ///
 /// @param truth  the true effect
 /// @param found  the same effect as fitted

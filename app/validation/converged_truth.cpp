@@ -19,13 +19,14 @@ namespace {
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
-// Positions per trial and marker.
+// Positions per trial and marker, 3 x samples [m], mesh frame.
 using Motions = std::vector<std::vector<Matrix3Xd>>;
 
 /// Structured mesh with this number of layers through the thickness: tet10 in boxes, hex8 following the taper.
 setup::BodyMesh layered_mesh(const SyntheticBody& body, int layers) {
     const ConvergencePolicy& p = convergence_policy;
     const Vector3d size = body.bounds.size();
+    // Height of a layer; the other edges follow from the aspects of the policy.
     const double across = body.thickness_m / layers;
     const auto cells = [&](int axis, double aspect) {
         return std::max(layers, static_cast<int>(std::ceil(size(axis) / (aspect * across))));
@@ -42,17 +43,20 @@ setup::BodyMesh layered_mesh(const SyntheticBody& body, int layers) {
     }
     mesh.element = fem::ElementKind::hex8;
     mesh.mesh = mesh::box_hex_mesh(body.bounds, counts);
+    // Nodes of the box move with the taper, so that the cells follow it.
     for (auto node : mesh.mesh.nodes.colwise()) node = body.tapered(node);
     return mesh;
 }
 
-/// Longest integer fraction of a sampling interval not longer than `longest_s`.
+/// Longest integer fraction of a sampling interval not longer than `longest_s` [s]: steps then meet all samples.
 double step_within(const setup::PreparedTrial& trial, double longest_s) {
     const double interval_s = setup::sampling_interval_s(trial);
     return interval_s / std::max(1.0, std::ceil(interval_s / longest_s - 1e-9));
 }
 
-/// Marker motions of all trials, with the steps of the setup times `part_of_step`.
+/// Marker motions of all trials, with the steps of the setup times `part_of_step`; the setup is as before on return.
+///
+/// Errors: a trial that does not run; cancelled.
 Result<Motions> motions(setup::Setup& setup, const prediction::ParameterValues& values, double part_of_step,
                         const Progress& progress) {
     Motions all;
@@ -69,7 +73,7 @@ Result<Motions> motions(setup::Setup& setup, const prediction::ParameterValues& 
     return all;
 }
 
-/// Correction by extrapolated(), rms over the rms of the motion about its mean.
+/// Correction by extrapolated(), rms over the rms of the motion about its mean [-]; 0 if nothing moves.
 double path_change(const Motions& fine, const Motions& coarse) {
     double changed = 0.0, moved = 0.0;
     for (std::size_t t = 0; t < fine.size(); ++t)
@@ -77,6 +81,7 @@ double path_change(const Motions& fine, const Motions& coarse) {
             changed += (fine[t][m] - coarse[t][m]).squaredNorm();
             moved += (fine[t][m].colwise() - fine[t][m].rowwise().mean()).squaredNorm();
         }
+    // The correction is a third of the difference.
     return moved > 0.0 ? std::sqrt(changed / moved) / 3.0 : 0.0;
 }
 
@@ -114,7 +119,10 @@ double modulus_factor(double own, double fine, double coarse, int fine_layers, i
 /// Increment of layers; even, see layered_mesh().
 constexpr int layers_more = 2;
 
-/// The coarser or the finer of the first two meshes between which the first frequencies have converged.
+/// The coarser or the finer of the first two meshes between which the first frequencies have converged. Fills in the
+/// frequency, its change and the factor on the modulus.
+///
+/// Errors: no vibration is found; no convergence within max_layers; cancelled.
 Result<setup::Setup> settled_mesh(const SyntheticCase& c, const setup::Setup& prepared, ConvergedTruth& truth,
                                   const Progress& progress) {
     const ConvergencePolicy& p = convergence_policy;
@@ -156,6 +164,7 @@ Result<ConvergedTruth> converged_truth(const SyntheticCase& c, const experiment:
     if (!setup) return setup.error();
     truth.dofs = setup->body->dofs();
     prediction::ParameterValues values = true_values(c, *setup);
+    // Corrects the frequency of the chosen mesh to that of an infinitely fine one.
     values.youngs_modulus_Pa *= truth.modulus_factor;
     for (setup::PreparedTrial& trial : setup->trials)
         setup::set_step(trial, step_within(trial, 1.0 / (p.steps_per_period * truth.frequency_Hz)));

@@ -8,7 +8,7 @@
 
 namespace myo::validation {
 
-/// Criteria for a converged truth.
+/// Criteria for a converged truth. Shares and aspects have no unit.
 struct ConvergencePolicy {
     double max_change = 3e-3;  // of the first frequencies by the last refinement
     /// Change of the path by extrapolation over the step, as a share of the motion's rms: with phase errors d and d/4

@@ -69,9 +69,11 @@ struct Cantilever {
     double weight_N() const { return rho * gravity_m_s2 * length * thickness * width; }
     /// Deflection under the own weight over the length.
     double sag() const { return weight_N() * std::pow(length, 2) / (8.0 * bending_stiffness()); }
+    // Force that bends the free end by this share of the length, F = 3 EI u / L^3 with u = share L.
     double end_force_N(double share) const { return 3.0 * bending_stiffness() * share / std::pow(length, 2); }
     /// Weight over the buckling load of a column under its own weight (Greenhill): q L^3 = 7.837 EI.
     double column_load() const { return weight_N() * std::pow(length, 2) / (7.837 * bending_stiffness()); }
+    /// First bending frequency, (1.8751)^2 / (2 pi) sqrt(EI / (rho A)) / L^2.
     double frequency_Hz() const {
         return std::pow(1.8751, 2) / (2.0 * std::numbers::pi) *
                std::sqrt(bending_stiffness() / (rho * width * thickness)) / std::pow(length, 2);
@@ -83,6 +85,7 @@ experiment::LoadDeclaration end_force(const SyntheticCase& c, double force_N, Ra
     experiment::LoadDeclaration load;
     load.kind = experiment::LoadKind::force;
     load.box_m = c.body.end;
+    // Some force sideways, so that the motion does not stay in a plane.
     const double sign = random.sign(), sideways = 0.2 * random.uniform(-1.0, 1.0);
     load.force_N = rounded_to_three_digits(force_N) * Vector3d(0.0, sideways, sign);
     return load;
@@ -118,6 +121,7 @@ SyntheticTrial drawn_trial(const SyntheticCase& c, const Cantilever& beam, doubl
     const double swing = random.uniform(defaults_policy.min_swing, defaults_policy.max_swing);
     experiment::LoadDeclaration load = end_force(c, beam.end_force_N(swing), random);
     const int first = upright || beam.sag() < defaults_policy.min_swing ? 1 : 0;  // its weight alone must excite it
+    // 0: straight, without a load.
     switch (first + random.below(4 - first)) {
         case 0: return trial;
         case 1: load.from_s = rounded_to_three_digits(0.1 * end_s); break;
@@ -129,6 +133,7 @@ SyntheticTrial drawn_trial(const SyntheticCase& c, const Cantilever& beam, doubl
     return trial;
 }
 
+/// Poisson's ratio: half of the cases have one that people write, the others any.
 double drawn_ratio(RandomStream& random) {
     constexpr std::array<double, 4> common{0.3, 0.45, 0.49, 0.4995};
     if (random.chance(0.5)) return common[static_cast<std::size_t>(random.below(4))];
@@ -149,9 +154,11 @@ bool draw_experiment(DefaultsCase& d, RandomStream& random) {
     beam.E = rounded_to_three_digits(random.log_uniform(p.min_modulus_Pa, p.max_modulus_Pa));
     beam.rho = 10.0 * std::round(random.uniform(90.0, 130.0));
     d.frequency_Hz = beam.frequency_Hz();
+    // Columns stand or hang: gravity along -x or +x.
     const bool hangs = shape.upright && random.chance(0.3);
     if (shape.upright && !hangs && beam.column_load() > p.max_column_load) return false;
     if (!shape.upright && beam.sag() > p.max_sag) return false;
+    // Independent of the frequency: cameras that are too slow or too fast are part of the study.
     c.rate_Hz = rounded_to_three_digits(random.log_uniform(p.min_rate_Hz, p.max_rate_Hz));
     // A few periods, but enough samples for a slow camera and not too many of a fast one.
     double end_s = random.uniform(p.min_periods, p.max_periods) / d.frequency_Hz;

@@ -27,7 +27,7 @@ struct DefaultsPolicy {
 };
 inline constexpr DefaultsPolicy defaults_policy;
 
-/// An experiment as it is and as the laboratory declares it.
+/// An experiment as it is and as the laboratory declares it. Without a declaration error the two are equal.
 struct DefaultsCase {
     std::string shape;              // "bar", "strip", "plate", "column", "finger"
     SyntheticCase truth, declared;  // files follow `declared`, motions `truth`

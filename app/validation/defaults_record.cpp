@@ -22,6 +22,7 @@ bool contains(const std::vector<std::string>& list, const std::string& word) {
     return std::find(list.begin(), list.end(), word) != list.end();
 }
 
+/// Whether one of these checks did not pass.
 bool has_remark(const DefaultsRecord& record, const std::vector<std::string>& checks) {
     return std::any_of(record.remarks.begin(), record.remarks.end(),
                        [&](const Remark& remark) { return contains(checks, remark.check); });
@@ -35,7 +36,7 @@ bool all_right(const DefaultsRecord& record) {
            });
 }
 
-// An undetermined standard deviation is null.
+/// Fitted numbers as JSON; an undetermined standard deviation is null.
 report::Json numbers_json(const std::vector<FittedNumber>& numbers) {
     report::Json list = report::Json::array();
     for (const FittedNumber& n : numbers)
@@ -44,6 +45,7 @@ report::Json numbers_json(const std::vector<FittedNumber>& numbers) {
     return list;
 }
 
+/// Inverse of numbers_json(). Throws report::Json::exception.
 std::vector<FittedNumber> numbers_of(const report::Json& list) {
     std::vector<FittedNumber> numbers;
     for (const report::Json& n : list)
@@ -55,6 +57,7 @@ std::vector<FittedNumber> numbers_of(const report::Json& list) {
 }  // namespace
 
 bool is_right(const FittedNumber& number) {
+    // Without a deviation only the relative tolerance counts.
     const double deviation = std::isfinite(number.deviation) ? number.deviation : 0.0;
     return std::abs(number.value - number.truth) <=
            defaults_judgement.relative * std::abs(number.truth) + defaults_judgement.deviations * deviation;
@@ -70,6 +73,7 @@ DefaultsAnswer judged(const DefaultsRecord& record) {
                            record.refusal.find(slip->refusal) != std::string::npos;
         return named ? DefaultsAnswer::cause_named : DefaultsAnswer::other_warning;
     }
+    // A refusal was judged above; from here on something was fitted, or the fit failed.
     const std::vector<std::string>& causes = slip != nullptr ? slip->checks : checks_without_slip;
     if (all_right(record)) return DefaultsAnswer::right;
     if (has_remark(record, causes)) return DefaultsAnswer::cause_named;

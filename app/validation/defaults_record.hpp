@@ -22,6 +22,7 @@ struct FittedNumber {
 
 /// A check that did not pass.
 struct Remark {
+    // Id of the check, what it is about (trial, marker, parameter), and what it says.
     std::string check, subject, sentence;
     bool wrong = false;  // red, otherwise amber
 };
@@ -39,12 +40,12 @@ struct DefaultsRecord {
     std::vector<Remark> remarks;        // of all checks
     double residual_over_noise = 0.0;   // rms of the fit trials over noise
     double make_s = 0.0, fit_s = 0.0;   // wall-clock times
-    /// The same with half a sampling interval as time step, the former default.
+    /// Numbers of a fit with half a sampling interval as time step, the former default; empty if it failed.
     std::vector<FittedNumber> with_half_interval;
     double with_half_interval_s = 0.0;
 };
 
-/// JSON form of a record.
+/// JSON form of a record, a line of cases.jsonl.
 report::Json record_json(const DefaultsRecord& record);
 /// Inverse of record_json(). Errors: a key is missing or of another type.
 Result<DefaultsRecord> defaults_record_from_json(const report::Json& json);
@@ -69,7 +70,7 @@ enum class DefaultsAnswer {
     silent,         // a number is wrong without any remark
     failed,         // no answer
 };
-/// Readable name.
+/// Readable name, also the key in files.
 std::string to_string(DefaultsAnswer answer);
 /// Class of a record.
 ///

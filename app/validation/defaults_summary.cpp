@@ -15,17 +15,19 @@ bool all_right(const std::vector<FittedNumber>& numbers) {
     return !numbers.empty() && std::all_of(numbers.begin(), numbers.end(), is_right);
 }
 
-/// Right, with informative standard deviations.
+/// Right, with informative standard deviations: a number that is right because its deviation is huge says nothing.
 bool all_tell_the_truth(const std::vector<FittedNumber>& numbers) {
     return all_right(numbers) && std::all_of(numbers.begin(), numbers.end(), [](const FittedNumber& n) {
                return n.deviation <= defaults_judgement.max_deviation * std::abs(n.truth);
            });
 }
 
+/// A wrong number whose cause is named misleads nobody.
 bool counts_as_right(DefaultsAnswer answer) {
     return answer == DefaultsAnswer::right || answer == DefaultsAnswer::cause_named;
 }
 
+/// Relative error with the stated deviation, both in percent of the truth: "youngs_modulus 0.31 ± 0.05 %".
 std::string number_words(const FittedNumber& n) {
     return n.name + " " + format_number(100.0 * n.error(), 3) + " ± " +
            format_number(100.0 * n.deviation / n.truth, 2) + " %";
@@ -37,6 +39,7 @@ std::string numbers_words(const DefaultsRecord& r) {
     return join(words, ", ");
 }
 
+/// Checks with a remark, each once, the red ones marked.
 std::string remark_words(const DefaultsRecord& r) {
     std::vector<std::string> words;
     for (const Remark& remark : r.remarks) {
@@ -46,7 +49,7 @@ std::string remark_words(const DefaultsRecord& r) {
     return join(words, ", ");
 }
 
-// Refusal, failure and remarks of a case in one phrase.
+/// Refusal, failure and remarks of a case in one phrase.
 std::string what_was_said(const DefaultsRecord& r) {
     if (!r.refusal.empty()) return "refused: " + r.refusal;
     return (r.failure.empty() ? "" : "failed: " + r.failure + "; ") + remark_words(r);
@@ -110,6 +113,7 @@ DefaultsSummary defaults_summary(const std::vector<DefaultsRecord>& records) {
         s.half_interval_right.add(was_right);
         if (was_right && r.with_half_interval_s > 0.0) {
             ratios.push_back(r.fit_s / r.with_half_interval_s);
+            // Times are compared where the cheap step gave the right answer.
             s.twice_the_time_at_most.add(ratios.back() <= 2.0);
         }
         for (const FittedNumber& n : r.numbers) {

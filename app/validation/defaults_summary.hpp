@@ -14,12 +14,14 @@ namespace myo::validation {
 struct DefaultsSummary {
     int cases = 0;
     std::map<DefaultsAnswer, int> answers;
+    // "All" in the next two: cases that have a truth, also those whose fit failed.
     Proportion right;         // right numbers or the true cause named, of all answered cases
     Proportion silent;        // wrong without any remark, of all answered cases
     Proportion false_alarms;  // of cases with a correct declaration
     /// Right answers by declaration error and by body; key "none": correct declaration.
     std::map<std::string, Proportion> by_slip, by_shape;
-    /// Right numbers with half a sampling interval as step, of cases with a correct declaration.
+    /// Right numbers with informative deviations (DefaultsJudgement::max_deviation) with half a sampling interval as
+    /// step, of cases with a correct declaration.
     Proportion half_interval_right;
     /// Per parameter: rms of error over standard deviation, cases with a correct declaration. One if the stated
     /// deviations are realistic.
@@ -38,7 +40,7 @@ std::string record_line(const DefaultsRecord& record);
 /// Text for a terminal.
 std::string summary_text(const DefaultsSummary& summary);
 
-/// The same numbers as JSON.
+/// Numbers of the summary as JSON, rates with count, share and both bounds; times in s.
 report::Json summary_json(const DefaultsSummary& summary);
 
 /// HTML report: rates, declaration errors, and the cases that were not right.

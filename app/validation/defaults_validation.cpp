@@ -17,7 +17,7 @@ namespace {
 
 const char* const cancelled_words = "cancelled";
 
-// One line that characterises the experiment.
+/// One line that characterises the true experiment, for tables.
 std::string facts_of(const DefaultsCase& d) {
     const SyntheticCase& c = d.truth;
     const Eigen::Vector3d size_mm = 1e3 * c.body.bounds.size();
@@ -34,6 +34,7 @@ std::string facts_of(const DefaultsCase& d) {
            (c.muscles.empty() ? "" : ", muscles");
 }
 
+/// Record with what is known before anything is simulated.
 DefaultsRecord begun_record(const DefaultsCase& d) {
     DefaultsRecord r;
     r.number = d.truth.number;
@@ -88,6 +89,7 @@ std::vector<FittedNumber> fitted_numbers(const DefaultsCase& d, const calibratio
     return numbers;
 }
 
+/// Appends the findings that did not pass.
 void add_remarks(const std::vector<check::Finding>& findings, DefaultsRecord& r) {
     for (const check::Finding& finding : findings)
         if (finding.level != check::CheckLevel::passed)
@@ -95,7 +97,8 @@ void add_remarks(const std::vector<check::Finding>& findings, DefaultsRecord& r)
                 {finding.check, finding.subject, finding.sentence, finding.level == check::CheckLevel::wrong});
 }
 
-/// The same calls as `myoloop calibrate` makes.
+/// Fits with default options, by the calls that `myoloop calibrate` makes; the record receives refusal, failure,
+/// numbers and remarks.
 void fit_with_defaults(const DefaultsCase& d, const experiment::Experiment& experiment, const Progress& progress,
                        DefaultsRecord& r) {
     const Stopwatch watch;
@@ -121,7 +124,7 @@ void fit_with_defaults(const DefaultsCase& d, const experiment::Experiment& expe
     if (!calibration.fit.converged()) r.failure = calibration.fit.message;
 }
 
-/// The former default: fixed steps of half a sampling interval.
+/// Fit with the former default, fixed steps of half a sampling interval, for comparison. A failure leaves no numbers.
 void fit_with_half_interval(const DefaultsCase& d, const experiment::Experiment& experiment, const Progress& progress,
                             DefaultsRecord& r) {
     const Stopwatch watch;
@@ -163,6 +166,7 @@ DefaultsRecord run_defaults_case(std::uint64_t seed, int number, const std::file
             if (r.refusal.empty()) fit_with_half_interval(d, *experiment, silent, r);
         }
     }
+    // A cancelled case is not recorded, see run_defaults_validation(): its numbers may be those of an unfinished fit.
     if (progress.cancelled()) r.failure = cancelled_words;
     r.failure = without_folder(r.failure, folder);
     r.refusal = without_folder(r.refusal, folder);

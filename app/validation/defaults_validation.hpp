@@ -12,6 +12,7 @@ namespace myo::validation {
 /// Validation of the defaults: experiments of all sizes, moduli and cameras, a third of them with a declaration error.
 struct DefaultsValidationOptions {
     std::uint64_t seed = 1;
+    // Cases that this process runs.
     cases::CaseRange range;
 };
 

@@ -11,8 +11,10 @@
 namespace myo::validation {
 namespace {
 
+// Evaluations of a recalibration, and amounts that are tried for one draw.
 constexpr int max_evaluations = 8, max_rounds = 8;
 
+/// Root mean square; residuals in units of the noise give a level.
 double rms(const Eigen::VectorXd& residual) {
     return std::sqrt(residual.squaredNorm() / static_cast<double>(std::max<Eigen::Index>(1, residual.size())));
 }
@@ -24,6 +26,7 @@ bool is_visible(double level) { return level > 1.05 * min_level && level < 0.95 
 constexpr diagnosis::Effort recalibration{max_evaluations, 0.03, 0};
 constexpr diagnosis::Effort first_fit{1, 0.03, 1};
 
+/// Policy of a diagnosis with a looser criterion of convergence: levels need no more than a few percent.
 diagnosis::DiagnosisPolicy recalibration_policy() {
     diagnosis::DiagnosisPolicy policy;
     policy.fits.relative_step = 1e-4;
@@ -61,6 +64,7 @@ std::optional<EffectLevel::Level> EffectLevel::of(const effect::EffectDeclaratio
 
 double EffectLevel::fitted(const Level& level) const {
     setup::Setup seen = setup_;
+    // The motion with the effect is taken for the recording, and the model without the effect is fitted to it.
     for (std::size_t i = 0; i < data_.trials.size(); ++i)
         seen.trials[data_.trials[i]].measured.tracks = level.with[i].positions_m;
     const diagnosis::DiagnosisPolicy policy = recalibration_policy();
@@ -85,9 +89,11 @@ std::optional<effect::EffectDeclaration> visible_effect(const SyntheticCase& c, 
     for (int round = 0; round < max_rounds; ++round) {
         const double amount = effect_amount(effect);
         const double there = found ? found->first_order : 0.0;
+        // The first two rounds aim at the wanted level within a third; later ones accept any visible level.
         if (is_visible(there) && (round > 1 || std::abs(std::log(there / wanted)) < 0.3)) {
             level = levels.fitted(*found);
             if (level > min_fitted) return effect;
+            // Too little is left after the fit: a larger amount is tried, as long as the level may grow.
             wanted = std::min(1.6 * std::max(wanted, there), 0.9 * max_level);
             if (there > 0.85 * max_level) return {};
         }
@@ -96,6 +102,8 @@ std::optional<effect::EffectDeclaration> visible_effect(const SyntheticCase& c, 
         if (found && found->first_order > 0.0) {
             if (last_level > 0.0 && last_amount != amount) {
                 const double secant = std::log(found->first_order / last_level) / std::log(amount / last_amount);
+                // A secant of the wrong sign or nearly flat is not trusted; the exponent is limited so that no step
+                // becomes tiny.
                 if (secant * power > 0.2) power = std::copysign(std::min(std::abs(secant), 3.0), power);
             }
             last_amount = amount;
@@ -103,6 +111,7 @@ std::optional<effect::EffectDeclaration> visible_effect(const SyntheticCase& c, 
             next = amount * std::pow(wanted / found->first_order, 1.0 / power);
         }
         next = std::clamp(next, draw.lowest, max_amount(c));
+        // At a limit of the amount: nothing else can be tried.
         if (next == amount) return {};
         effect = with_amount(effect, next);
         found = levels.of(effect);

@@ -19,13 +19,14 @@ public:
 
     /// What a recalibration of the declared parameters leaves of an effect in the marker motion, without noise.
     struct Level {
-        double first_order = 0.0;                       // rms after linear recalibration [noise levels]
+        double first_order = 0.0;  // rms after linear recalibration [noise levels]
+        // In the order of the fit trials.
         std::vector<prediction::TrialPrediction> with;  // fit trials with the effect
     };
     /// Level of an effect; empty if a trial with it does not run.
     std::optional<Level> of(const effect::EffectDeclaration& effect) const;
 
-    /// The same rms after a nonlinear fit, needed if the phase drifts; 0 if the fit fails.
+    /// Level after a nonlinear fit [noise levels], needed if the phase drifts; 0 if the fit fails.
     double fitted(const Level& level) const;
 
 private:

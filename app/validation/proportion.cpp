@@ -10,6 +10,7 @@ namespace {
 
 using boost::math::binomial_distribution;
 
+/// Count and share with one bound in percent.
 std::string words(const Proportion& p, const char* bound, double value) {
     if (p.of == 0) return "none of none";
     char text[96];

@@ -8,6 +8,7 @@ namespace {
 
 bool any_experiment(const SyntheticCase&) { return true; }
 bool has_muscles(const SyntheticCase& c) { return !c.muscles.empty(); }
+/// Whether the first trial starts in this state.
 bool starts(const SyntheticCase& c, experiment::StartState start) { return c.trials.front().start == start; }
 
 /// Deflection of a cantilever under its weight, relative to its length: rho g L^3 / (8 E h^2 / 12).
@@ -26,7 +27,7 @@ void hold_on_a_line(SyntheticCase& declared, RandomStream&) {
     declared.body.clamp.highest(2) = declared.body.bounds.lowest(2) + 1e-3 * height;
 }
 
-/// Outside the tolerance of 30 % that is declared with it.
+/// Declares a modulus outside the tolerance of 30 % that is declared with it.
 void declare_another_modulus(SyntheticCase& declared, RandomStream& random) {
     const double factor = random.uniform(1.7, 3.0);
     declared.material.declared_modulus_Pa *= random.chance(0.5) ? factor : 1.0 / factor;

@@ -12,6 +12,7 @@ namespace myo::validation {
 /// The truth stays as drawn; only the declaration or the written files change. A check of `myoloop calibrate` should
 /// name the cause, or the experiment should be rejected with a message about it.
 struct Slip {
+    // In records and tables.
     std::string id;
     std::vector<std::string> checks;  // ids of the checks that name this cause
     std::string refusal;              // words of the message if the experiment may be rejected; empty: it is accepted

@@ -30,6 +30,7 @@ mesh::SurfaceMesh ell_surface(double length, double height, double thick, double
     const double knee = length - thick;
     const std::vector<Eigen::Vector2d> outline = {{0, 0},           {knee, 0},      {length, 0},   {length, thick},
                                                   {length, height}, {knee, height}, {knee, thick}, {0, thick}};
+    // First leg, knee, second leg; counterclockwise in the outline.
     const int quads[3][4] = {{0, 1, 6, 7}, {1, 2, 3, 6}, {6, 3, 4, 5}};
     const int n = static_cast<int>(outline.size());
     mesh::SurfaceMesh surface;
@@ -57,10 +58,12 @@ mesh::SurfaceMesh ell_surface(double length, double height, double thick, double
     return surface;
 }
 
+/// Corner i of a triangle [m].
 Vector3d corner(const mesh::SurfaceMesh& surface, Eigen::Index triangle, int i) {
     return surface.vertices.col(surface.triangles(i, triangle));
 }
 
+/// Area of a triangle [m2].
 double area(const mesh::SurfaceMesh& surface, Eigen::Index t) {
     return 0.5 *
            (corner(surface, t, 1) - corner(surface, t, 0)).cross(corner(surface, t, 2) - corner(surface, t, 0)).norm();
@@ -128,6 +131,7 @@ SyntheticBody drawn_body(BodyFamily family, bool deep_clamp, RandomStream& rando
         for (Eigen::Index i = 0; i < body.surface.vertices.cols(); ++i)
             body.surface.vertices.col(i) = body.tapered(body.surface.vertices.col(i));
     if (deep_clamp) body.held_m = rounded_to_tenths_of_mm(length * random.uniform(0.15, 0.25));
+    // Boxes extend beyond the body, so that rounding does not exclude nodes of a face.
     const double beyond = 1e-3, face = 5e-4;
     body.clamp = {body.bounds.lowest - Vector3d::Constant(beyond), body.bounds.highest + Vector3d::Constant(beyond)};
     body.end = body.clamp;

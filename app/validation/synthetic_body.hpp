@@ -33,6 +33,7 @@ bool parse_body_family(const std::string& id, BodyFamily& family);
 struct SyntheticBody {
     BodyFamily family = BodyFamily::beam;
     mesh::SurfaceMesh surface;
+    // Bounding box of the untapered body.
     Box bounds;
     double thickness_m = 0.0;             // in the bending direction under gravity
     double held_m = 0.0;                  // depth of the clamp; 0: the face x = 0
@@ -44,7 +45,7 @@ struct SyntheticBody {
     bool is_declared_box() const {
         return family == BodyFamily::beam || family == BodyFamily::plate || family == BodyFamily::threaded;
     }
-    /// Maps a point of the untapered box to the body.
+    /// Maps a point of the untapered box to the body: cross sections shrink linearly along x about the axis y = z = 0.
     Eigen::Vector3d tapered(const Eigen::Vector3d& point) const;
 };
 
@@ -53,7 +54,8 @@ struct SyntheticBody {
 /// @param deep_clamp  clamped over a part of its length instead of at its face
 SyntheticBody drawn_body(BodyFamily family, bool deep_clamp, RandomStream& random);
 
-/// Random points on the free surface [m]: two near the end, none near the clamp, with a minimum distance.
+/// Random points on the free surface [m]: two near the end, none near the clamp, with a minimum distance of 15 % of the
+/// length, or less where they do not fit.
 std::vector<Eigen::Vector3d> drawn_markers(const SyntheticBody& body, int count, RandomStream& random);
 
 /// ASCII STL in the unit of the body.

@@ -33,12 +33,15 @@ struct CaseChoice {
     std::vector<std::string> effects;  // ids; empty: the whole catalogue
 };
 
-/// Errors: an unknown effect, or one that no body of the choice can show.
+/// Checks that every effect of the choice can be drawn.
+///
+/// Errors (place: the option): an unknown effect, or one that no body of the choice can show.
 Result<void> check_choice(const CaseChoice& choice);
 
 /// A muscle that fills a box, fibres along x.
 struct SyntheticMuscle {
     std::string name;
+    // Holds the cells of the muscle; part of the body [m].
     Box box;
     double stiffness_Pa = 0.0;
 };
@@ -92,11 +95,14 @@ struct SyntheticCase {
     std::vector<SyntheticMuscle> muscles;
     std::optional<SyntheticTendon> tendon;
     std::vector<Eigen::Vector3d> markers;
+    // Standard deviation of each coordinate of a marker.
     double noise_m = 1e-4;
     bool noise_is_declared = true;
     double occluded = 0.0;  // share of the samples of one marker that are hidden
+    // Sampling rate of the cameras.
     double rate_Hz = 100.0;
     Eigen::Vector3d gravity_m_s2{0.0, 0.0, -9.81};
+    // Camera frame and mesh frame agree; otherwise the two numbers below are unknown to the diagnosis.
     bool registration_is_known = true;
     /// True registration, mesh to camera frame.
     Eigen::Vector3d translation_m = Eigen::Vector3d::Zero(), rotation_rad = Eigen::Vector3d::Zero();
@@ -116,6 +122,7 @@ struct SyntheticCase {
 /// Among six consecutive cases the first has no effect and the fourth a deleted one; the effects of the others, and of
 /// the deleted ones, cycle through the catalogue in a random order.
 ///
+/// @param choice   one that check_choice() accepts
 /// @param attempt  another draw of the same kind and effect, for a case whose effect is not visible enough
 SyntheticCase drawn_case(const CaseChoice& choice, int number, int attempt = 0);
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int max_attempts = 12;
 
-/// First draw with a visible effect.
+/// First draw with a visible effect; the folder then holds its declaration with traces that do not move.
 Result<MadeExperiment> visible_case(const CaseChoice& choice, int number, const std::filesystem::path& folder,
                                     const Progress& progress) {
     MadeExperiment made;
@@ -26,6 +26,7 @@ Result<MadeExperiment> visible_case(const CaseChoice& choice, int number, const 
         if (const Result<void> written = write_still_experiment(made.truth, folder); !written) return written.error();
         const Result<experiment::Experiment> experiment = experiment::read_experiment(folder);
         if (!experiment) return experiment.error();
+        // A case without an effect has nothing to be visible.
         if (!made.truth.effect) return made;
         Result<setup::Setup> setup = setup::prepare_setup(*experiment, {}, progress.with_sink({}));
         if (!setup) return setup.error();

@@ -14,7 +14,9 @@ struct MadeExperiment {
     SyntheticCase truth;  // with the final amount of its effect
     double level = 0.0;   // size of the effect at the markers of the fit trials [noise levels], see EffectLevel
     int attempts = 1;     // draws until the effect was visible
+    // Degrees of freedom of the mesh on which the truth was simulated.
     int truth_dofs = 0;
+    // Wall-clock time of making.
     double seconds = 0.0;
 };
 

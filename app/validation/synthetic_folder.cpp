@@ -15,6 +15,7 @@ namespace {
 using Eigen::Index;
 using Eigen::Vector3d;
 
+// Pieces of experiment.toml. Nine digits: more than a person writes, so that no rounding is left to be found.
 std::string number_text(double value) { return format_number(value, 9); }
 
 std::string vector_text(const Vector3d& v) {
@@ -23,6 +24,7 @@ std::string vector_text(const Vector3d& v) {
 
 std::string box_text(const Box& box) { return "[" + vector_text(box.lowest) + ", " + vector_text(box.highest) + "]"; }
 
+/// Name of a marker in declaration and traces, from 1: "m1".
 std::string marker_name(std::size_t index) { return "m" + std::to_string(index + 1); }
 
 std::string geometry_text(const SyntheticBody& body) {
@@ -33,6 +35,7 @@ std::string geometry_text(const SyntheticBody& body) {
            (body.metres_per_unit == 1.0 ? "m" : "mm") + "\"\n";
 }
 
+/// Declared material: the modulus with its tolerance; the damping only where it is known.
 std::string material_text(const SyntheticMaterial& m) {
     std::string text = "[material]\nmodel = \"neo_hookean\"\nyoungs_modulus_Pa = " +
                        number_text(m.declared_modulus_Pa) +
@@ -50,11 +53,13 @@ std::string tendon_text(const SyntheticTendon& tendon) {
     return "[[tendon]]\nname = \"" + tendon.name + "\"\npath_m = [" + guides + "]\ndrive = \"tension\"\n";
 }
 
+/// Limits of an unknown registration; drawn_case() stays within them.
 std::string registration_text(const SyntheticCase& c) {
     if (c.registration_is_known) return "[registration]\nknown = true\n";
     return "[registration]\nknown = false\nmax_translation_m = 0.001\nmax_rotation_deg = 0.5\n";
 }
 
+/// A trial with its files and loads; a trial may use the recording of another one.
 std::string trial_text(const SyntheticTrial& trial) {
     std::string text = "[[trial]]\nname = \"" + trial.name + "\"\nrole = \"" +
                        (trial.role == experiment::TrialRole::fit ? "fit" : "validate") + "\"\ntrace = \"" +
@@ -73,7 +78,7 @@ std::string trial_text(const SyntheticTrial& trial) {
     return text;
 }
 
-// Whole sampling intervals from t = 0 to the end of the trial.
+/// Sample times of a trial [s]: whole sampling intervals from t = 0 to its end.
 Eigen::VectorXd sample_times(const SyntheticCase& c, const SyntheticTrial& trial) {
     const auto count = static_cast<Index>(std::lround(trial.end_s * c.rate_Hz)) + 1;
     return Eigen::VectorXd::LinSpaced(count, 0.0, static_cast<double>(count - 1) / c.rate_Hz);
@@ -111,6 +116,7 @@ measurement::Recording seen_recording(const SyntheticCase& c, const SyntheticTri
     return recording;
 }
 
+/// Commands of muscles and tendon at the sample times, as an actuation file.
 Result<void> write_actuation(const SyntheticCase& c, const SyntheticTrial& trial, const std::filesystem::path& path) {
     measurement::ActuationTable table;
     table.time_s = sample_times(c, trial);

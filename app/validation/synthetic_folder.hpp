@@ -11,10 +11,12 @@
 
 namespace myo::validation {
 
-/// Content of the experiment.toml of a case.
+/// Content of the experiment.toml of a case: what a laboratory would declare. The true values, the effect and its size
+/// are not in it.
 std::string experiment_text(const SyntheticCase& c);
 
-/// Writes declaration, surface, actuations, and traces of a body that does not move.
+/// Writes declaration, surface, actuations, and traces of a body that does not move. The folder can then be read, which
+/// the simulation of the truth needs.
 ///
 /// Errors: a file cannot be written.
 Result<void> write_still_experiment(const SyntheticCase& c, const std::filesystem::path& folder);

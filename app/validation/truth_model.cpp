@@ -89,6 +89,7 @@ Result<setup::Setup> truth_setup(const SyntheticCase& c, const experiment::Exper
     setup::SetupSettings settings;
     settings.integrator = c.truth.scheme.integrator;
     settings.spectral_radius = c.truth.scheme.rho_inf;
+    // Steps that meet every sample.
     settings.h_s = 1.0 / (c.rate_Hz * c.truth.steps_per_sample);
     settings.fine_element = c.effect && effect::any_varies_within_cells({*c.effect});
     // Element and edge length by family; always different from the default of the diagnosis.
@@ -102,6 +103,7 @@ Result<setup::Setup> truth_setup(const SyntheticCase& c, const experiment::Exper
                                               c.body.thickness_m / min_layers_of_tets);
     Result<setup::Setup> setup = setup::prepare_setup(experiment, settings, progress);
     if (!setup || !tapered) return setup;
+    // Tetrahedra are the default of a tail, so its truth has hexahedra that follow the taper.
     return on_mesh(std::move(*setup),
                    tapered_hexes(c.body, finer_hexes * setup::automatic_resolution(*surface, mesh::CellType::hex8)));
 }

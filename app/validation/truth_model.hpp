@@ -16,10 +16,13 @@ namespace myo::validation {
 Result<setup::Setup> truth_setup(const SyntheticCase& c, const experiment::Experiment& declared,
                                  const Progress& progress = {});
 
-/// A setup with another mesh of the same body. Errors: muscles without cells.
+/// A setup with another mesh of the same body: body, markers, fibres, moduli and loads belong to it. Force elements
+/// such as those of a tendon stay on the former mesh, so the experiment must have none.
+///
+/// Errors: muscles without cells.
 Result<setup::Setup> on_mesh(setup::Setup setup, setup::BodyMesh mesh);
 
-/// True parameter values for a truth_setup().
+/// True parameter values for a truth_setup(), the effect of the case among them unless it is part of the mesh.
 prediction::ParameterValues true_values(const SyntheticCase& c, const setup::Setup& setup);
 
 }  // namespace myo::validation

@@ -9,12 +9,14 @@ namespace {
 
 const char* const cancelled_words = "cancelled";
 
+/// Choice of a folder, compared by ValidationFolder::claim().
 report::Json choice_json(const CaseChoice& choice) {
     report::Json json{{"seed", choice.seed}, {"families", report::Json::array()}, {"effects", choice.effects}};
     for (const BodyFamily family : choice.families) json["families"].push_back(to_string(family));
     return json;
 }
 
+/// Content of truth.json: what the diagnosis should find, SI units.
 report::Json truth_json(const MadeExperiment& made) {
     const SyntheticCase& c = made.truth;
     report::Json json{
@@ -72,6 +74,7 @@ Result<void> run_validation(const ValidationOptions& options, const std::filesys
     if (const Result<void> mine = folder.claim(choice_json(options.choice)); !mine) return mine;
     const auto run = [&](int number) {
         const CaseRecord record = run_case(options, number, folder.case_folder(number), progress);
+        // Null: a cancelled case has no record and is run again by the next call.
         return record.failure == cancelled_words ? report::Json() : record_json(record);
     };
     const auto tell = [&](const report::Json& json) {

@@ -82,12 +82,14 @@ Result<void> ValidationFolder::run(const cases::CaseRange& range,
 
     std::mutex mutex;
     int count = 0;
+    // After a failed write the other cases are still run; the error is returned at the end.
     Result<void> trouble;
     const auto total = static_cast<double>(numbers.size());
     progress.report({"study", 0.0, total, "cases", {}});
     parallel_tasks(static_cast<int>(numbers.size()), range.threads, [&](int task) {
         if (progress.cancelled()) return;
         const report::Json record = run_case(numbers[static_cast<std::size_t>(task)]);
+        // Under the lock: lines, progress and `done` come one at a time.
         if (record.is_null()) return;
         const std::lock_guard<std::mutex> lock(mutex);
         if (const Result<void> kept = add(record); !kept) trouble = kept;

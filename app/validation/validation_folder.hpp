@@ -21,6 +21,8 @@ public:
 
     /// Checks that the folder belongs to this validation: its choice.json is equal, or is written now.
     ///
+    /// @param choice  whatever decides which case a number means
+    ///
     /// Errors: it holds another validation; it cannot be written.
     Result<void> claim(const report::Json& choice) const;
 
@@ -41,6 +43,7 @@ public:
                      const Progress& progress, const std::function<void(const report::Json&)>& done = {});
 
 private:
+    // Appends a record to cases.jsonl. Errors: it cannot be written completely.
     Result<void> add(const report::Json& record) const;
 
     std::filesystem::path folder_;

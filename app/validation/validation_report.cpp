@@ -10,6 +10,7 @@
 namespace myo::validation {
 namespace {
 
+/// Share in percent with one decimal, without the sign; a dash if there is none.
 std::string percent(double share) {
     if (!std::isfinite(share)) return "–";
     char text[24];
@@ -17,6 +18,9 @@ std::string percent(double share) {
     return text;
 }
 
+/// Share with its counts and one bound.
+///
+/// @param from_below  lower bound, for shares that should be large; otherwise the upper one
 report::KeyFigure key_figure(const std::string& label, const Proportion& p, bool from_below) {
     return {label, percent(p.share()), "%",
             std::to_string(p.count) + " of " + std::to_string(p.of) +
@@ -77,6 +81,7 @@ report::Table parameter_table(const ValidationSummary& s) {
     return table;
 }
 
+/// Name of the case's folder.
 std::string case_name(const CaseRecord& record) {
     char text[24];
     std::snprintf(text, sizeof text, "case_%04d", record.number);

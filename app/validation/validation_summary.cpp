@@ -82,6 +82,7 @@ ValidationSummary validation_summary(const std::vector<CaseRecord>& records) {
         make_s.push_back(record.make_s);
         ++s.confusion[record.kind == CaseKind::deleted ? "(" + record.truth + ")" : record.truth]
                      [join(record.answer, " + ")];
+        // An answered record has at least one entry.
         const bool says_none = record.answer.front() == "none", says_unknown = record.answer.front() == "unknown";
         if (record.kind == CaseKind::none) s.false_alarms.add(!says_none);
         if (record.kind == CaseKind::deleted) {
@@ -107,6 +108,7 @@ ValidationSummary validation_summary(const std::vector<CaseRecord>& records) {
         }
     }
     s.parameters = qualities_of(records);
+    // Sum over all parameters: a value counts once, however many parameters an effect has.
     for (const ParameterQuality& quality : s.parameters) {
         s.parameters_good.count += quality.good.count;
         s.parameters_good.of += quality.good.of;

@@ -27,9 +27,10 @@ struct ParameterQuality {
 /// Result of a validation of the diagnosis.
 struct ValidationSummary {
     int cases = 0, failed = 0;
+    // Cases per body, "beam with muscles" apart from "beam".
     std::map<std::string, int> families;
     Proportion top_1, top_2;  // over all cases with an effect that the diagnosis knows
-    /// Of these, without an effect that is declared indistinguishable from the truth.
+    /// Shares of the cases with a known effect in which no other effect is declared indistinguishable from the truth.
     Proportion separable_top_1, separable_top_2;
     Proportion in_group;            // right, or an effect declared indistinguishable from the truth
     Proportion false_alarms;        // cases without effect: an effect, or `unknown`
@@ -47,13 +48,13 @@ struct ValidationSummary {
            validation_after = 0.0;  // medians over cases with a correctly named effect, in noise levels
     double median_diagnose_s = 0.0, longest_diagnose_s = 0.0, median_make_s = 0.0;
 };
-/// Statistics over all records; failed cases count in no rate.
+/// Statistics over all records; failed cases count in no rate. Shares of nothing are NaN.
 ValidationSummary validation_summary(const std::vector<CaseRecord>& records);
 
 /// Text for a terminal.
 std::string summary_text(const ValidationSummary& summary);
 
-/// The same numbers as JSON, rates with count, share and both bounds.
+/// Numbers of the summary as JSON, rates with count, share and both bounds.
 report::Json summary_json(const ValidationSummary& summary);
 
 }  // namespace myo::validation
