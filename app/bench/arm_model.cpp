@@ -12,7 +12,7 @@
 namespace myo::bench {
 namespace {
 
-// Edge length and cell counts of the published arm.
+// Edge length [m] and numbers of cells of the published arm.
 constexpr double edge_m = 3.571e-3;
 constexpr int across = 12, along = 27;
 

@@ -9,6 +9,7 @@ namespace myo::bench {
 ///
 /// Modelled on the pneumatic arm of the paper with its actuation AC2, a1 = 1 + 2 x and a2 = 1 - x; here x rises by 0.5
 /// every 50 ms up to 2, the strongest actuation that the paper allows.
+/// The upper end, at z = 96 mm, is clamped.
 /// Source: Dubied et al. 2022, sec. V (geometry, stiffness of the muscles 200 kPa).
 model::Model arm_model();
 

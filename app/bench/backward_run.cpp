@@ -10,6 +10,7 @@ namespace myo::bench {
 Result<BenchFigures> measure_backward(const std::string& name, const model::Model& model, const Box& tip,
                                       const dynamics::SimulationOptions& options,
                                       const std::vector<BenchReference>& references) {
+    // The forward run without a tape: what the backward pass is compared with.
     double start = thread_time_s();
     const dynamics::Trace trace = dynamics::simulate(model, options);
     const double forward_ms = 1e3 * (thread_time_s() - start) / static_cast<double>(trace.times_s.size() - 1);
@@ -17,6 +18,7 @@ Result<BenchFigures> measure_backward(const std::string& name, const model::Mode
 
     sensitivity::LossOfMotion loss;
     loss.nodes = mesh::nodes_in_box(model.body->mesh, tip);
+    // Half the squared distance from the start, summed over steps: every state gets a derivative.
     loss.evaluate = [&](const sensitivity::NodeMotion& motion) {
         sensitivity::MotionLoss result;
         for (const Eigen::Matrix3Xd& x : motion.positions) {
@@ -30,6 +32,7 @@ Result<BenchFigures> measure_backward(const std::string& name, const model::Mode
     };
     const sensitivity::GradientRun run = sensitivity::simulate_with_gradient(model, options, loss);
     BenchFigures figures;
+    // Since the evaluation of the loss: the backward pass alone.
     figures.run_s = thread_time_s() - start;
     if (!run.complete()) return Error{run.message, name};
     figures.name = std::to_string(model.body->dofs()) + " DOF, " + to_string(model.body->kind) + ", backward, " + name;

@@ -13,7 +13,10 @@ namespace myo::bench {
 /// Time of the backward pass for the gradient with respect to all moduli, signals and parameters of force elements,
 /// compared with the forward run. The loss is a function of the nodes of the tip.
 ///
-/// @param tip  box [m] around these nodes
+/// @param name        of the row
+/// @param tip         box [m] around these nodes
+/// @param references  times of other programs for a backward pass, per step
+/// @return            times of the backward pass per step; its goal is 0.8 of the forward run
 /// Errors: a run did not complete.
 Result<BenchFigures> measure_backward(const std::string& name, const model::Model& model, const Box& tip,
                                       const dynamics::SimulationOptions& options,

@@ -20,7 +20,8 @@ void shear(const BarShape& bar, int axis, Matrix3Xd& nodes) {
         X(0) += 0.5 * (X(axis) - 0.5 * extent) * std::min({1.0, X(0) / ramp, (bar.length_m - X(0)) / ramp});
 }
 
-// Nodes stay on the faces that they lie on, so the shape of the bar does not change.
+/// Moves inner coordinates at random, reproducibly, by up to a fifth of a brick. Nodes stay on the faces that they lie
+/// on, so the shape of the bar does not change.
 void move_at_random(const Vector3d& size, const Eigen::Vector3i& bricks, Matrix3Xd& nodes) {
     std::mt19937 random(1);
     const Vector3d most = 0.2 * size.cwiseQuotient(bricks.cast<double>());
@@ -40,6 +41,7 @@ mesh::VolumeMesh bar_mesh(const BarShape& bar, fem::ElementKind element, const E
     mesh::VolumeMesh mesh = hexahedra ? mesh::box_hex_mesh(box, bricks) : mesh::tet_box_mesh(box, bricks);
     if (skew == Skew::plan || skew == Skew::side) shear(bar, skew == Skew::plan ? 1 : 2, mesh.nodes);
     if (skew == Skew::nodes) move_at_random(box.size(), bricks, mesh.nodes);
+    // Mid-nodes last: they then lie in the middle of the moved edges, which stay straight.
     return fem::cell_type(element) == mesh::CellType::tet10 ? mesh::to_tet10(mesh) : mesh;
 }
 

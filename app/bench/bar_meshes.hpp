@@ -20,12 +20,12 @@ enum class Skew {
 
 /// Mesh of a bar from bricks, each split into six tetrahedra for tetrahedral elements. Edges stay straight.
 ///
-/// @param bricks  numbers along x, y, z
+/// @param bricks  numbers along x, y, z, each >= 1
 /// @return        nodes [m], clamped end at x = 0
 mesh::VolumeMesh bar_mesh(const BarShape& bar, fem::ElementKind element, const Eigen::Vector3i& bricks,
                           Skew skew = Skew::none);
 
-/// Numbers of bricks with `layers` across height and width and length over height `aspect`.
+/// Numbers of bricks with `layers` across height and width, each about `aspect` times as long as high.
 Eigen::Vector3i bar_bricks(const BarShape& bar, int layers, double aspect);
 
 /// Readable name, "sheared in plan"; empty for none.

@@ -13,6 +13,7 @@
 namespace myo::bench {
 namespace {
 
+/// Regular mesh of the beam, nodes [m].
 mesh::VolumeMesh beam_mesh(const BenchBeam& beam, const Box& box) {
     return fem::cell_type(beam.element) == mesh::CellType::hex8
                ? mesh::box_hex_mesh(box, beam.cells)

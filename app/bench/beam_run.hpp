@@ -30,6 +30,7 @@ BenchFigures figures_of(const std::string& name, const model::Model& model, cons
 
 /// Builds a model and measures one run of it, in processor time of this thread.
 ///
+/// @param name  of the row; size and element are put before it
 /// @param make  builds the model; its time is reported as setup
 /// @return      iterations count linear solves; peak memory is the caller's
 /// Errors: the run did not complete.

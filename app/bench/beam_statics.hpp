@@ -24,10 +24,10 @@ struct ConvergedBeam {
 /// within 0.2 % on its last mesh.
 inline constexpr std::array<ConvergedBeam, 3> converged_beam{{{0.3, -7.000}, {0.49, -6.775}, {0.499, -6.755}}};
 
-/// bench_beam() with this gravity and Poisson's ratio.
+/// bench_beam() with beam_gravity_m_s2 and this Poisson's ratio.
 model::Model static_beam(const BenchBeam& beam, double poissons_ratio);
 
-/// Static equilibrium under the loads of the model.
+/// Static equilibrium under the loads of the model, by Newton's method from the rest shape.
 ///
 /// @return   node positions, 3 x n [m]
 /// Errors: no equilibrium was found.
@@ -39,7 +39,8 @@ Result<Eigen::Matrix3Xd> beam_equilibrium(const model::Model& model);
 /// @param x  node positions, 3 x n [m]
 Eigen::Vector3d tip_displacement(const model::Model& model, const Eigen::Matrix3Xd& x);
 
-/// dz of tip_displacement() [mm] in equilibrium; adds the time and the size of the mesh to `figures`.
+/// dz of tip_displacement() [mm] in equilibrium; adds the time to `figures` and sets the size of the mesh there, also
+/// if no equilibrium is found, which is the error.
 Result<double> measured_tip_dz_mm(const model::Model& model, BenchFigures& figures);
 
 }  // namespace myo::bench

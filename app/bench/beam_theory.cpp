@@ -15,9 +15,8 @@ namespace {
 /// that is below 0.2 % here.
 constexpr double shear_share = 5.0 / 6.0;
 
-/// Root where a function that rises changes its sign.
+/// Root of an increasing function by bisection between values of different sign; 60 halvings reach rounding.
 template <class Function>
-/// Root of an increasing function by bisection; 60 halvings reach rounding.
 double root_between(double low, double high, const Function& f) {
     for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (low + high);
@@ -62,6 +61,7 @@ double sag_under_gravity(const BarShape& bar, double gravity_m_s2) {
 }
 
 double first_bending_rad_s(const BarShape& bar) {
+    // First root of cos(k) cosh(k) = -1 and the constant of its mode, Blevins 1979, table 8-1.
     constexpr double root = 1.87510407, sigma = 0.73409551;
     const double L2 = bar.length_m * bar.length_m;
     const double slender = root * root / L2 *
@@ -78,6 +78,7 @@ double torsion_stiffness_N_m(const BarShape& bar) {
     constexpr double pi = std::numbers::pi;
     const double a = std::max(bar.width_m, bar.height_m), b = std::min(bar.width_m, bar.height_m);
     double series = 0.0;
+    // Terms fall with the fifth power: ten of them suffice.
     for (int n = 1; n < 20; n += 2) series += std::tanh(0.5 * n * pi * a / b) / std::pow(n, 5);
     const double J = a * b * b * b / 3.0 * (1.0 - 192.0 / std::pow(pi, 5) * b / a * series);
     return bar.shear_modulus_Pa() * J / bar.length_m;
@@ -102,6 +103,7 @@ double uniaxial_stress(const BarShape& bar, const StretchLaw& law, double strain
     const double most = std::abs(strain),
                  sideways = root_between(1.0 - most, 1.0 + most, [&](double a) { return at(a).across; });
     const Stress stress = at(sideways);
+    // On first loading the energy is the largest so far, on which the softening depends.
     const double energy = 0.5 * moduli.mu * stress.isochoric;
     return stress.along * (1.0 - law.damage_max * (1.0 - std::exp(-energy / law.energy_scale_J_m3)));
 }
@@ -128,6 +130,7 @@ double deflection_by_half_muscle(const BarShape& bar, double stiffness_Pa, doubl
     const double E = bar.youngs_modulus_Pa, w = stiffness_Pa, h = bar.height_m, pull = w * contraction;
     // Force and moment per width as functions of axial strain and curvature, positive if the upper side is shorter.
     Eigen::Matrix2d K;
+    // The upper half has the modulus E + w; its first moment about the axis couples strain and curvature.
     K << E * h + w * h / 2.0, -w * h * h / 8.0, -w * h * h / 8.0, E * h * h * h / 12.0 + w * h * h * h / 24.0;
     const Eigen::Vector2d strains = K.inverse() * Eigen::Vector2d(-pull * h / 2.0, pull * h * h / 8.0);
     return 0.5 * strains(1) * bar.length_m * bar.length_m;

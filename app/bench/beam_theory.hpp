@@ -15,6 +15,7 @@ struct BarShape {
     double width_m = 0.005;               // along y
     double height_m = 0.005;              // along z
     double youngs_modulus_Pa = 263824.0;  // the paper's beam: Dubied et al. 2022, sec. IV
+    // Bars of the cases accuracy and default-meshes; nearly incompressible, as silicone.
     double poissons_ratio = 0.49;
     double density_kg_m3 = 1070.0;
 
@@ -40,7 +41,7 @@ struct StretchLaw {
     double energy_scale_J_m3 = 1.0;  // energy density over which the softening develops
 };
 
-/// Nominal uniaxial stress [Pa] at a strain; the lateral stretch follows from zero lateral stress.
+/// Nominal uniaxial stress [Pa] at a strain on first loading; the lateral stretch follows from zero lateral stress.
 double uniaxial_stress(const BarShape& bar, const StretchLaw& law, double strain);
 
 /// Deflection of the free end under a transverse force there [m], to first order in the slope. The curvature of each

@@ -16,7 +16,7 @@
 namespace myo::bench {
 namespace {
 
-/// Target errors. Volumetric stiffness resists bending most in nearly incompressible material.
+/// Target errors, relative. Volumetric stiffness resists bending most in nearly incompressible material.
 constexpr double stiffness_target = 0.02, nearly_incompressible_target = 0.03, torsion_target = 0.06,
                  field_target = 0.05;
 
@@ -29,6 +29,7 @@ struct AccuracyRow {
     double poissons_ratio = 0.49;
 };
 
+/// The default bar with the Poisson's ratio of the row.
 BarShape bar_of(const AccuracyRow& row) {
     BarShape bar;
     bar.poissons_ratio = row.poissons_ratio;
@@ -134,6 +135,7 @@ private:
     std::optional<double> plain_m_;  // deflection with the linear law, computed once
 };
 
+/// Change of the deflection by strain stiffening and by stress softening.
 Result<void> add_laws(const BarShape& bar, const model::Model& model, const Eigen::VectorXd& tip,
                       BenchFigures& figures) {
     EndLoad load(bar, model, tip);
@@ -176,6 +178,7 @@ Result<BenchFigures> measure_accuracy(const AccuracyRow& row) {
 /// Mid-nodes count: with bricks twice as long, tetrahedra have as many nodes along the bar as hexahedra.
 double usual_aspect(fem::ElementKind element) { return fem::cell_type(element) == mesh::CellType::tet10 ? 2.0 : 1.0; }
 
+/// "hex8, 2 layers".
 std::string with_layers(fem::ElementKind element, int layers) {
     return to_string(element) + ", " + std::to_string(layers) + (layers == 1 ? " layer" : " layers");
 }

@@ -69,7 +69,7 @@ model::Model finger(const ActuatedBar& bar) {
     return model;
 }
 
-/// Arm of 160 x 16 x 16 mm across gravity, clamped at z = 0, with two tendons through nine guides each, 5 mm beside the
+/// Arm of 160 x 16 x 16 mm across gravity, clamped at z = 0, with two tendons through nine guides each, 5 mm off the
 /// axis, of which one pulls with up to 1 N.
 model::Model arm_with_tendons(const ActuatedBar& bar) {
     mesh::VolumeMesh mesh = mesh::box_hex_mesh({{-0.008, -0.008, -0.16}, {0.008, 0.008, 0.0}}, bar.cells);
@@ -88,11 +88,13 @@ model::Model arm_with_tendons(const ActuatedBar& bar) {
         for (int k = 0; k < 9; ++k) {
             const Vector3d guide(side, 0.0, -0.019 * k);
             route.guides.push_back({std::nullopt, guide});
+            // The first guide stands still: the motor's end.
             if (k > 0) route.guides.back().on_body = fem::material_point(mesh, boundary, guide);
         }
         for (std::vector<int>& group : model::tendon_couplings(route.guides, false))
             couplings.push_back(std::move(group));
     }
+    // Couplings before the body is made: its sparsity pattern contains them.
     model::Model model = across_gravity(silicone(std::move(mesh), held, std::move(couplings)));
     for (const model::TendonRoute& route : routes)
         model.force_elements.push_back(
@@ -104,19 +106,22 @@ model::Model actuated_bar(const ActuatedBar& bar) {
     return bar.drive == Drive::chamber ? finger(bar) : arm_with_tendons(bar);
 }
 
+/// Name of a row.
 std::string words(const ActuatedBar& bar) {
     return std::string(bar.drive == Drive::chamber ? "finger with a chamber, " : "arm with two tendons, ") +
            std::to_string(bar.cells.prod()) + " cells of the whole";
 }
 
+/// Box around the free end [m].
 Box tip(const ActuatedBar& bar) {
     return bar.drive == Drive::chamber ? Box{{0.075 - 1e-6, -1.0, -1.0}, {1.0, 1.0, 1.0}}
                                        : Box{{-1.0, -1.0, -1.0}, {1.0, 1.0, -0.16 + 1e-6}};
 }
 
+/// One period of breathing(), with the default integrator.
 dynamics::SimulationOptions options() { return bench_options(dynamics::Integrator::tr_bdf2, 0.01, 40, 1e-6); }
 
-/// The actuated body with the time of the plain one, run before it, beside.
+/// Figures of the actuated body, with the time of the plain one, which is run before it, as goal and note.
 template <class Measure>
 Result<BenchFigures> beside_plain(ActuatedBar bar, const Measure& measure) {
     bar.actuated = false;

@@ -49,6 +49,7 @@ struct BenchFigures {
     std::vector<BenchQuantity> quantities;   // physical results, if the case compares them
     std::string note;                        // displayed below the row
 
+    /// 0 for a static case.
     double ms_per_step() const { return steps > 0 ? 1e3 * run_s / steps : 0.0; }
     /// Simulated time over processor time.
     double real_time_factor() const { return run_s > 0.0 ? steps * h_s / run_s : 0.0; }
@@ -58,6 +59,8 @@ struct BenchFigures {
 };
 
 /// One row of a benchmark. A run can execute in its own process, so that its peak memory is its own.
+///
+/// Errors: a run did not complete, or its data cannot be read; the other rows go on.
 struct BenchRun {
     std::string name;
     std::function<Result<BenchFigures>()> run;
@@ -70,7 +73,7 @@ struct BenchCase {
     bool over_size = false;  // rows differ in size only: exponents of time and memory are fitted
 };
 
-/// All benchmarks.
+/// All benchmarks, in the order in which they run.
 const std::vector<BenchCase>& bench_catalogue();
 /// Ids of all benchmarks.
 std::vector<std::string> bench_ids();

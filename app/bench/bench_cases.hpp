@@ -16,7 +16,7 @@ BenchCase bench_elements();
 BenchCase bench_tetrahedra();
 /// An arm under strong actuation.
 BenchCase bench_arm();
-/// Bodies with chambers and tendons beside the plain body.
+/// Bodies with chambers and tendons, compared with the plain body.
 BenchCase bench_actuators();
 /// One run on two threads.
 BenchCase bench_threads();
@@ -38,7 +38,7 @@ BenchCase bench_converged();
 BenchCase bench_holds();
 /// Playing live while a hand pulls.
 BenchCase bench_live();
-/// Laws from files beside the elements of the core that they repeat.
+/// Laws from files, compared with the elements of the core that they repeat.
 BenchCase bench_laws();
 /// A slender bar against beam theory.
 BenchCase bench_accuracy();

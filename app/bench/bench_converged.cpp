@@ -20,6 +20,7 @@ model::Model graded_beam(fem::ElementKind element, int n, double poissons_ratio)
     const bool hexahedra = fem::cell_type(element) == mesh::CellType::hex8;
     mesh::VolumeMesh mesh = hexahedra ? mesh::box_hex_mesh(box, cells)
                                       : mesh::tet_box_mesh(box, cells, mesh::CellType::tet4);
+    // Along the beam towards the clamp; across it towards both sides, where stresses are singular at the clamp's edges.
     const double grading = hexahedra ? 1.0 : 0.5;
     for (auto X : mesh.nodes.colwise()) {
         const Eigen::Vector3d s = X.cwiseQuotient(box.size());
@@ -53,6 +54,7 @@ Result<BenchFigures> extrapolated(fem::ElementKind element, const ConvergedBeam&
         figures.quantities.push_back(
             {"tip under gravity, " + std::to_string(figures.dofs) + " DOF", *one, "mm", known.dz_mm});
     }
+    // d(h) - d(h/2) falls by 2^p per halving.
     const double ratio = (dz[1] - dz[0]) / (dz[2] - dz[1]), order = ratio > 0.0 ? std::log2(ratio) : 0.0;
     if (order > 1.75) {
         figures.quantities.push_back({"order", order, "", {}});

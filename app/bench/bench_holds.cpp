@@ -14,6 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// Numbers of the fit that is timed.
 struct HoldsPolicy {
     double true_modulus_Pa = 3e5, start_modulus_Pa = 2.4e5;
     double least_tension_N = 0.5, most_tension_N = 4.0;
@@ -37,11 +38,13 @@ model::Model hanging_bar(const Eigen::Vector3i& bricks) {
     model::TendonRoute route;
     for (int i = 0; i <= 10; ++i) {
         const Vector3d at(low.x() + 0.02 * i, 0.5 * (low.y() + high.y()), 0.5 * (low.z() + high.z()) - 0.006);
+        // The first guide stands still: the motor's end.
         route.guides.push_back({i > 0 ? std::optional(fem::material_point(mesh, boundary, at)) : std::nullopt, at});
     }
     std::vector<int> clamped;
     for (int i = 0; i < model.body->node_count(); ++i)
         if (model.body->clamped[static_cast<std::size_t>(i)]) clamped.push_back(i);
+    // Made a second time with the couplings of the tendon, which need the guides on the mesh.
     model.body = model::make_body(mesh, model.body->kind, clamped, model::tendon_couplings(route.guides, false));
     model.force_elements.push_back(model::tendon_of_tension(route, fibre::Signal::constant(0.0)));
     return model;
@@ -56,6 +59,7 @@ public:
             if (tip_(i) != 0.0) tip_nodes_.push_back(i);
         options_.start = dynamics::StartKind::equilibrium;
         options_.end_s = 0.0;
+        // Solutions of a hold start its next evaluation.
         options_.keep_path = true;
         for (int k = 0; k < count; ++k)
             tensions_N_.push_back(holds_policy.least_tension_N +
@@ -63,18 +67,21 @@ public:
         paths_.resize(tensions_N_.size());
     }
 
+    /// Makes the tips with the true modulus, then fits the modulus and measures the time of that alone.
     Result<BenchFigures> run() {
         BenchFigures figures;
         for (std::size_t k = 0; k < tensions_N_.size(); ++k) {
             const Outcome truth = hold(k, holds_policy.true_modulus_Pa, figures);
             if (!truth.ok()) return Error{truth.message, "holds"};
             measured_.push_back(truth.tip);
+            // The fit must not start from the solution.
             paths_[k].reset();
         }
         figures = {};
         const double start_s = thread_time_s();
         double modulus = holds_policy.start_modulus_Pa;
         for (int evaluation = 0; evaluation < holds_policy.max_evaluations; ++evaluation) {
+            // Gauss-Newton with one parameter: step = J'r / J'J.
             double normal = 0.0, right = 0.0;
             for (std::size_t k = 0; k < tensions_N_.size(); ++k) {
                 const Outcome here = hold(k, modulus, figures);
@@ -97,12 +104,14 @@ public:
     }
 
 private:
+    /// Pose of a hold: tip [m] and its derivative by the modulus [m/Pa].
     struct Outcome {
         std::string message;  // empty: found
         Vector3d tip, by_modulus;
         bool ok() const { return message.empty(); }
     };
 
+    /// Equilibrium of hold k with this modulus; adds steps, iterations and times to `figures`.
     Outcome hold(std::size_t k, double modulus_Pa, BenchFigures& figures) {
         model::Model model = bar_;
         model.force_elements[0] = model.force_elements[0]->with_command(fibre::Signal::constant(tensions_N_[k]));

@@ -9,6 +9,7 @@ namespace myo::bench {
 namespace {
 
 constexpr double most_over_built_in = 1.5;  // time of a step with a law over that with the element that it repeats
+// Quadratic drag of the surface, and stiffness of an elastic bed.
 constexpr double drag_kg_m3 = 3000.0, bed_Pa_m = 1e5;
 
 /// The default beam with one force on its free surface.
@@ -20,6 +21,8 @@ model::Model beam_with(
 }
 
 /// A law on the free surface with one number.
+///
+/// @param traction  expression of the traction on the surface [Pa], in u [m], v [m/s] and `parameter`
 model::ForceElementPointer law_of(const model::Body& body, const std::vector<int>& faces, const std::string& parameter,
                                   const std::string& traction, double number) {
     law::LawText text;

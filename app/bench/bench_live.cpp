@@ -35,6 +35,7 @@ Result<BenchFigures> pulled(const BenchBeam& beam, double h_s, int steps, double
     if (!run) return run.error();
     const double start = thread_time_s();
     for (int k = 0; k < steps; ++k) {
+        // Half a turn per second.
         const double angle = M_PI * k * h_s;
         controls.grip->places_m = held.colwise() + 0.03 * Eigen::Vector3d(0.0, std::sin(angle), 1.0 - std::cos(angle));
         if (const Result<void> stepped = (*run)->advance(controls, {}); !stepped) return stepped.error();
@@ -51,6 +52,9 @@ Result<BenchFigures> pulled(const BenchBeam& beam, double h_s, int steps, double
     return figures;
 }
 
+/// A row for a mesh and a step.
+///
+/// @param least_rate  simulated time over processor time that is aimed at
 BenchRun row(const Eigen::Vector3i& cells, double h_s, int steps, double least_rate) {
     const BenchBeam beam{fem::ElementKind::hex8, cells, "neo_hookean", 0.003};
     return {std::to_string(cells(0)) + " x " + std::to_string(cells(1)) + " x " + std::to_string(cells(2)) +

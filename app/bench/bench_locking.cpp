@@ -7,7 +7,7 @@
 namespace myo::bench {
 namespace {
 
-// Locking shows as a deflection that is too small at nu close to 1/2 but correct at 0.3.
+/// Deflection at three Poisson's ratios. Locking shows as one that is too small at nu close to 1/2 but correct at 0.3.
 Result<BenchFigures> locking(const BenchBeam& beam) {
     BenchFigures figures;
     for (const ConvergedBeam& converged : converged_beam) {

@@ -30,6 +30,7 @@ Result<BenchFigures> beside_trace(const PublishedTrace& published) {
     }
     const model::Model model = published_beam(published);
     const int node = published_node(model.body->mesh);
+    // As many as the trace has.
     const int steps = reference ? static_cast<int>(reference->times_s.size()) - 1 : 160;
     const dynamics::SimulationOptions options = bench_options(dynamics::Integrator::implicit_euler, published.h_s,
                                                               steps, 1e-6);

@@ -9,7 +9,7 @@
 namespace myo::bench {
 namespace {
 
-/// The same run on one and on two threads in turn, three times each, so that both see the same load of the machine; the
+/// One run on one and on two threads in turn, three times each, so that both see the same load of the machine; the
 /// best wall-clock time of each counts.
 Result<BenchFigures> two_threads(const Eigen::Vector3i& cells, int steps) {
     const model::Model model = bench_beam({fem::ElementKind::hex8, cells, "neo_hookean", 0.003});

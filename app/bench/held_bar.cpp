@@ -84,6 +84,7 @@ BendingMode SmallMotions::first_bending() {
         mode.shape = under(inertia);
         const Matrix3Xd next = model::times_mass(mode.shape, solver_.mass(0.0));
         const double mass = mode.shape.cwiseProduct(next).sum(), before = squared;
+        // Rayleigh quotient x'Kx / x'Mx: K x = inertia.
         squared = mode.shape.cwiseProduct(inertia).sum() / mass;
         mode.shape /= std::sqrt(mass);
         if (std::abs(squared - before) < 1e-6 * squared) break;

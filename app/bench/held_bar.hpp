@@ -15,8 +15,8 @@ namespace myo::bench {
 /// A bar of beam_theory.hpp as a neo-Hookean body with all nodes at x = 0 clamped; no gravity.
 model::Model held_bar(const BarShape& bar, fem::ElementKind element, mesh::VolumeMesh mesh);
 
-/// Integrals of the shape functions over the free end (highest x), divided by its area: weights of the mean of a nodal
-/// field, or shares of a uniform load.
+/// Integrals of the shape functions over the free end (highest x), divided by its area, one per node, sum 1: weights of
+/// the mean of a nodal field, or shares of a uniform load.
 Eigen::VectorXd free_end_share(const model::Body& body);
 
 /// Unit torque about the bar axis, as nodal forces 3 x n [N] on the free end, perpendicular and proportional to the
@@ -32,6 +32,9 @@ struct BendingMode {
 /// Linearised statics and vibration about the rest shape, with one factorisation.
 class SmallMotions {
 public:
+    /// Factorises the stiffness at rest.
+    ///
+    /// @param model  must outlive the object
     explicit SmallMotions(const model::Model& model);
     SmallMotions(const SmallMotions&) = delete;
     SmallMotions& operator=(const SmallMotions&) = delete;

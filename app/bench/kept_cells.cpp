@@ -7,6 +7,7 @@ namespace myo::bench {
 mesh::VolumeMesh kept_cells(const mesh::VolumeMesh& mesh, const std::function<bool(const Eigen::Vector3d&)>& keep) {
     mesh::VolumeMesh kept;
     kept.type = mesh.type;
+    // New number of each node, -1 where no kept cell uses it; and the nodes in the order of their new numbers.
     std::vector<int> number(static_cast<std::size_t>(mesh.node_count()), -1), nodes;
     std::vector<Eigen::VectorXi> cells;
     for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {

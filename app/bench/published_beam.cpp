@@ -21,6 +21,7 @@ model::DeadForce force_on_upper_tip_edge(const mesh::VolumeMesh& mesh, double fo
     model::DeadForce force;
     force.share = Eigen::VectorXd::Zero(mesh.node_count());
     for (Eigen::Index i = 0; i < mesh.node_count(); ++i)
+        // Equal shares, as in the published scripts: the force does not follow from a traction.
         if (mesh.nodes(0, i) > box.highest(0) - mesh::region_tolerance(mesh) &&
             mesh.nodes(2, i) > box.highest(2) - mesh::region_tolerance(mesh))
             force.share(i) = 1.0;
@@ -47,6 +48,7 @@ model::Model published_beam(const PublishedTrace& trace, model::MassModel mass) 
     const Result<mesh::GridLines> grid = mesh::whole_cube_lines(beam, trace.edge_m, {true, false, false});
     assert(grid);
     mesh::VolumeMesh mesh = mesh::hex_mesh(*grid);
+    // The clamped end is that of the mesh: whole cubes end before x = -0.1 m.
     Box clamp = mesh::bounding_box(mesh.nodes);
     clamp.highest(0) = clamp.lowest(0);
     const std::vector<int> clamped = mesh::nodes_in_box(mesh, clamp);

@@ -37,7 +37,7 @@ model::Model published_beam(const PublishedTrace& trace, model::MassModel mass =
 /// Vertical force on the upper edge of the tip (highest x and z), equal on all its nodes.
 model::DeadForce force_on_upper_tip_edge(const mesh::VolumeMesh& mesh, double force_N);
 
-/// Index of the traced node: tip face, lowest y, one cell below the top.
+/// Index of the traced node: tip face, lowest y, one cell below the top. For a mesh of published_beam().
 int published_node(const mesh::VolumeMesh& mesh);
 
 /// Trajectory of one node.
@@ -56,7 +56,9 @@ std::filesystem::path data_folder();
 /// Largest distance between a run's node and the trace at the times of the trace, over the largest deflection in the
 /// trace.
 ///
-/// @param run  contains the times of the trace among its own
+/// @param run   has the times of the trace as its first ones (asserted)
+/// @param node  of the run's mesh
+/// @return      relative, without unit
 double trace_deviation(const dynamics::Trace& run, int node, const NodeTrace& trace);
 
 }  // namespace myo::bench
