@@ -29,9 +29,11 @@ const char* const fits_file = "diagnose_fits.json";
 /// Exit status of a command that was interrupted, see app::ExitStatus.
 enum : int { status_of_interrupt = 130 };
 
+// For the search by name in read_marker().
 constexpr CaseState all_states[] = {CaseState::not_run,     CaseState::running, CaseState::done,
                                     CaseState::unconverged, CaseState::failed,  CaseState::stopped};
 
+/// Writes case.json (schema sweep_case/1). Errors: it cannot be written.
 Result<void> write_marker(const fs::path& folder, int number, const CaseMarker& marker) {
     report::Json json{{"schema", "sweep_case/1"},
                       {"case", number},
@@ -105,6 +107,7 @@ CaseMarker ended_case(const ChildEnd& end, CaseCommand command, const fs::path& 
             }
             marker.message = last_complaint(folder / messages_file);
             if (marker.message.empty()) marker.message = "exit status " + std::to_string(end.code);
+            // A fit that did not converge has the exit status of a failure, but its report is complete.
             if (says_unconverged(report_of(command, folder))) {
                 marker.state = CaseState::unconverged;
                 return marker;
@@ -114,6 +117,7 @@ CaseMarker ended_case(const ChildEnd& end, CaseCommand command, const fs::path& 
     return marker;
 }
 
+/// Call of the command; a stopped diagnosis continues from the fits that it kept.
 std::vector<std::string> arguments_of(const CaseRunner& runner, const SweepCase& c, const fs::path& folder) {
     std::vector<std::string> words{to_string(runner.command), folder.string()};
     words.insert(words.end(), c.options.begin(), c.options.end());
@@ -173,7 +177,9 @@ Result<CaseMarker> run_case(const CaseRunner& runner, const SweepCase& sweep_cas
     // A command whose sweep was killed may still work here; it holds the lock of its folder.
     if (fs::exists(folder, code) && !FolderLock::take(folder)) return marker;
     if (const Result<void> cleared = clear(folder); !cleared) return cleared.error();
+    // Before anything else is written: the folder is then known as one of a sweep.
     if (const Result<void> begun = write_marker(folder, sweep_case.number, marker); !begun) return begun.error();
+    // The text names files against the experiment's folder; in the folder of the case they have other relative paths.
     const std::string text = experiment::experiment_text_for(folder, sweep_case.text, runner.home);
     if (const Result<void> written = write_file(folder / experiment_file, text); !written) return written.error();
 

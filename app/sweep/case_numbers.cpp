@@ -16,11 +16,13 @@ double number_at(const Json& json, const std::string& key) {
     return found != json.end() && found->is_number() ? found->get<double>() : std::nan("");
 }
 
+/// Text of a key; empty if it is missing or no text.
 std::string text_at(const Json& json, const std::string& key) {
     const auto found = json.find(key);
     return found != json.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
+/// Whether a key holds true; a missing one does not.
 bool true_at(const Json& json, const std::string& key) {
     const auto found = json.find(key);
     return found != json.end() && found->is_boolean() && found->get<bool>();
@@ -61,6 +63,10 @@ void add_places(const Json& trial, Numbers& numbers) {
     }
 }
 
+/// Errors of all trials and places of their markers.
+///
+/// @param rms_key  key of the rms, which depends on the report
+/// @param shown    whether the rms are shown on the page
 void add_trials(const Json& json, const char* rms_key, bool shown, Numbers& numbers) {
     for (const Json& trial : child_at(json, "trials")) {
         numbers.add("rms of " + text_at(trial, "name"), "m", number_at(trial, rms_key), std::nan(""), shown);
@@ -69,6 +75,7 @@ void add_trials(const Json& json, const char* rms_key, bool shown, Numbers& numb
     }
 }
 
+// One function per report. The order in which numbers are added is that of the columns.
 CaseNumbers of_simulation(const Json& json) {
     Numbers numbers;
     add_trials(json, "rms_m", true, numbers);
@@ -114,6 +121,7 @@ CaseNumbers of_diagnosis(const Json& json) {
     numbers.add("rms of the fit", "m", number_at(child_at(json, "augmented_fit"), "rms_m"));
     numbers.add("rms of the validation trials before", "m", number_at(child_at(json, "validation"), "before_rms_m"));
     numbers.add("rms of the validation trials", "m", number_at(child_at(json, "validation"), "after_rms_m"));
+    // Material values of the fit with the effects, which may differ from the declared ones.
     for (const auto& [name, value] : child_at(child_at(json, "augmented_fit"), "parameters").items())
         if (value.is_number()) numbers.add_hidden(name, "", value.get<double>());
     add_trials(json, "after_rms_m", false, numbers);

@@ -13,6 +13,7 @@ ShownQuantity shown_quantity(const std::string& name, const std::string& unit) {
     static const std::map<std::string, std::string> suffixes{
         {"m", "_m"}, {"Pa", "_Pa"}, {"s", "_s"}, {"N", "_N"}, {"kg", "_kg"}};
     const auto suffix = suffixes.find(unit);
+    // Name and unit as the ending of the name says: "youngs_modulus_Pa" in kPa.
     const effect::ReadableQuantity own = effect::readable_quantity(name);
     if (unit.empty()) return {own.name, own.unit, own.factor};
     ShownQuantity shown{name, unit, 1.0};

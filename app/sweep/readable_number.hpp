@@ -11,6 +11,7 @@ namespace myo::sweep {
 struct ShownQuantity {
     std::string name;  // "youngs modulus"
     std::string unit;  // "kPa"; empty: a plain number
+    // Shown number = factor times the number in SI.
     double factor = 1.0;
 };
 
@@ -20,7 +21,7 @@ ShownQuantity shown_quantity(const std::string& name, const std::string& unit);
 /// How a varied quantity is shown: "material.youngs modulus" in kPa.
 ShownQuantity shown_quantity(const Varied& varied);
 
-/// Number with deviation and unit: "267 ± 4 kPa".
+/// Number with deviation and unit, as shown: "267 ± 4 kPa".
 std::string words_of(const CaseNumber& number);
 
 }  // namespace myo::sweep

@@ -22,6 +22,7 @@ std::optional<CaseMarker> own_marker(const SweepCase& c, const fs::path& folder)
     return marker;
 }
 
+/// Whether a case has not ended yet, or failed and is to be repeated.
 bool to_be_run(const SweepCase& c, const fs::path& folder, const SweepRun& run) {
     const std::optional<CaseMarker> marker = own_marker(c, folder);
     return !marker || !has_ended(marker->state) || (run.retry && marker->state == CaseState::failed);
@@ -31,6 +32,7 @@ bool to_be_run(const SweepCase& c, const fs::path& folder, const SweepRun& run) 
 std::vector<const SweepCase*> open_cases(const PreparedSweep& sweep, const fs::path& out, const SweepRun& run) {
     const int count = static_cast<int>(sweep.cases.size());
     std::vector<const SweepCase*> open;
+    // Numbers of cases begin at 1.
     for (const int number : cases::numbers_of({.first = 1, .cases = count, .share = run.share})) {
         const SweepCase& c = sweep.cases[static_cast<std::size_t>(number) - 1];
         if (to_be_run(c, case_folder(out, number), run)) open.push_back(&c);
@@ -58,6 +60,7 @@ public:
                 take_cases();
                 --at_work_;
             });
+        // Only this thread, which is the caller's, asks `progress_`; the others see `stop_`.
         while (at_work_ > 0) {
             if (progress_.cancelled()) stop_ = true;
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -81,6 +84,8 @@ private:
 
     void take(const SweepCase& c) {
         const fs::path folder = case_folder(out_, c.number);
+        // A lock next to the folder, not in it: the folder is cleared before a run, and its command takes the lock
+        // within.
         const Result<FolderLock> lock = FolderLock::take_file(folder);
         // Another process may have ended the case since the list was made.
         if (!lock || !to_be_run(c, folder, run_)) return;
@@ -141,7 +146,7 @@ std::vector<CaseMarker> case_markers(const PreparedSweep& sweep, const fs::path&
     for (const SweepCase& c : sweep.cases) {
         const fs::path folder = case_folder(out, c.number);
         std::optional<CaseMarker> marker = own_marker(c, folder);
-        // A marker "running" may be of a process that was killed: the lock tells.
+        // A marker "running" may be of a process that was killed; then nobody holds the lock.
         if (marker && marker->state == CaseState::running && FolderLock::take_file(folder))
             marker->state = CaseState::not_run;
         markers.push_back(marker.value_or(CaseMarker{.fingerprint = fingerprint_text(c)}));

@@ -30,6 +30,9 @@ Error error_of(const Varied& varied, const std::string& sentence) {
     return {varied.name + ": " + sentence, varied.where};
 }
 
+/// Reads the declaration and finds the varied keys.
+///
+/// Errors: the file cannot be read or is no TOML; a key that no path leads to, at its place in the sweep file.
 Result<Declared> read_declared(const Sweep& sweep) {
     std::error_code code;
     Declared declared;
@@ -116,6 +119,9 @@ private:
     std::map<fs::path, std::uint64_t> hashes_;
 };
 
+/// Hash of everything that decides the result of a case.
+///
+/// @param files  all that the experiment reads, its declaration among them
 Result<std::uint64_t> fingerprint_of(const Sweep& sweep, const SweepCase& c, const std::vector<fs::path>& files,
                                      const fs::path& declaration, const std::string& version, FileContents& contents) {
     Fingerprint fingerprint;
@@ -153,6 +159,7 @@ Result<PreparedSweep> prepare_sweep(const Sweep& sweep, const CheckArguments& ch
             return as_declared ? refused_case(sweep, *declared, c, experiment.error()) : as_declared.error();
         }
         prepared.experiment_name = experiment->name;
+        // Neighbouring cases mostly have equal options, which need not be parsed again.
         const bool new_options = prepared.cases.empty() || prepared.cases.back().options != c.options;
         if (const Result<void> taken = new_options ? check(to_string(sweep.command), c.options) : Result<void>();
             !taken)

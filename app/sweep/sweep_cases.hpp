@@ -26,7 +26,7 @@ struct PreparedSweep {
     std::vector<SweepCase> cases = {};
 };
 
-/// Whether the command takes these arguments; made by the program, which knows its options.
+/// Whether the command takes these arguments, else the parser's message; made by the program, which knows its options.
 using CheckArguments = std::function<Result<void>(const std::string& command, const std::vector<std::string>&)>;
 
 /// Makes all cases of a sweep: edits the declaration and reads every one as the command will.

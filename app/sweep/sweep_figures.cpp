@@ -18,6 +18,7 @@ std::vector<std::size_t> axes_of(const Sweep& sweep) {
     return axes;
 }
 
+/// Whether all values are finite numbers, so that they can be an axis.
 bool is_numeric(const Varied& varied) {
     return std::all_of(varied.values.begin(), varied.values.end(), [](const toml::TomlValue& value) {
         return value.kind == toml::TomlValue::Kind::number && std::isfinite(value.number);
@@ -43,6 +44,7 @@ std::string axis_name(const Sweep& sweep, std::size_t axis) {
     return others.empty() ? name : name + " (with " + join(others) + ")";
 }
 
+/// A value in its shown unit: "320 kPa".
 std::string shown_value(const Varied& varied, std::size_t index) {
     const ShownQuantity shown = shown_quantity(varied);
     const toml::TomlValue& value = varied.values[index];
@@ -61,6 +63,7 @@ std::string curve_name(const Sweep& sweep, const std::vector<std::size_t>& axes,
     return join(words);
 }
 
+/// Axis of numbers, or of categories in the order of the values.
 chart::Axis x_axis(const Sweep& sweep, std::size_t along) {
     const Varied& varied = sweep.varied[along];
     chart::Axis axis{.label = axis_name(sweep, along)};
@@ -92,6 +95,7 @@ std::vector<chart::Series> curves_of(const SweepTable& table, const std::vector<
         const std::size_t index = row.choice[along];
         curve.x.push_back(numeric ? x_factor * varied.values[index].number : static_cast<double>(index));
         const CaseNumber* number = row.find(column.name);
+        // NaN makes a gap: a case that failed must not be bridged by a line.
         curve.y.push_back(number != nullptr ? factor * number->value : std::nan(""));
         if (column.has_deviation)
             curve.half_width.push_back(

@@ -16,7 +16,10 @@ struct SweepFigures {
     std::string missing = {};  // why there are none; empty: there are, or nothing is to be shown
 };
 
-/// Makes the figures. Rows without a number are gaps; bands are one standard deviation.
+/// Makes the figures, in the order of the shown columns. Rows without a number are gaps; bands are one standard
+/// deviation.
+///
+/// @param policy  more curves than it allows give no figure
 SweepFigures sweep_figures(const SweepTable& table, const SweepPolicy& policy = {});
 
 }  // namespace myo::sweep

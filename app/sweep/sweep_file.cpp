@@ -15,6 +15,7 @@ using toml::TomlValue;
 
 const char* const current_schema = "sweep/1";
 
+/// Commands by their words in the file.
 const std::vector<std::pair<std::string, CaseCommand>>& command_words() {
     static const std::vector<std::pair<std::string, CaseCommand>> words{{"simulate", CaseCommand::simulate},
                                                                         {"calibrate", CaseCommand::calibrate},
@@ -30,6 +31,7 @@ bool set_by_the_sweep(const std::string& word) {
     return std::find(own.begin(), own.end(), word.substr(0, word.find('='))) != own.end();
 }
 
+/// A number that the file does not hold itself, at the place of the table that makes it.
 TomlValue number_value(double number, const std::string& where) {
     TomlValue value;
     value.kind = TomlValue::Kind::number;
@@ -52,6 +54,7 @@ bool is_usable(const TomlValue& value, bool of_option) {
     }
 }
 
+// In this and the following functions a mistake throws toml::TomlFailure, which read_sweep() catches.
 std::vector<TomlValue> listed_values(const TomlReader& reader, const TomlValue& table, bool of_option) {
     for (const char* other : {"from", "to", "count", "spacing"}) reader.reject(other, "does not go with values");
     const TomlValue& list = *table.find("values");
@@ -65,6 +68,7 @@ std::vector<TomlValue> listed_values(const TomlReader& reader, const TomlValue& 
     return list.items;
 }
 
+/// Values from `from` to `to`, equally spaced or by a constant factor, rounded to readable numbers.
 std::vector<TomlValue> ranged_values(const TomlReader& reader, bool logarithmic, const SweepPolicy& policy) {
     const toml::NumberRange range = logarithmic ? toml::positive() : toml::any_number();
     const double from = reader.number("from", range), to = reader.number("to", range);
@@ -82,6 +86,9 @@ std::vector<TomlValue> ranged_values(const TomlReader& reader, bool logarithmic,
     return values;
 }
 
+/// One table [[vary]].
+///
+/// @param before  what was read so far, with which this quantity may move together
 Varied read_varied(const TomlReader& reader, const TomlValue& table, const Sweep& before, const SweepPolicy& policy) {
     if (reader.has("key") == reader.has("option"))
         reader.fail("key", "name either a key of the experiment or an option of the command");
@@ -126,6 +133,7 @@ Varied read_seeds(const TomlReader& reader, const TomlValue& seeds, const Sweep&
     return varied;
 }
 
+/// The whole file. Seeds become the last axis, so that cases with equal values are neighbours.
 Sweep read_document(const TomlValue& root, const std::filesystem::path& file, const SweepPolicy& policy) {
     const TomlReader reader(root, "", {"schema", "experiment", "command", "arguments", "seeds", "vary"});
     if (const std::string schema = reader.text("schema"); schema != current_schema)

@@ -20,6 +20,7 @@ struct SweepPolicy {
 
 /// Command that is run on every case.
 enum class CaseCommand { simulate, calibrate, diagnose, optimize };
+/// Word of the command line.
 std::string to_string(CaseCommand command);
 
 /// Something that a sweep varies: a key of the experiment, or an option of the command.
@@ -47,7 +48,7 @@ struct Sweep {
 /// that move together but differ in number, options that the sweep sets itself, too many cases.
 Result<Sweep> read_sweep(const std::filesystem::path& file, const SweepPolicy& policy = {});
 
-/// Numbers of values of the axes of the grid: those that move together are one axis.
+/// Numbers of values of the axes of the grid, the slowest first: quantities that move together are one axis.
 std::vector<std::size_t> axis_sizes(const Sweep& sweep);
 
 /// Number of cases: the product of the axes; 1 without any.

@@ -12,14 +12,19 @@
 namespace myo::sweep {
 namespace {
 
+/// "1 case", "3 cases".
 std::string counted(int count, const std::string& thing) {
     return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
 }
 
+/// Whether a condition holds for some row.
 bool any_row(const SweepTable& table, const auto& holds) {
     return std::any_of(table.rows.begin(), table.rows.end(), holds);
 }
 
+/// Cells of a row in the order of the columns of result_table(), in shown units.
+///
+/// @param verdicts  the table has a column of verdicts
 std::vector<report::Cell> cells_of(const SweepTable& table, const SweepRow& row, bool verdicts) {
     std::vector<report::Cell> cells{row.number};
     for (std::size_t k = 0; k < table.sweep.varied.size(); ++k) {
@@ -43,6 +48,7 @@ std::vector<report::Cell> cells_of(const SweepTable& table, const SweepRow& row,
     return cells;
 }
 
+/// Table of the page: varied values, state, verdict, shown numbers with their deviations, time.
 report::Table result_table(const SweepTable& table) {
     const bool verdicts = any_row(table, [](const SweepRow& row) { return !row.result.verdict.empty(); });
     report::Table page{
@@ -67,10 +73,12 @@ report::Table result_table(const SweepTable& table) {
     return page;
 }
 
+/// Figures of the shown numbers, or the reason why there are none.
 report::Section figure_section(const SweepTable& table) {
     report::Section section{"Figures", {}};
     const SweepFigures figures = sweep_figures(table);
     if (!figures.missing.empty()) section.blocks.emplace_back(report::Paragraph{figures.missing});
+    // Figures follow the order of the shown columns.
     std::size_t at = 0;
     for (const SweepColumn& column : table.columns) {
         if (!column.shown || at >= figures.charts.size()) continue;
@@ -102,6 +110,7 @@ report::HtmlReport sweep_report(const SweepTable& table, const std::string& call
                                           row.message);
     page.sections.push_back(figure_section(table));
     page.sections.push_back({"Cases", {result_table(table)}});
+    // A copy of the file on the page: the sweep can be repeated from it.
     if (const Result<std::string> text = read_file(table.sweep.file); text)
         page.sections.push_back({"Sweep file", {report::Preformatted{*text}}});
     page.footer = call;

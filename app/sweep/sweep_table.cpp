@@ -22,10 +22,12 @@ std::string csv_field(const std::string& text) {
 /// Shortest text of the same double; empty if it is not finite.
 std::string csv_number(double value) { return std::isfinite(value) ? measurement::exact_number(value) : ""; }
 
+/// Head of a column: "rms of drop [m]".
 std::string title_of(const SweepColumn& column) {
     return column.unit.empty() ? column.name : column.name + " [" + column.unit + "]";
 }
 
+/// Appends columns of numbers that no row before had. Cases may have different numbers, such as those of other effects.
 void add_columns(const SweepRow& row, std::vector<SweepColumn>& columns) {
     for (const CaseNumber& number : row.result.numbers) {
         auto column = std::find_if(columns.begin(), columns.end(),
@@ -36,6 +38,7 @@ void add_columns(const SweepRow& row, std::vector<SweepColumn>& columns) {
     }
 }
 
+/// A varied value as JSON, in the unit of the sweep file.
 report::Json value_json(const toml::TomlValue& value) {
     switch (value.kind) {
         case toml::TomlValue::Kind::number: return report::json_number(value.number);
@@ -54,6 +57,7 @@ report::Json value_json(const toml::TomlValue& value) {
     }
 }
 
+/// A case as JSON; its folder is relative to that of the sweep.
 report::Json row_json(const SweepTable& table, const SweepRow& row) {
     report::Json json{{"case", row.number}, {"values", report::Json::object()}, {"state", to_string(row.state)}};
     for (std::size_t k = 0; k < table.sweep.varied.size(); ++k)

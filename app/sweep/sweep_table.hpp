@@ -26,6 +26,7 @@ struct SweepColumn {
     std::string name;
     std::string unit;            // see CaseNumber
     bool has_deviation = false;  // in some row
+    // On the page; otherwise in the files only.
     bool shown = true;
 };
 
@@ -45,10 +46,11 @@ struct SweepTable {
 SweepRow sweep_row(const PreparedSweep& sweep, const SweepCase& sweep_case, const CaseMarker& marker,
                    const std::filesystem::path& out);
 
-/// Reads the markers and reports of all cases.
+/// Reads the markers and reports of all cases, also while other processes run some of them.
 SweepTable sweep_table(const PreparedSweep& sweep, const std::filesystem::path& out);
 
-/// The table as CSV (RFC 4180): case, varied values, state, verdict, numbers with unit and deviation, seconds, message.
+/// The table as CSV (RFC 4180): case, varied values, state, verdict, numbers in SI with deviation, seconds, message.
+/// Numbers that a case does not have are empty fields.
 std::string csv_text(const SweepTable& table);
 
 /// The table as JSON (schema sweep_result/1), with everything in SI units.
