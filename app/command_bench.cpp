@@ -57,6 +57,7 @@ report::Json quantities_json(const bench::BenchFigures& f) {
 report::Json figures_json(const bench::BenchFigures& f) {
     const report::Json references = references_json(f);
     const report::Json quantities = quantities_json(f);
+    // Keys of the file of --json; a value that does not exist is null.
     return {{"name", f.name},
             {"dofs", f.dofs},
             {"cells", f.cells},
@@ -120,6 +121,7 @@ void print_figures(const report::Json& row) {
     const auto optional = [&](const char* key) {
         return row[key].is_null() ? std::string("-") : format_number(row[key].get<double>(), 3);
     };
+    // Dashes keep the columns of cases that mix static and dynamic rows.
     if (row["steps"].get<int>() == 0) {
         print_format("  %9s %7s %9s %7s %7s %9s %8.1f %7s  %s, %.2f s\n", "-", "-", "-", "-", "-", "-",
                      row["peak_memory_bytes"].get<double>() / 1e6, "-", row["name"].get<std::string>().c_str(),

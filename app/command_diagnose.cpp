@@ -165,6 +165,7 @@ int diagnose_command(const DiagnoseCall& call) {
     const std::vector<check::Finding> before = check::check_before(setup);
     tell_findings(before, opening.told, console);
     console.print(setup.experiment.name + "\n" + size_line(setup));
+    // After open_command(), which holds the lock of the folder: kept fits are removed or read from here on.
     const diagnosis::DiagnoseSettings settings = diagnose_settings(call);
     const double setup_s = opening.stopwatch.seconds();
     // A stopped diagnosis has no verdict, and nothing but its fits is worth keeping.
@@ -188,6 +189,7 @@ int diagnose_command(const DiagnoseCall& call) {
     if (next)
         console.print("\n" + planning::proposal_lines(*next, planning::PlanningPolicy().proposal) + "\n" +
                       format_number(next->seconds, 3) + " s");
+    // The result is printed already, so that a full disk loses files only.
     if (const Result<void> written = write_results(call, opening.experiment, setup, d, next, facts); !written)
         return console.fail(written.error());
     console.print("report: " + (call.out / "report.html").string());

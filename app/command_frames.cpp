@@ -56,6 +56,7 @@ int frames_command(const fs::path& json) {
                  "[ms], drawn off screen at 1600 x 900");
     const Result<FrameBench> bench = bench_frames(folder, progress, print_times);
     fs::remove_all(folder, code);
+    // Only after the folder is removed.
     if (progress.cancelled()) return status_stopped;
     if (!bench) {
         console.complain(bench.error().text());

@@ -99,6 +99,7 @@ int gradcheck_command(const GradcheckCall& call) {
     const Progress progress = console.progress();
     const OpenedExperiment opening = open_command(call, TrialChoice::one, complete_check, console, progress);
     if (!opening.setup) return opening.status;
+    // A trial with goals is compared with these instead of a recording.
     const Result<setup::Setup> target = prediction::with_goals(*opening.setup);
     if (!target) return console.refuse(target.error());
     const setup::Setup& setup = *target;

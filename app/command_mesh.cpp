@@ -263,6 +263,7 @@ int mesh_command(const MeshCall& call) {
 }  // namespace
 
 std::function<int()> declare_mesh(CLI::App& app) {
+    // Options of one kind of file only are declared for both; mesh_surface() and check_volume() refuse the others.
     const auto call = std::make_shared<MeshCall>();
     app.add_option("FILE", call->file, "surface (stl, obj, ply, vtp) or volume mesh (vtu, vtk, msh, node, ele)")
         ->type_name("");

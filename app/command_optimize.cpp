@@ -313,6 +313,7 @@ std::function<int()> declare_optimize(CLI::App& app) {
     app.add_option("--trial", call->trial,
                    "trial whose goals, or else trace, are the target (default: the first with role fit)")
         ->type_name("NAME");
+    // Read as words here: their names are known once the experiment is read.
     app.add_option("--seek", call->seek,
                    "what may change, separated by commas: signals, direction:MUSCLE (its fibres), weights:MUSCLE (its "
                    "paint), modulus, modulus:PART (default: signals)")

@@ -121,6 +121,7 @@ int propose_command(ProposeCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     const Progress progress = console.progress();
     call.writes_folder = !call.out.empty();
+    // Before the experiment is prepared: a wrong call is refused at once.
     const Result<std::array<planning::RivalStart, 2>> starts = starts_of(call);
     if (!starts) return console.refuse(starts.error());
     const OpenedExperiment opening = open_command(call, TrialChoice::all, first_proposal, console, progress);
@@ -145,6 +146,7 @@ int propose_command(ProposeCall& call) {
     const Result<std::string> declaration = read_file(declaration_of(call));
     if (!declaration) return console.refuse(declaration.error());
     const double fits_s = opening.stopwatch.seconds() - setup_s;
+    // Signals of trials that are tried are files, as trials name them; the folder is removed at the end.
     const PassingFolder signals;
     const planning::PlanningPolicy policy;
     const Result<planning::Proposal> proposal = planning::propose_trial({fitted->setup,
@@ -175,6 +177,7 @@ int propose_command(ProposeCall& call) {
 std::function<int()> declare_propose(CLI::App& app) {
     const auto call = std::make_shared<ProposeCall>();
     declare_experiment_call(app, *call);
+    // open_command() checks the names, which may be laws of the experiment.
     call->named_effects.emplace_back("--between", &call->between_ids);
     call->outputs = [own = call.get()](const experiment::Experiment&) {
         std::vector<std::filesystem::path> files;

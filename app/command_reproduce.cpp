@@ -123,6 +123,7 @@ int reproduce_command(const ReproduceCall& call) {
     Console console(call.work.quiet, call.work.json_progress);
     const reproduce::ReproductionCase* const one = reproduce::find_reproduction(call.id);
     if (one == nullptr) return console.refuse({unknown_word(call.id, reproduce::reproduction_ids()), "reproduce"});
+    // Held until the results are written.
     const Result<FolderLock> lock = claim_folder(call, *one);
     if (!lock) return console.refuse(lock.error());
     const reproduce::ReproduceSettings settings = reproduce_settings(call);

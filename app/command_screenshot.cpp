@@ -68,6 +68,7 @@ int screenshot_command(const ScreenshotCall& call) {
     // Calibration and search contain a run of their own.
     picture.run = !call.as_opened && !call.picture.calibrate && !call.picture.optimize;
     picture.theme = call.theme == "light" ? ui::platform::ThemeName::light : ui::platform::ThemeName::dark;
+    // The option is in percent.
     picture.scale = 0.01f * static_cast<float>(call.percent);
     const Result<ui::platform::Image> image = ui::panels::draw_screenshot(backend::make_core_backend(), picture,
                                                                           progress);

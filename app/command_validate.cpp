@@ -104,7 +104,7 @@ int run_validate(ValidateCall call) {
     Console console(call.work.quiet, call.work.json_progress);
     if (call.out.empty()) return console.refuse({"name a folder for the results", "--out"});
     const validation::CaseChoice& choice = call.options.choice;
-    // These options belong to the validation of the diagnosis and would be ignored silently.
+    // Options of the validation of the diagnosis would be ignored silently.
     if (call.defaults && !(choice.families.empty() && choice.effects.empty()))
         return console.refuse(
             {"draws its own bodies and has no effects; leave --geometry and --effects out", "--defaults"});
@@ -160,6 +160,7 @@ std::function<int()> declare_validate(CLI::App& app) {
     app.add_option("--out", call->out,
                    "folder for cases and results, made when missing; finished cases in it are not repeated")
         ->type_name("DIR");
+    // Options of the two kinds of validation are declared together; run_validate() refuses those that do not apply.
     app.add_flag("--defaults", call->defaults,
                  "calibrate random experiments with nothing but defaults instead: how often are numbers wrong without "
                  "a warning?");

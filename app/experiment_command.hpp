@@ -29,7 +29,7 @@ enum class StepChoice {
 struct ExperimentCall {
     std::filesystem::path experiment;  // folder or .toml file
     std::filesystem::path out;         // folder for results
-    bool writes_folder = true;         // false: the command has no --out
+    bool writes_folder = true;         // false: no folder is made or locked
     StepChoice step_choice = StepChoice::before;
     bool fits = false;  // the command fits values, which validation trials may test
     int leave_out = 0;  // fit trials that become validation trials, drawn by the seed
@@ -80,7 +80,8 @@ struct OpenedExperiment {
 std::filesystem::path declaration_of(const ExperimentCall& call);
 
 /// Reads and prepares the experiment of a command, reduced to one trial (with_one_trial) for TrialChoice::one. An
-/// unknown call.trial is rejected in both cases. The integration is checked as well.
+/// unknown call.trial is rejected in both cases. The integration is checked as well, unless the run chooses its steps
+/// (StepChoice::in_run).
 ///
 /// @param first_result  what an early cancellation prevents, for the message "stopped before <first_result>; ..."
 /// Errors: in `status`, already printed: those of the call, of the input and of the output folder; outputs that would

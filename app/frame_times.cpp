@@ -45,6 +45,7 @@ std::string experiment(const std::string& name, const Eigen::Vector3d& size, con
 Result<void> write_plate(const std::filesystem::path& folder) {
     constexpr int markers = 8, samples = 41;
     std::ostringstream rest, trace;
+    // Markers in a row along the plate, on its upper face.
     rest << "[markers]\nnoise_m = 1e-4\n[markers.rest_m]\n";
     trace << "time_s";
     const auto place = [](int m) { return plate_m * (m + 1.0) / (markers + 1.0); };
@@ -176,6 +177,7 @@ private:
         // Every panel once still and once rotating, then playback, then a background search.
         if (const auto opened = open(folder / "plate", layer_m); !opened) return opened;
         workbench_.execute(ui::commands::Run{});
+        // The run of the plate is what playback shows below.
         if (const auto ran = wait(); !ran) return ran;
         if (const auto settled = settle(); !settled) return settled;
         result_.triangles = static_cast<int>(window_->scene().surface->triangle_count());

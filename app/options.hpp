@@ -60,7 +60,7 @@ std::vector<std::string> effect_list(const std::string& option, const std::strin
 CLI::Option* add_effect_list(CLI::App& app, const std::string& name, std::vector<std::string>& target,
                              const std::string& help);
 
-/// --share I/N: every N-th case, beginning with the I-th, from 1.
+/// --share I/N: the I-th (from 1) of N disjoint shares of the cases, see cases::Share.
 CLI::Option* add_share(CLI::App& app, cases::Share& share);
 
 /// --unit mm|m, stored as metres per unit.

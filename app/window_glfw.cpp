@@ -305,6 +305,7 @@ Result<void> draw_frames(GLFWwindow* window, ui::commands::Workbench& workbench,
             glfwWaitEventsTimeout(0.2);  // minimised
             continue;
         }
+        // Animations advance by the time since the last frame that was drawn.
         const auto now = Clock::now();
         if (const auto drawn = view.draw_frame(width, height, std::chrono::duration<double>(now - last).count());
             !drawn)

@@ -22,6 +22,7 @@ using ui::commands::LiveActuator;
 using ui::commands::LiveControls;
 using ui::commands::LiveFrame;
 
+/// Numbers of playing live; the accuracy is that of a picture.
 struct LiveModelPolicy {
     double tolerance = 1e-4;  // of the stages: places within 0.1 % of the deflection (test LiveRun), below what is seen
     double least_activation = 0.5, greatest_activation = 1.5;  // of the sliders

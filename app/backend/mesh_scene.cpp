@@ -84,7 +84,7 @@ effect::TrialContext site_of(const experiment::Experiment& experiment, const mod
 Result<model::Model> scene_model(const experiment::Experiment& experiment, const ui::commands::Settings& settings,
                                  const setup::BodyMesh& mesh, const std::vector<int>& held) {
     model::Model model;
-    // The same choice of element as in prepare_setup().
+    // Element chosen as in prepare_setup().
     const bool fine = effect::any_varies_within_cells(experiment.effects);
     model.body = model::make_body(mesh.mesh, fine ? fem::fine_element(mesh.element) : mesh.element, held);
     model.material = material::find_material(settings.material, law_values(settings));

@@ -17,7 +17,7 @@ ui::commands::SceneTrial mesh_scene_trial();
 /// Initial settings of the window for this set-up, with the default mesh of the surface.
 ui::commands::Settings mesh_scene_settings(const experiment::Experiment& experiment, const mesh::SurfaceMesh& surface);
 
-/// This set-up with the settings, on the displayed mesh: model and options of its run.
+/// Model and options of the run of this set-up, with the settings and on the displayed mesh.
 ///
 /// Errors: the mesh belongs to other settings; no node at the clamped end; an unknown material law.
 Result<effect::Affected> mesh_scene_release(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,

@@ -44,6 +44,7 @@ ui::commands::RunResult shown_run(const setup::Setup& setup, const prediction::S
         shown.name = setup.trials[t].name;
         result.steps += std::max(0.0, static_cast<double>(prediction.trace.times_s.size()) - 1.0);
         const Eigen::VectorXd& sampled = setup.trials[t].measured.time_s;
+        // Frames of the laboratory, where the cameras stand: they differ from those of the model if the mount moves.
         const std::optional<dynamics::Trace> seen = prediction::laboratory_trace(setup, t, run.values,
                                                                                  prediction.trace);
         if (!prediction.trace.positions.empty())
@@ -52,6 +53,7 @@ ui::commands::RunResult shown_run(const setup::Setup& setup, const prediction::S
         for (std::size_t m = 0; m < setup.marker_names.size() && prediction.ok(); ++m) {
             // Prediction in the compared form (measurement plus residual), but without gaps.
             Matrix3Xd track = measurement::small_rotation(run.values.rotation_rad) * prediction.positions_m[m];
+            // Registration of the run, in radians and metres; small angles.
             track.colwise() += run.values.translation_m;
             if (!setup.trials[t].reference_m.empty())
                 track.colwise() += Eigen::Vector3d(setup.experiment.markers.on_body[m].rest_m - prediction.start_m[m]);
@@ -62,6 +64,7 @@ ui::commands::RunResult shown_run(const setup::Setup& setup, const prediction::S
         all.insert(all.end(), prediction.residual_m.begin(), prediction.residual_m.end());
         result.trials.push_back(std::move(shown));
     }
+    // Over all coordinates of all trials, not a mean of the trials' values.
     result.rms_m = prediction::rms(all);
     // Fields such as stress are evaluated later, on demand, from these models.
     auto models = std::make_shared<RunModels>();

@@ -35,6 +35,7 @@ model::Model arm_model() {
         fibre::fibres_in_box(mesh, {Eigen::Vector3d(10 * edge_m, 0.0, 0.0), size}, upwards, 2e5, "muscle 1"));
     fibres->push_back(fibre::fibres_in_box(
         mesh, {Eigen::Vector3d::Zero(), Eigen::Vector3d(2 * edge_m, size(1), size(2))}, upwards, 2e5, "muscle 2"));
+    // Staircase of the two activations; the antagonist contracts by half of what the first muscle lengthens.
     fibre::Signal first{{}, {}}, second{{}, {}};
     for (int k = 0; k <= 4; ++k)
         // Two rows per time make a jump: the levels are piecewise constant.

@@ -63,6 +63,7 @@ model::Model finger(const ActuatedBar& bar) {
         return (middle.array() < lowest.array()).any() || (middle.array() > highest.array()).any();
     });
     model::Model model = silicone(std::move(hollow), {{-1e-6, -1.0, -1.0}, {1e-6, 1.0, 1.0}}, {});
+    // The only cavity is the chamber.
     if (bar.actuated)
         model.force_elements.push_back(
             model::cavity_pressure(*model.body, model::closed_cavities(*model.body).front(), breathing(2e4)));
@@ -139,6 +140,7 @@ Result<BenchFigures> beside_plain(ActuatedBar bar, const Measure& measure) {
     return figures;
 }
 
+/// Rows of a body: the run, and the backward pass.
 BenchRun forward(const ActuatedBar& bar) {
     return {words(bar) + ", forward", [bar] {
                 return beside_plain(bar, [](const ActuatedBar& one) {

@@ -54,6 +54,7 @@ BenchCase bench_backward() {
             "arm, muscles' waves, Euler, residual 1e-6", model, Box{{-1.0, -1.0, -1.0}, {1.0, 1.0, 1e-6}}, options,
             {{"DiffPD projective, backward, at strong actuation", 1740.0}, {"DiffPD Newton, backward", 2330.0}});
     };
+    // Published formulation, and our default.
     const BenchBeam published{fem::ElementKind::hex8_full, {23, 7, 7}, "projective_corotational"};
     const BenchBeam honest{fem::ElementKind::hex8, {23, 7, 7}, "neo_hookean", 0.003};
     return {"backward",

@@ -10,6 +10,7 @@ namespace {
 /// Forward and backward pass with a limited memory for stored states. The loss is half the squared displacement of the
 /// tip at the end.
 Result<BenchFigures> gradient_within(double budget_bytes, const BenchBeam& beam, int steps) {
+    // Set-up and run are timed apart.
     const double made = thread_time_s();
     const model::Model model = bench_beam(beam);
     const dynamics::SimulationOptions options = bench_options(dynamics::Integrator::tr_bdf2, 0.01, steps, 1e-6);
@@ -37,6 +38,7 @@ Result<BenchFigures> gradient_within(double budget_bytes, const BenchBeam& beam,
     figures.cells = model.body->cell_count();
     figures.steps = run.steps;
     figures.h_s = options.h_s;
+    // dloss/dE times E is printed so that two versions of the program can be compared.
     figures.quantities = {
         {"kept of the run at once", run.tape_bytes / 1e6, "MB", {}},
         {"parts it was cut into", static_cast<double>(run.parts), "", {}},

@@ -115,6 +115,7 @@ private:
     Outcome hold(std::size_t k, double modulus_Pa, BenchFigures& figures) {
         model::Model model = bar_;
         model.force_elements[0] = model.force_elements[0]->with_command(fibre::Signal::constant(tensions_N_[k]));
+        // Both moduli are proportional to Young's modulus at constant Poisson's ratio.
         for (material::Moduli& moduli : model.moduli) {
             moduli.mu *= modulus_Pa / holds_policy.true_modulus_Pa;
             moduli.kappa *= modulus_Pa / holds_policy.true_modulus_Pa;

@@ -45,6 +45,7 @@ BenchRun compared(const std::string& name, const std::function<model::Model()>& 
                 const auto keep = [](std::optional<BenchFigures>& best, BenchFigures figures) {
                     if (!best || figures.run_s < best->run_s) best = std::move(figures);
                 };
+                // In turn, so that both see the same load of the machine.
                 for (int repeat = 0; repeat < 3; ++repeat) {
                     Result<BenchFigures> own = measure_model(name, of_law, options),
                                          other = measure_model(name, built_in, options);

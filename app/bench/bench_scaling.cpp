@@ -8,6 +8,7 @@ BenchCase bench_scaling() {
                      "the paper's energy, implicit Euler, h = 10 ms, residual 1e-4, from 1 thousand to 200 thousand "
                      "degrees of freedom",
                      {}};
+    // Near-cubic cells, so that the proportions of the mesh stay.
     for (const auto& [length, width] : {std::pair{13, 4}, {23, 7}, {32, 9}, {40, 12}, {60, 18}, {90, 27}}) {
         const Eigen::Vector3i cells(length, width, width);
         const int steps = width < 18 ? 20 : 5;  // few steps of the largest meshes, to limit the run time

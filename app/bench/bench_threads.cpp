@@ -22,6 +22,7 @@ Result<BenchFigures> two_threads(const Eigen::Vector3i& cells, int steps) {
             parallel_tasks(1, threads, [&](int) { traces[threads - 1] = dynamics::simulate(model, options); });
             best[threads - 1] = std::min(best[threads - 1], watch.seconds());
         }
+    // Traces of the last turn.
     for (const dynamics::Trace& trace : traces)
         if (!trace.complete()) return Error{trace.message, "threads"};
     BenchFigures figures = figures_of("default model, two threads, wall clock", model, traces[1], options);

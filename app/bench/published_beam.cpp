@@ -80,6 +80,7 @@ Result<NodeTrace> read_node_trace(const std::filesystem::path& path) {
     std::string line;
     std::vector<std::array<double, 4>> rows;
     std::getline(lines, line);  // the heading
+    // Lines are counted from 1; the heading is the first.
     for (int number = 2; std::getline(lines, line); ++number) {
         std::istringstream fields(line);
         std::string field;

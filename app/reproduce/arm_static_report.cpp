@@ -33,6 +33,7 @@ double creep(const RobotTrial& trial, double until_s) {
     return most / then - 1.0;
 }
 
+/// Share in percent, with its sign.
 std::string percent(double share) { return format_number(100.0 * share, 3) + " %"; }
 
 }  // namespace
@@ -80,6 +81,7 @@ report::Table errors_table(const std::vector<ArmVariant>& list, const Assessment
          {"simulations a pose", "", 2}},
         {}};
     for (std::size_t v = 0; v < list.size(); ++v) {
+        // Order of `both_instants`.
         const Assessment &early = *all[v][0], &late = *all[v][1];
         const double rms = std::accumulate(late.arm.marker_rms_m.begin(), late.arm.marker_rms_m.end(), 0.0) /
                            static_cast<double>(late.arm.marker_rms_m.size());
@@ -160,6 +162,7 @@ report::Table others_table(const Assessment& early, const Assessment& late, cons
                         {}};
     for (std::size_t i = 0; i < others.size(); ++i) {
         const Score &a = early.others[i], &b = late.others[i];
+        // Ways are lengths of the displacement of the tip centre [mm].
         table.rows.push_back({a.what, a.pressure_mbar, a.extrapolated ? "yes" : "no", 1e3 * a.measured_m.norm(),
                               1e3 * a.prediction.tip_m.norm(), 100.0 * a.error(), 100.0 * b.error(),
                               100.0 * error_in_plane(a), 100.0 * error_in_plane(b),

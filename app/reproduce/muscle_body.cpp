@@ -123,6 +123,7 @@ Result<MuscleBody> make_muscle_body(const ReproduceSettings& settings, const Mus
                                     const MuscleBodyOptions& options) {
     const Result<mesh::SurfaceMesh> read = mesh::read_surface(geometry_file(settings, robot), 1e-3);
     if (!read) return read.error();
+    // Files of the repository are STL, without shared vertices, in mm.
     const mesh::SurfaceMesh surface = mesh::weld(*read);
     const double edge = options.edge_m > 0.0 ? options.edge_m : robot.published_edge_m;
     Result<setup::BodyMesh> meshed = setup::mesh_body(
@@ -136,6 +137,7 @@ Result<MuscleBody> make_muscle_body(const ReproduceSettings& settings, const Mus
     model::Model& model = result.model;
     auto fibres = std::make_shared<std::vector<fibre::FibreGroup>>();
     for (const Box& muscle : {robot.first, robot.second}) {
+        // With one muscle the first box counts.
         if (static_cast<int>(fibres->size()) == options.muscles) break;
         const Box box = options.published ? whole_columns(muscle, body, bounds, edge) : muscle;
         fibres->push_back(fibre::fibres_in_box(meshed->mesh, box, Vector3d::UnitZ(), muscle_stiffness_Pa,

@@ -267,6 +267,7 @@ Result<Reproduction> run_arm_chamber(const ReproduceSettings& settings, const Pr
     const double edge = settings.coarse ? 9e-3 : 5e-3;
     const Result<ChamberedArm> arm = make_chambered_arm(settings, edge);
     if (!arm) return arm.error();
+    // Recordings are for comparison only; without them the case runs at the paper's pressures.
     const Result<std::vector<RobotTrial>> trials = read_arm_sweep(settings);
     if (!trials) return trials.error();
     std::vector<double> pressures = sweep_pressures(*trials);

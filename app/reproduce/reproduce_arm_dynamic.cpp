@@ -56,6 +56,7 @@ Result<Reproduction> run_arm_dynamic(const ReproduceSettings& settings, const Pr
     if (trials->empty()) result.warnings.push_back(missing_data(settings, "arm_pressure_sweep"));
     if (!std::filesystem::exists(geometry_file(settings, paper_arm())))
         result.warnings.push_back(missing_geometry(settings, paper_arm()));
+    // Without data or geometry there is nothing to fit; the warnings say what to fetch.
     if (!result.warnings.empty()) return result;
     const RobotTrial& trial = trials->front();
     // All variants follow the same recording in parallel.

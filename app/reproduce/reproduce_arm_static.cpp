@@ -150,11 +150,13 @@ Result<Reproduction> run_arm_static(const ReproduceSettings& settings, const Pro
     result.title = "Pneumatic arm: pressure to muscle, at rest";
     if (sweep->empty()) result.warnings.push_back(missing_data(settings, "arm_pressure_sweep"));
     if (steps->empty()) result.warnings.push_back(missing_data(settings, "arm"));
+    // Without the body nothing can be run.
     if (!std::filesystem::exists(geometry_file(settings, paper_arm()))) {
         result.warnings.push_back(missing_geometry(settings, paper_arm()));
         return result;
     }
     const std::vector<ArmVariant> list = arm_variants(settings.coarse);
+    // Bodies with their rest are made once and shared by both instants.
     const auto bodies = responses(settings, list, progress);
     if (!bodies) return bodies.error();
     // A map needs pressures to leave out.

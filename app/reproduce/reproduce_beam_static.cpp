@@ -180,6 +180,7 @@ report::Table share_table(const std::vector<StaticRow>& rows) {
          {"our model, off by", "%", 3}},
         {}};
     for (const StaticRow& row : rows) {
+        // Differences over this deflection: the columns of a row add up to "our model, off by".
         const double whole = commercial[row.one.load].dz_mm;
         std::vector<report::Cell> cells{row.one.cases, row.one.mesh(), 100.0 * (row.dz_mm[published] / whole - 1.0)};
         for (std::size_t step = true_mass; step < step_count; ++step)
@@ -300,6 +301,7 @@ Result<Reproduction> run_beam_static(const ReproduceSettings& settings, const Pr
                               {"dofs", row.dofs},
                               {"force_N", commercial[row.one.load].force_N},
                               {"published_mass_share", row.mass_share}};
+        // Order of `Step`.
         const char* const keys[] = {"published_dz_m", "true_mass_dz_m", "true_size_dz_m", "no_locking_dz_m",
                                     "our_model_dz_m"};
         for (std::size_t step = 0; step < step_count; ++step)

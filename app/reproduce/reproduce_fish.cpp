@@ -47,6 +47,7 @@ Result<Reproduction> run_fish(const ReproduceSettings& settings, const Progress&
     if (trials->empty()) result.warnings.push_back(missing_data(settings, "fish"));
     if (!std::filesystem::exists(geometry_file(settings, paper_fish())))
         result.warnings.push_back(missing_geometry(settings, paper_fish()));
+    // Without data or geometry there is nothing to fit; the warnings say what to fetch.
     if (!result.warnings.empty()) return result;
     const RobotTrial& trial = trials->front();
     const Result<std::vector<SignalFit>> fits = fit_all_signals(settings, paper_fish(), fish_variants(settings.coarse),

@@ -92,6 +92,7 @@ std::string ratio_figure(const std::vector<Setup>& studies, double measured) {
                       .y = {measured, measured},
                       .style = chart::SeriesStyle::dashed,
                       .colour = chart::ink_colour};
+    // Steps from 0 to 21 ms in quarters of a millisecond.
     for (int k = 0; k <= 84; ++k) {
         formula.x.push_back(0.25 * k);
         published_formula.x.push_back(0.25 * k);
@@ -181,6 +182,7 @@ struct MeasuredDamping {
     double ratio = 0.0;  // NaN without recordings
 };
 
+/// Fits every recording; the ratio is the mean, NaN without recordings.
 MeasuredDamping measured_damping(const std::vector<BeamTrial>& trials) {
     MeasuredDamping measured;
     for (const BeamTrial& trial : trials) {
@@ -198,6 +200,7 @@ MeasuredDamping measured_damping(const std::vector<BeamTrial>& trials) {
 /// @param measured  damping ratio of the real beam; NaN: unknown
 std::vector<std::string> damping_findings(const std::vector<Setup>& studies, double measured) {
     const double omega = studies[0].beam.mode.omega_rad_s;
+    // Largest damping of TR-BDF2, in magnitude: rounding may make it negative.
     double second_order = 0.0;
     for (std::size_t i = 0; i < paper_step_count; ++i)
         second_order = std::max(second_order, std::abs(studies[2].ratio(i)));
@@ -227,6 +230,7 @@ Result<Reproduction> run_numerical_damping(const ReproduceSettings& settings, co
                  [](const BeamTrial& trial) { return trial.tip_force_N == 0.0; });
     const Result<std::vector<Setup>> simulated = simulate_all(settings, progress);
     if (!simulated) return simulated.error();
+    // Order of simulate_all(): our beam, the published one, our beam with TR-BDF2.
     const std::vector<Setup>& studies = *simulated;
 
     Reproduction result;

@@ -103,12 +103,14 @@ Result<SignalFit> fit_signals(const ReproduceSettings& settings, const MuscleRob
     if (progress.cancelled()) return Error{"stopped", ""};
     const Result<MuscleBody> body = make_muscle_body(settings, robot, variant.body);
     if (!body) return body.error();
+    // End of the record after the onset [s].
     const double end = trial.time_s.tail(1)(0);
     const double angle = variant.body.published
                              ? 0.0
                              : bending_direction({mean_between(trial, end - 0.1, end)}, robot.bends_to);
     // The model bends along x; the robot bends in the plane of the recording's final pose.
     const Matrix3d to_robot = Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
+    // Static response for the start of the search; the search itself runs the dynamics.
     const TipResponse response(*body, variant.configuration);
 
     inverse::ActuationProblem problem;
@@ -198,6 +200,7 @@ report::Table signal_table(const std::string& caption, const std::vector<SignalF
                          {"took", "s", 3}},
                         {}};
     for (const SignalFit& fit : fits) {
+        // Largest displacement of the tracked point: errors are stated as a share of it.
         const double way = fit.measured_m.colwise().norm().maxCoeff();
         const Vector3d mm = 1e3 * fit.rms_m;
         table.rows.push_back({fit.variant.name, static_cast<double>(fit.fit.values.size()), mm(0), mm(1), mm(2),
@@ -225,6 +228,7 @@ std::string signal_figure(const std::string& title, const std::vector<SignalFit>
                                     .colour = static_cast<int>(i)});
         chart.panels.push_back(panel);
     }
+    // Below the coordinates: one colour per variant, dashed for its second muscle.
     chart::Panel panel{.y = {.label = "activation"}, .series = {}, .height_px = 220.0};
     for (std::size_t i = 0; i < fits.size(); ++i)
         for (std::size_t m = 0; m < fits[i].activation.size(); ++m) {

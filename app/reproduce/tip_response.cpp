@@ -49,6 +49,7 @@ TipPose TipResponse::at(const VectorXd& signals, const Matrix3Xd& near) const {
         pose.displacement_m.col(static_cast<Index>(i)) = measurement::marker_position(
                                                              points[i], pose.x(Eigen::all, points[i].nodes)) -
                                                          origin_m_.col(static_cast<Index>(i));
+    // Derivatives share the stiffness at the equilibrium: one factorisation for all signals.
     const dynamics::Stage stage = dynamics::static_stage(*model.body, 0.0);
     const model::BlockPattern& pattern = model.body->pattern;
     const solver::SymmetricSparse H = solver.hessian(stage, pose.x);
@@ -77,6 +78,7 @@ PoseFit unmoved(const TipResponse& response) {
 
 Result<PoseFit> fit_pose(const TipResponse& response, const Matrix3Xd& goal_m, const PoseFit& start,
                          const Progress& progress) {
+    // Coordinates with a goal, as positions in the storage of the matrix (columns are points).
     std::vector<Index> wanted;
     for (Index i = 0; i < goal_m.size(); ++i)
         if (std::isfinite(goal_m.data()[i])) wanted.push_back(i);
@@ -88,6 +90,7 @@ Result<PoseFit> fit_pose(const TipResponse& response, const Matrix3Xd& goal_m, c
                               .lower = configuration.lower,
                               .upper = configuration.upper,
                               .scale = 0.1});
+    // Kept apart from the optimiser, which does not return the pose of its best values.
     PoseFit best = start;
     double least = std::numeric_limits<double>::infinity();
     const auto residuals = [&](const VectorXd& signals, const Progress&) {

@@ -84,6 +84,7 @@ CaseNumbers of_simulation(const Json& json) {
     return {"", std::move(numbers).list()};
 }
 
+/// Fitted values first, then errors; whether the fit converged is the verdict.
 CaseNumbers of_calibration(const Json& json) {
     Numbers numbers;
     for (const auto& [name, parameter] : child_at(json, "parameters").items())
@@ -108,6 +109,7 @@ void add_effect(const Json& effect, Numbers& numbers) {
     }
 }
 
+/// Confidence and parameters of the verdict's effects, then errors; the effects are the verdict.
 CaseNumbers of_diagnosis(const Json& json) {
     Numbers numbers;
     std::vector<std::string> effects;
@@ -128,6 +130,7 @@ CaseNumbers of_diagnosis(const Json& json) {
     return {join(effects, " + "), std::move(numbers).list()};
 }
 
+/// Remaining distance and held signals; whether the target was reached is the verdict.
 CaseNumbers of_optimization(const Json& json) {
     Numbers numbers;
     numbers.add("rms of the target", "m", number_at(json, "rms_after_m"));

@@ -150,6 +150,7 @@ Result<PreparedSweep> prepare_sweep(const Sweep& sweep, const CheckArguments& ch
         SweepCase c{.number = static_cast<int>(rank) + 1, .choice = choice_of(sweep, rank)};
         Result<std::string> text = text_of(sweep, *declared, c);
         if (!text) return text.error();
+        // Every case is read as its command will read it, so that no case fails by its declaration.
         c.text = *std::move(text);
         c.options = options_of(sweep, c);
         const Result<experiment::Experiment> experiment = experiment::read_experiment_text(c.text, declared->file);

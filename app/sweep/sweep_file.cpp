@@ -97,6 +97,7 @@ Varied read_varied(const TomlReader& reader, const TomlValue& table, const Sweep
     varied.name = reader.name(reader.has("key") ? "key" : "option");
     if (reader.has("option") && !varied.is_option()) reader.fail("option", "must begin with --");
     if (reader.has("key") && varied.is_option()) reader.fail("key", "must not begin with --; name it as option");
+    // A quantity that is varied twice, or set by the sweep, would silently replace the other value.
     if (set_by_the_sweep(varied.name)) reader.fail("option", varied.name + " is set by the sweep itself");
     for (const Varied& other : before.varied)
         if (other.name == varied.name)

@@ -50,6 +50,7 @@ std::vector<report::Cell> cells_of(const SweepTable& table, const SweepRow& row,
 
 /// Table of the page: varied values, state, verdict, shown numbers with their deviations, time.
 report::Table result_table(const SweepTable& table) {
+    // `simulate` has no verdicts, and needs no column for them.
     const bool verdicts = any_row(table, [](const SweepRow& row) { return !row.result.verdict.empty(); });
     report::Table page{
         "Every case has its folder, cases/0001 and so on, with its experiment and the command's own "

@@ -125,6 +125,7 @@ std::string csv_text(const SweepTable& table) {
         text += "," + csv_field(title_of(column));
         if (column.has_deviation) text += "," + csv_field("std of " + title_of(column));
     }
+    // Line ends as RFC 4180 has them.
     text += ",seconds [s],message\r\n";
     for (const SweepRow& row : table.rows) {
         text += std::to_string(row.number);

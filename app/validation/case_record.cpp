@@ -115,6 +115,7 @@ CaseRecord failed_case(const SyntheticCase& drawn, const std::string& failure) {
 }
 
 report::Json record_json(const CaseRecord& r) {
+    // `right` is for readers of the file; record_from_json() computes it again.
     report::Json json{{"case", r.number},
                       {"kind", to_string(r.kind)},
                       {"family", r.family},

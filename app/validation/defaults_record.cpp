@@ -18,6 +18,7 @@ constexpr NameTable<DefaultsAnswer, 5> answers{{{{DefaultsAnswer::right, "right"
 /// Checks that explain wrong numbers of a correct declaration: discretisation, and data that do not determine them.
 const std::vector<std::string> checks_without_slip{"mesh", "markers", "step", "pose", "inside_out", "influence"};
 
+/// Whether a word is in a list.
 bool contains(const std::vector<std::string>& list, const std::string& word) {
     return std::find(list.begin(), list.end(), word) != list.end();
 }

@@ -11,6 +11,7 @@
 namespace myo::validation {
 namespace {
 
+/// Whether there are numbers and all of them are right.
 bool all_right(const std::vector<FittedNumber>& numbers) {
     return !numbers.empty() && std::all_of(numbers.begin(), numbers.end(), is_right);
 }
@@ -33,6 +34,7 @@ std::string number_words(const FittedNumber& n) {
            format_number(100.0 * n.deviation / n.truth, 2) + " %";
 }
 
+/// All fitted numbers in words; empty if nothing was fitted.
 std::string numbers_words(const DefaultsRecord& r) {
     std::vector<std::string> words;
     for (const FittedNumber& n : r.numbers) words.push_back(number_words(n));

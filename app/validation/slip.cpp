@@ -6,6 +6,7 @@
 namespace myo::validation {
 namespace {
 
+/// Conditions of Slip::fits.
 bool any_experiment(const SyntheticCase&) { return true; }
 bool has_muscles(const SyntheticCase& c) { return !c.muscles.empty(); }
 /// Whether the first trial starts in this state.

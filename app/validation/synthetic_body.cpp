@@ -97,6 +97,7 @@ SyntheticBody drawn_body(BodyFamily family, bool deep_clamp, RandomStream& rando
     body.family = family;
     body.metres_per_unit = random.chance(0.5) ? 1.0 : 1e-3;
     const double length = rounded_to_tenths_of_mm(random.uniform(0.08, 0.13));
+    // Proportions of each family, over the length.
     double width = 0.0, height = 0.0;
     switch (family) {
         case BodyFamily::beam:

@@ -24,6 +24,7 @@ constexpr int round_length = 6, deleted_at = 3, named_in_round = 4;
 /// Second part of the key of a random stream.
 enum Purpose : std::uint64_t { order_of_effects = 1, the_case = 2, the_noise = 3 };
 
+/// Kind of a case by its place in the cycle.
 CaseKind kind_of(int number) {
     const int place = number % round_length;
     return place == 0 ? CaseKind::none : place == deleted_at ? CaseKind::deleted : CaseKind::named;
@@ -50,6 +51,7 @@ std::vector<BodyFamily> families_of(const CaseChoice& choice, const effect::Effe
 /// less in its model.
 bool may_be_held_deep(BodyFamily family) { return family != BodyFamily::tail; }
 
+/// Whether a body of the family can have what an effect needs.
 bool fits(BodyFamily family, const effect::EffectNeeds& needs) {
     const bool threaded = family == BodyFamily::threaded;
     // The trials of a thread have no other loads.
@@ -57,6 +59,7 @@ bool fits(BodyFamily family, const effect::EffectNeeds& needs) {
            (!needs.muscles || may_have_muscles(family)) && (!needs.deep_clamp || may_be_held_deep(family));
 }
 
+/// Whether some body of the choice can show an effect.
 bool can_show(const CaseChoice& choice, const std::string& id) {
     const effect::EffectNeeds& needs = effect_draw(id).needs;
     const std::vector<BodyFamily> families = families_of(choice, needs);
@@ -77,6 +80,7 @@ std::string effect_of(const CaseChoice& choice, int number) {
     return ids[static_cast<std::size_t>(turn % count)];
 }
 
+/// Random family of those that fit; there must be one.
 BodyFamily drawn_family(const CaseChoice& choice, const effect::EffectNeeds& needs, RandomStream& random) {
     std::vector<BodyFamily> fitting;
     for (const BodyFamily family : families_of(choice, needs))
@@ -308,6 +312,7 @@ SyntheticCase drawn_case(const CaseChoice& choice, int number, int attempt) {
     c.number = number;
     c.kind = kind_of(number);
     RandomStream random{choice.seed, the_case, static_cast<std::uint64_t>(number), static_cast<std::uint64_t>(attempt)};
+    // Kind and effect depend on choice and number only, so that another attempt keeps them.
     const std::string id = c.kind == CaseKind::none ? "" : effect_of(choice, number);
     const effect::EffectNeeds needs = id.empty() ? effect::EffectNeeds{} : effect_draw(id).needs;
     const BodyFamily family = drawn_family(choice, needs, random);
@@ -327,6 +332,7 @@ SyntheticCase drawn_case(const CaseChoice& choice, int number, int attempt) {
         for (double& t : c.translation_m) t = random.uniform(-8e-4, 8e-4);
         for (double& w : c.rotation_rad) w = random.uniform(-6e-3, 6e-3);
     }
+    // After the body and what drives it, on which loads and signals depend.
     c.trials = drawn_trials(c, needs, random);
     c.truth = drawn_scheme(random);
     if (!id.empty()) {

@@ -27,6 +27,7 @@ std::string box_text(const Box& box) { return "[" + vector_text(box.lowest) + ",
 /// Name of a marker in declaration and traces, from 1: "m1".
 std::string marker_name(std::size_t index) { return "m" + std::to_string(index + 1); }
 
+/// Boxes by their size, other bodies as STL in their unit.
 std::string geometry_text(const SyntheticBody& body) {
     if (body.is_declared_box())
         return "[geometry]\nkind = \"box\"\nsize_m = " + vector_text(body.bounds.size()) +
@@ -46,6 +47,7 @@ std::string material_text(const SyntheticMaterial& m) {
     return text + "calibrate = [\"youngs_modulus\", \"damping\"]\n";
 }
 
+/// A tendon of prescribed tension; its friction is not declared.
 std::string tendon_text(const SyntheticTendon& tendon) {
     std::string guides;
     for (const auto& guide : tendon.path_m.colwise())

@@ -49,6 +49,7 @@ experiment::Experiment as_held(const SyntheticCase& c, experiment::Experiment ex
 Result<setup::Setup> on_mesh(setup::Setup setup, setup::BodyMesh mesh) {
     const experiment::Experiment& experiment = setup.experiment;
     setup.mesh = std::move(mesh);
+    // Clamp of the experiment, which may already be the shortened one, see as_held().
     const Box held = setup::held_part(experiment.clamp_box_m, mesh::bounding_box(setup.surface.vertices));
     setup.body = model::make_body(setup.mesh.mesh, setup.mesh.element, mesh::nodes_in_box(setup.mesh.mesh, held));
     std::vector<Eigen::Vector3d> rest;
@@ -67,6 +68,7 @@ Result<setup::Setup> on_mesh(setup::Setup setup, setup::BodyMesh mesh) {
         model.masses.clear();
         model.forces.clear();
         for (const experiment::LoadDeclaration& load : experiment.trials[t].loads) {
+            // A load is spread over its part of the surface by area, as prepare_setup() does.
             const mesh::SurfaceIntegral integral = mesh::surface_weights(setup.body->mesh, setup.body->boundary,
                                                                          load.box_m);
             const Eigen::VectorXd share = integral.weight / integral.weight.sum();

@@ -101,6 +101,7 @@ report::Table wrong_table(const std::vector<CaseRecord>& records) {
                          {"Held out before", "× noise", 3},
                          {"After", "× noise", 3}},
                         {}};
+    // Failed cases are listed as well, with their reason as answer.
     for (const CaseRecord& r : records) {
         if (r.right()) continue;
         table.rows.push_back({case_name(r), r.family + (r.muscles ? ", muscles" : ""),
@@ -124,6 +125,7 @@ std::string reliability_figure(const ValidationSummary& summary) {
                             .y = {0.0, 1.0},
                             .style = chart::SeriesStyle::dashed,
                             .colour = chart::ink_colour});
+    // Both bounds are one-sided at 95 %, together a 90 % interval.
     chart::Series found{.name = "found", .style = chart::SeriesStyle::line_and_dots, .colour = 0};
     chart::Series lower{.name = "90 % interval", .style = chart::SeriesStyle::dashed, .colour = 1},
         upper{.style = chart::SeriesStyle::dashed, .colour = 1};

@@ -170,6 +170,7 @@ report::Json summary_json(const ValidationSummary& s) {
     json["deleted_mimicked"] = proportion_json(s.mimicked);
     json["deleted_unknown_unmimicked"] = proportion_json(s.unknown_unmimicked);
     json["parameters_good"] = proportion_json(s.parameters_good);
+    // Places have their error in m, all others relative to the truth.
     json["parameters"] = report::Json::array();
     for (const ParameterQuality& q : s.parameters)
         json["parameters"].push_back(
