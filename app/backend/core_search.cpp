@@ -64,8 +64,7 @@ void show_values(ui::commands::SearchView& view, const setup::Setup& setup,
     for (const prediction::ModelParameter& p : parameters)
         view.parameters.push_back(
             parameter_row(p, setup, prediction::value_of(p, declared), prediction::value_of(p, values), nothing_known));
-    // Effects and levels are not part of what is adopted while the fit runs: only material values are shown in the
-    // fields.
+    // The fields of the window show material values only; fitted effects and levels appear in the rows.
     view.settings = settings;
     view.settings.youngs_modulus_Pa = values.youngs_modulus_Pa;
     view.settings.damping_s = values.damping_s;

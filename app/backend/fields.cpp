@@ -56,8 +56,8 @@ VectorXd activation(const FieldInput& in) {
 /// A displayable field.
 struct Field {
     ui::commands::FieldKind kind;
-    // Function from a frame to one value per node, SI.
     bool of_model;  // requires the models of the run
+    // One value per node, SI.
     VectorXd (*values)(const FieldInput&);
 };
 

@@ -30,8 +30,7 @@ std::vector<ui::commands::Choice> law_choices() {
 std::vector<double> law_values(const ui::commands::Settings& settings) {
     std::vector<double> values;
     for (const material::LawParameter& p : parameters_of(settings)) {
-        // Settings keep numbers of laws that were chosen before; a name that two laws share may be out of this one's
-        // range.
+        // Settings also keep numbers of other laws; the range is that of this one.
         const auto set = settings.law.find(p.name);
         values.push_back(set != settings.law.end() ? std::clamp(set->second, p.lower, p.upper) : p.usual);
     }

@@ -60,7 +60,7 @@ Result<Assessment> assess(const std::shared_ptr<const TipResponse>& response, co
     const FittedArm& arm = result.arm;
     std::vector<std::size_t> all(map.size()), even;
     std::iota(all.begin(), all.end(), 0);
-    // The map through 75, 175, ... mbar predicts 125, 225, ... mbar: interpolation only.
+    // With the paper's pressures, the map through 75, 175, ... mbar predicts 125, 225, ... mbar: interpolation only.
     for (std::size_t i = 0; i < all.size(); i += 2) even.push_back(i);
     for (std::size_t i = 1; i < all.size() && !progress.cancelled(); i += 2)
         result.every_second.push_back(predict(arm, even, map[i].name, map[i].pressure_mbar, arm.measured_m[i].col(0)));

@@ -60,7 +60,7 @@ public:
                 take_cases();
                 --at_work_;
             });
-        // Only this thread, which is the caller's, asks `progress_`; the others see `stop_`.
+        // Only this thread, the caller's, asks for a cancellation; the others see `stop_`.
         while (at_work_ > 0) {
             if (progress_.cancelled()) stop_ = true;
             std::this_thread::sleep_for(std::chrono::milliseconds(5));

@@ -14,9 +14,8 @@ namespace myo::validation {
 struct DefaultsSummary {
     int cases = 0;
     std::map<DefaultsAnswer, int> answers;
-    // "All" in the next two: cases that have a truth, also those whose fit failed.
-    Proportion right;         // right numbers or the true cause named, of all answered cases
-    Proportion silent;        // wrong without any remark, of all answered cases
+    Proportion right;         // right numbers or the true cause named, of all cases with a truth
+    Proportion silent;        // wrong without any remark, of all cases with a truth
     Proportion false_alarms;  // of cases with a correct declaration
     /// Right answers by declaration error and by body; key "none": correct declaration.
     std::map<std::string, Proportion> by_slip, by_shape;

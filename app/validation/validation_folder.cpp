@@ -89,8 +89,8 @@ Result<void> ValidationFolder::run(const cases::CaseRange& range,
     parallel_tasks(static_cast<int>(numbers.size()), range.threads, [&](int task) {
         if (progress.cancelled()) return;
         const report::Json record = run_case(numbers[static_cast<std::size_t>(task)]);
-        // Under the lock: lines, progress and `done` come one at a time.
         if (record.is_null()) return;
+        // Lines, progress and `done` come one at a time.
         const std::lock_guard<std::mutex> lock(mutex);
         if (const Result<void> kept = add(record); !kept) trouble = kept;
         progress.report({"study", static_cast<double>(++count), total, "cases", {}});
