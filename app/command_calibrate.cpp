@@ -69,6 +69,7 @@ std::string start_lines(const calibration::Calibration& calibration) {
     if (calibration.starts.size() < 2) return text;
     for (std::size_t s = 0; s < calibration.starts.size(); ++s) {
         const calibration::CalibrationStart& start = calibration.starts[s];
+        // Words of the result file, here with blanks.
         std::string ended = results::ending_word(start.status);
         std::replace(ended.begin(), ended.end(), '_', ' ');
         text += "\nstart " + std::to_string(s + 1) + ": " + ended + ", cost " + format_number(start.cost_before, 5) +
@@ -228,6 +229,7 @@ std::function<int()> declare_calibrate(CLI::App& app) {
     app.add_option_function<std::string>(
            "--parameters",
            [call](const std::string& text) {
+               // Names are known without an experiment, so a misspelt one ends the parsing.
                call->parameters = split_words(text);
                const std::vector<std::string> known = material_parameters();
                for (const std::string& name : call->parameters)

@@ -152,6 +152,7 @@ Result<MeshOutcome> check_volume(const MeshCall& call) {
     MeshOutcome outcome;
     if (!call.metres_per_unit)
         outcome.warnings.push_back("the file's lengths are taken as metres; if they are not, state --unit");
+    // Without --type the mesh stays as it is.
     const mesh::CellType type = call.type.value_or(mesh->type);
     if (type == mesh::CellType::tet10 && mesh->type == mesh::CellType::tet4) *mesh = mesh::to_tet10(*mesh);
     if (mesh->type != type)
@@ -205,6 +206,7 @@ std::string outcome_text(const MeshOutcome& outcome) {
                   q.largest_dihedral_deg);
     text += line + q.measure + " (1 is perfect): least " + format_number(q.least, 3) + ", mean " +
             format_number(q.mean, 3);
+    // Bins of a tenth; the longest bar has 40 characters.
     const int most = *std::max_element(q.histogram.begin(), q.histogram.end());
     for (std::size_t i = 0; i < q.histogram.size(); ++i) {
         const int count = q.histogram[i];

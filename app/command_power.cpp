@@ -70,6 +70,7 @@ int power_command(PowerCall& call) {
 std::function<int()> declare_power(CLI::App& app) {
     const auto call = std::make_shared<PowerCall>();
     declare_experiment_call(app, *call);
+    // Only what was asked for is written.
     call->outputs = [own = call.get()](const experiment::Experiment&) {
         std::vector<std::filesystem::path> files;
         if (!own->json.empty()) files.emplace_back(own->json);

@@ -54,6 +54,7 @@ private:
     bool terminal_;
     // Guards output and the members below.
     std::mutex mutex_;
+    // Task of the bar and the time of its first report: a new task begins a new estimate of what is left.
     std::string task_;
     Clock::time_point task_start_;
     Throttle throttle_;

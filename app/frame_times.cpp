@@ -218,6 +218,7 @@ private:
         request.max_evaluations = 100;
         workbench_.execute(ui::commands::ChangeOptimize{request});
         workbench_.execute(ui::commands::Optimize{});
+        // A search that could not begin says why in the log.
         if (!state().busy()) return Error{state().log.back().text, "optimisation"};
         window_->show_panel("search");
         const Stopwatch watch;
@@ -243,6 +244,7 @@ private:
             if (const auto ms = frame_ms(); !ms) return ms.error();
         const auto view = window_->items().find("view");
         if (!state().live || !state().live->ready || !view) return Error{"the model does not play", "beam"};
+        // The body lies in the middle of the view, where the mouse takes hold of it.
         const ImVec2 middle = view->center();
         window_->input().push(ui::platform::MouseMoved{middle.x, middle.y});
         window_->input().push(ui::platform::MouseButton{0, true, {}});

@@ -72,6 +72,7 @@ void add_integration_options(CLI::App& app, SetupOptions& options) {
                const double value = number_of("--spectral-radius", text);
                if (value < 0.0 || value > 1.0)
                    reject("--spectral-radius", "'" + text + "' does not lie within 0 ... 1");
+               // Kept apart from the settings, so that it can be refused with other integrators.
                options.spectral_radius = value;
            },
            "of " + to_string(dynamics::Integrator::generalized_alpha) +
@@ -265,6 +266,7 @@ void add_setup_options(CLI::App& app, SetupOptions& options) {
     add_word(
         app, "--material",
         [&settings](const std::string& id) {
+            // Only the name is kept: parameters of the law come from the experiment.
             const bool known = material::find_material(id) != nullptr;
             if (known) settings.material = id;
             return known;

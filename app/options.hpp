@@ -30,6 +30,7 @@ void add_work_options(CLI::App& app, WorkOptions& options);
 /// Options on how an experiment is simulated.
 struct SetupOptions {
     setup::SetupSettings settings;  // threads and spectral radius are set by setup_settings()
+    // Spectral radius of generalised-alpha at infinite frequency, 0 ... 1; empty: the default.
     std::optional<double> spectral_radius;
     std::vector<std::pair<std::string, std::string>> overrides;  // keys and values of --set
 };

@@ -46,6 +46,7 @@ OwnProcessResult run_in_own_process(const std::function<std::string()>& work) {
         const std::string text = work();
         rusage usage{};
         getrusage(RUSAGE_SELF, &usage);
+        // Linux gives ru_maxrss in KiB. The child inherits the pages of the parent, which do not count.
         write_all(ends[1], std::to_string(usage.ru_maxrss * 1024 - start) + "\n" + text);
         _exit(0);
     }

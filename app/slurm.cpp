@@ -137,6 +137,7 @@ Result<void> check_slurm_options(const SlurmOptions& options, const cases::Share
 SlurmScripts slurm_scripts(const SlurmOptions& options, const SlurmJob& job, const fs::path& program,
                            const std::vector<std::string>& words, const fs::path& folder, const SlurmPolicy& policy) {
     SlurmScripts scripts;
+    // More tasks than cases would wait in the queue for nothing.
     scripts.tasks = std::max(1, std::min(job.cases, options.nodes > 0 ? options.nodes : policy.most_tasks));
     // The task works in the folder of the call, as its words name files relative to it; exec passes signals of Slurm on
     // to the program.
@@ -161,6 +162,7 @@ int submit_to_slurm(const SlurmOptions& options, const SlurmJob& job, Console& c
     if (!words.empty()) words.erase(words.begin());
     const SlurmScripts scripts = slurm_scripts(options, job, program, words, folder);
     const fs::path array = job.out / "slurm" / "array.sh", collect = job.out / "slurm" / "collect.sh";
+    // Written before sbatch is looked for: the scripts can be submitted elsewhere.
     for (const auto& [file, text] : {std::pair{array, scripts.array}, std::pair{collect, scripts.collect}})
         if (const Result<void> written = write_file(file, text); !written) return console.refuse(written.error());
     const std::optional<fs::path> sbatch = found_program("sbatch");

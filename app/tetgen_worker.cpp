@@ -27,6 +27,7 @@ void limit(__rlimit_resource_t resource, unsigned long long value) {
 /// Fills the input of TetGen: points [3 x n], triangles of the surface as facets, a point in each hole. TetGen frees
 /// these arrays itself, hence new[].
 void describe(const myo::mesh::TetgenExchange& request, tetgenio& input) {
+    // Vertices are numbered from 0, as in the request.
     input.firstnumber = 0;
     input.numberofpoints = static_cast<int>(request.points.size() / 3);
     input.pointlist = new REAL[request.points.size()];
@@ -37,6 +38,7 @@ void describe(const myo::mesh::TetgenExchange& request, tetgenio& input) {
     for (int f = 0; f < input.numberoffacets; ++f) {
         tetgenio::facet& facet = input.facetlist[f];
         tetgenio::init(&facet);
+        // A facet is one triangle without holes of its own.
         facet.numberofpolygons = 1;
         facet.polygonlist = new tetgenio::polygon[1];
         tetgenio::init(&facet.polygonlist[0]);
@@ -60,6 +62,7 @@ int run(const std::string& request_path, const std::string& answer_path, std::st
     if (!myo::mesh::read_exchange(request_path, request) || request.points.empty() || request.cells.empty()) {
         return myo::mesh::worker_status::bad_call;
     }
+    // TetGen works on the arrays of these objects and frees them with the objects.
     tetgenio input, output;
     describe(request, input);
     try {

@@ -30,6 +30,7 @@ double limit_ms(const dynamics::Trace& trace, const model::Model& model) {
                                        cells.lane_nodes.size() * sizeof(cells.lane_nodes[0]));
         },
         model.body->cells);
+    // Bandwidths are measured at the sizes of factor and elements: small arrays stay in a cache.
     const double per_iteration = 2.0 * trace.factor_bytes / read_bandwidth(trace.factor_bytes) +
                                  element_bytes / read_bandwidth(element_bytes);
     const auto steps = static_cast<double>(trace.times_s.size() - 1);

@@ -54,6 +54,7 @@ void add_bending(const BarShape& bar, SmallMotions& motions, const Eigen::Vector
 /// Torsional stiffness from the work of a unit torque.
 void add_torsion(const BarShape& bar, const model::Model& model, SmallMotions& motions, BenchFigures& figures) {
     const Eigen::Matrix3Xd torque = unit_torque(*model.body);
+    // Work of a unit torque is the mean rotation.
     const double stiffness = 1.0 / torque.cwiseProduct(motions.under(torque)).sum();
     figures.quantities.push_back(
         {"torsion stiffness", 1e3 * stiffness, "N mm", 1e3 * torsion_stiffness_N_m(bar), torsion_target});
@@ -61,6 +62,7 @@ void add_torsion(const BarShape& bar, const model::Model& model, SmallMotions& m
 
 /// A modulus that varies linearly over the thickness couples tension and bending.
 void add_gradient(const BarShape& bar, model::Model model, const Eigen::VectorXd& tip, BenchFigures& figures) {
+    // From half to one and a half times the modulus over the height.
     constexpr double relative_change = 1.0, pull_N = 2e-6;  // a strain of 3e-7: linear
     const auto z = model::rest_points(*model.body).row(2).transpose().array().eval();
     model.point_factors = (1.0 + relative_change * (z / bar.height_m - 0.5)).matrix();
@@ -115,14 +117,17 @@ public:
     }
 
 private:
+    /// Force at the end whose linear deflection F L^3 / (3 EI) is 1.7 % of the length.
     double force_N() const { return 0.05 * bar_.bending_stiffness_N_m2() / (bar_.length_m * bar_.length_m); }
 
+    /// Mean deflection of the free end [m], downwards, in nonlinear equilibrium.
     Result<double> deflection(const model::Model& model) const {
         const Result<Eigen::Matrix3Xd> x = beam_equilibrium(model);
         if (!x) return x.error();
         return -((*x - model.body->mesh.nodes) * model.forces.front().share).z();
     }
 
+    /// Deflection with the plain law, to which all changes refer.
     Result<void> find_plain() {
         const Result<double> found = deflection(model_);
         if (!found) return found.error();

@@ -35,6 +35,7 @@ struct BenchFigures {
     std::string name;  // "release, 4,608 DOF, hex8_full, residual 1e-6"
     int dofs = 0;
     int cells = 0;
+    // Steps of the measured run.
     int steps = 0;         // 0: static case
     double h_s = 0.0;      // time step
     double setup_s = 0.0;  // meshing, sparsity patterns, mass

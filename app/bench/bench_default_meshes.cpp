@@ -50,6 +50,7 @@ Result<BenchFigures> measure_default_mesh(const SolvedBox& box, fem::ElementKind
     SmallMotions motions(model);
     // All quantities follow from linear solves about the rest shape, with one factorisation per mesh.
     const double sag = -small_gravity_m_s2 * (motions.under(motions.weight_N()) * tip).z();
+    // Mean rotation of the free end under 1 N m [rad].
     const double twist = torque.cwiseProduct(motions.under(torque)).sum();
     const double first_Hz = motions.first_bending().omega_rad_s / (2.0 * std::numbers::pi);
     BenchFigures figures;

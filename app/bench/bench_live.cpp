@@ -30,6 +30,7 @@ Result<BenchFigures> pulled(const BenchBeam& beam, double h_s, int steps, double
     dynamics::LiveControls controls = dynamics::controls_of(model, 0.0);
     controls.h_s = h_s;
     controls.grip = hand_at_tip(*model.body, 60.0);
+    // The hand moves as a rigid whole: all held nodes by the same way.
     const Eigen::Matrix3Xd held = controls.grip->places_m;
     const Result<std::unique_ptr<dynamics::LiveRun>> run = dynamics::LiveRun::begin(model, options, controls, {});
     if (!run) return run.error();

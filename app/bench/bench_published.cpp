@@ -47,6 +47,7 @@ Result<BenchFigures> beside_trace(const PublishedTrace& published) {
                                       {}});
     else
         figures.note = "without its trace: MYOLOOP_DATA names no folder of the data, and ../shared is none";
+    // The published program gives every vertex the mass of a cube, which makes the beam too heavy.
     model::Model light = model;  // equal vertex masses, scaled to the true total mass of the body
     light.density_kg_m3 *= light.density_kg_m3 * light.body->volume_m3 / model::mass_matrix(light).nodal_kg.sum();
     for (const auto& [name, variant, expected] :

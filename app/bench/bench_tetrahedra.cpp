@@ -14,6 +14,7 @@ BenchCase bench_tetrahedra() {
         double tolerance;  // relative residual
     };
     for (const Row& row : {Row{7, 10, 1e-4}, Row{7, 160, 1e-6}, Row{20, 10, 1e-4}}) {
+        // Cubes of six tetrahedra each.
         const BenchBeam beam{fem::ElementKind::tet4, {3 * row.width, row.width, row.width}, "projective_corotational"};
         const std::string name = "paper's energy, Euler, " + std::to_string(row.steps) + " steps, residual " +
                                  (row.tolerance < 1e-5 ? "1e-6" : "1e-4");

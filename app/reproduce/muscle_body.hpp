@@ -11,9 +11,10 @@ namespace myo::reproduce {
 
 /// A robot of the paper: a silicone body clamped at one face, with two antagonist muscles along z and a tracked point.
 struct MuscleRobot {
-    std::string id;                        // for messages
-    std::string geometry;                  // file below data/geometry, in mm
-    Box clamp;                             // clamp box [m]
+    std::string id;        // for messages
+    std::string geometry;  // file below data/geometry, in mm
+    Box clamp;             // clamp box [m]
+    // A muscle fills the part of the body inside its box.
     Box first, second;                     // muscle boxes on the body [m]
     double published_edge_m = 0.0;         // edge of the paper's cubes
     double gravity_m_s2 = -9.81;           // along z

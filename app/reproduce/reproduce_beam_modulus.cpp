@@ -212,6 +212,7 @@ Targets make_targets(const std::vector<BeamTrial>& trials, bool coarse) {
         {"our model, to the commercial solver's displacements", own, commercial_displacements(), 0.0});
     targets.repeated = 1;
     if (trials.empty()) return targets;
+    // Two recordings of the weight.
     const Matrix3d real = mean_steady(trials);
     targets.all.push_back({"our model, to the real beam", own, real});
     targets.all.push_back({"as published, to the real beam", published, real});

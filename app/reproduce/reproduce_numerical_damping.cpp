@@ -42,6 +42,7 @@ Result<std::vector<Setup>> simulate_all(const ReproduceSettings& settings, const
                               published = ringing_beam(published_hex_beam(settings.coarse ? 6 : 23));
     if (!honest) return honest.error();
     if (!published) return published.error();
+    // No damping in the material: what decays is numerical.
     std::vector<Setup> studies{{*honest, dynamics::Integrator::implicit_euler, {}},
                                {*published, dynamics::Integrator::implicit_euler, {}},
                                {*honest, dynamics::Integrator::tr_bdf2, {}}};

@@ -38,6 +38,7 @@ struct RingingRun {
 /// Motion after a release.
 struct RungBeam {
     inverse::DampedCosine vibration;  // of the first modal coordinate
+    // Times of all steps [s], from the release on.
     Eigen::VectorXd times_s;
     Eigen::VectorXd left_dz_m;  // of the paper's point Left
 };

@@ -26,6 +26,7 @@ MuscleConfiguration free_muscles();  // two antagonists with a signal each
 /// Observed points of a body in equilibrium under constant signals.
 struct TipPose {
     bool ok = false;  // an equilibrium was found
+    // Why there is no equilibrium; empty if there is one.
     std::string message;
     Eigen::Matrix3Xd displacement_m;  // 3 x points, from the equilibrium with all signals at 1; tracked point first
     std::vector<Eigen::Matrix3Xd> by_signal_m;  // derivative with respect to each signal

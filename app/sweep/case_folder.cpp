@@ -75,6 +75,7 @@ std::string last_complaint(const fs::path& messages) {
     std::string found;
     std::istringstream lines(*text);
     for (std::string line; std::getline(lines, line);)
+        // The last one: a command complains when it ends.
         if (line.starts_with(prefix) && !line.starts_with(warning)) found = line.substr(prefix.size());
     return found;
 }
@@ -88,6 +89,7 @@ bool says_unconverged(const fs::path& report_file) {
 /// State and message of a command that has ended.
 CaseMarker ended_case(const ChildEnd& end, CaseCommand command, const fs::path& folder, CaseMarker marker) {
     switch (end.how) {
+        // A stopped case has no message: nothing went wrong.
         case ChildEnd::How::cancelled: marker.state = CaseState::stopped; return marker;
         case ChildEnd::How::not_started:
             marker.message = std::string("the program could not be started: ") + std::strerror(end.code);

@@ -93,6 +93,7 @@ private:
         const Result<CaseMarker> marker = run_case(runner_, c, folder, Progress({}, &stop_));
         const std::lock_guard<std::mutex> guard(mutex_);
         if (!marker) {
+            // A case that cannot be written ends the sweep: the next one could not be written either.
             trouble_ = marker.error();
             stop_ = true;
         } else if (has_ended(marker->state)) {
@@ -135,6 +136,7 @@ Result<void> run_sweep(const PreparedSweep& sweep, const fs::path& out, const Sw
     if (!run.replace)
         if (const Result<void> kept = check_kept_cases(sweep, out); !kept) return kept;
     std::error_code code;
+    // The locks of the cases lie here, next to their folders.
     fs::create_directories(out / "cases", code);
     if (code) return Error{"folder cannot be made: " + code.message(), (out / "cases").string()};
     const CaseRunner runner{run.program, sweep.sweep.command, sweep.home, run.grace_s};

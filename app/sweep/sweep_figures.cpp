@@ -29,6 +29,7 @@ bool is_numeric(const Varied& varied) {
 std::size_t axis_of_curves(const Sweep& sweep, const std::vector<std::size_t>& axes) {
     const auto rank = [&](std::size_t k) {
         const Varied& varied = sweep.varied[k];
+        // Random starts are repetitions, not a quantity to plot against.
         const double kind = varied.name == "--seed" ? 0.0 : is_numeric(varied) ? 2.0 : 1.0;
         return std::pair{kind, varied.values.size()};
     };
@@ -87,6 +88,7 @@ std::vector<chart::Series> curves_of(const SweepTable& table, const std::vector<
     for (const SweepRow& row : table.rows) {
         const std::string name = curve_name(table.sweep, axes, along, row);
         const auto [place, is_new] = places.emplace(name, curves.size());
+        // A new combination of the other axes begins a curve with the next colour.
         if (is_new)
             curves.push_back({.name = name,
                               .style = numeric ? chart::SeriesStyle::line_and_dots : chart::SeriesStyle::dots,

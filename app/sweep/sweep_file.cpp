@@ -79,6 +79,7 @@ std::vector<TomlValue> ranged_values(const TomlReader& reader, bool logarithmic,
         const double share = count > 1.0 ? i / (count - 1.0) : 0.0;
         const double between = logarithmic ? from * std::pow(to / from, share) : from + share * (to - from);
         double rounded = between;
+        // Rounding errors of the spacing, as in 0.30000000000000004, would stand in files and names.
         parse_number(format_number(between, policy.value_digits), rounded);
         // The ends stay as they are written.
         values.push_back(number_value(i == 0.0 ? from : i == count - 1.0 ? to : rounded, reader.where()));
@@ -142,6 +143,7 @@ Sweep read_document(const TomlValue& root, const std::filesystem::path& file, co
     Sweep sweep;
     sweep.file = file;
     const std::filesystem::path named = reader.name("experiment");
+    // Relative to the sweep file, so that both can move together.
     sweep.experiment = named.is_absolute() ? named : (file.parent_path() / named).lexically_normal();
     std::error_code code;
     if (!std::filesystem::exists(sweep.experiment, code))

@@ -95,6 +95,7 @@ int SweepTable::missing() const {
 SweepRow sweep_row(const PreparedSweep& sweep, const SweepCase& sweep_case, const CaseMarker& marker,
                    const std::filesystem::path& out) {
     SweepRow row{sweep_case.number, sweep_case.choice, marker.state, marker.message, marker.seconds, {}};
+    // A folder of a running case may hold half a report.
     if (!has_ended(marker.state)) return row;
     Result<CaseNumbers> numbers = read_case_numbers(sweep.sweep.command, case_folder(out, sweep_case.number));
     if (numbers) {
