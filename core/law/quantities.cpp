@@ -135,20 +135,17 @@ Quantity Quantities::logical(Operation operation, const Quantity& a, const Quant
 Quantity Quantities::vector(const std::vector<Quantity>& parts, std::size_t column) {
     if (parts.size() != 3)
         throw ExpressionError{column, "a vector has three components, not " + std::to_string(parts.size())};
-    Quantity result{Shape::vector, {-1, -1, -1}, parts[0].unit};
+    Quantity result{Shape::vector, {-1, -1, -1}, {}};
+    // A component with the unit of those so far: a 0 takes any unit, so that the first other one decides.
+    Quantity with_unit = parts[0];
     for (std::size_t i = 0; i < 3; ++i) {
         need(parts[i], Shape::number, "a component of a vector", column);
         result.nodes[i] = parts[i].node();
-        if (i == 0) continue;
-        Quantity before = result;
-        // Components that are all 0 have no unit of their own: the next one decides.
-        if (is_zero(parts[0]) && (i == 1 || is_zero(parts[1]))) {
-            result.unit = parts[i].unit;
-            continue;
-        }
-        before.shape = Shape::number;
-        result.unit = common_unit(before, parts[i], "a comma", column);
+        const std::optional<Unit> common = common_unit(with_unit, parts[i], "a comma", column);
+        if (is_zero(with_unit)) with_unit = parts[i];
+        with_unit.unit = common;
     }
+    result.unit = with_unit.unit;
     return result;
 }
 

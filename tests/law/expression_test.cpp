@@ -183,6 +183,9 @@ TEST(Expression, KnowsUnits) {
     EXPECT_EQ(unit("if(k < 1, 0, x.z)"), "m");
     EXPECT_EQ(unit("k + 3"), "1");
     EXPECT_EQ(unit("2[N/m] * x.x - 1[N]"), "m kg/s2");
+    EXPECT_EQ(unit("[0, x.y, 0]"), "m") << "a component of 0 fits every unit";
+    EXPECT_EQ(unit("[0, 0, x.y]"), "m");
+    EXPECT_EQ(unit("[0, 0, 0]"), "1");
 }
 
 TEST(Expression, SaysWhatIsWrongAndWhere) {
@@ -205,6 +208,8 @@ TEST(Expression, SaysWhatIsWrongAndWhere) {
     EXPECT_EQ(l.error("if(k, 1, 2)"), "1: the first argument of if() must be a condition, not a number");
     EXPECT_EQ(l.error("3[mm]"),
               "3: \"mm\" is not a unit; SI units without prefixes are known, such as N/m or kg/m3, and rad for angles");
+    EXPECT_EQ(l.error("[0, 1[m], 2[s]]"),
+              "1: the units of the two sides of a comma differ: m and s; a number with a unit is written 0.3[m]");
     EXPECT_EQ(l.error("[1, 2]"), "1: a vector has three components, not 2");
     EXPECT_NE(l.error("x.x^k").find("cannot be raised to a power that is no written number"), std::string::npos);
     EXPECT_NE(l.error(std::string(5000, '(')).find("nested too deeply"), std::string::npos);
