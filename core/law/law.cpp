@@ -175,6 +175,12 @@ private:
         Names at_start = names_;
         for (const LawText::State& other : text_.states) at_start.erase(other.name);
         state.initial = read(declared.initial, unit, Part::state_initial, index, at_start);
+        // Definitions keep their states.
+        const Program initial(law_.expressions, {state.initial});
+        for (const Law::State& other : law_.states)
+            if (initial.uses(other.variable))
+                fail(Part::state_initial, index,
+                     "no state has a value at the start, and a definition in it uses \"" + other.name + "\"");
         // A rate has the unit of its state per second; without one it fits everywhere.
         state.rate = read(declared.rate, unit ? std::optional(*unit / *unit_from_words("s")) : std::nullopt,
                           Part::state_rate, index, names_);

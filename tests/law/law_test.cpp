@@ -82,6 +82,10 @@ TEST(Law, HasStatesThatStartWithoutStates) {
     EXPECT_EQ(error_of(text), "");
     text.states[0].initial = "s";
     EXPECT_EQ(error_of(text).substr(0, 7), "4/0/1: ");
+    text.definitions = {"twice = 2 * s"};
+    text.states[0].initial = "twice";
+    EXPECT_EQ(error_of(text), "4/0/1: no state has a value at the start, and a definition in it uses \"s\"");
+    text.definitions.clear();
     text.states[0] = {"s_m", "a", "(a - s_m) / tau_s", {}};
     text.states.push_back({"w_m", "0", "s_m", {}});
     EXPECT_NE(error_of(text).find("must have m/s"), std::string::npos) << error_of(text);
