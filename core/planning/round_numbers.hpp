@@ -24,5 +24,11 @@ inline double rounded(double value) {
 inline double rounded_down(double value) {
     return rounded_by(value, [](double x) { return std::floor(x); });
 }
+/// To the next smaller multiple of a power of ten that is at most `digit` (> 0).
+inline double rounded_down_to(double value, double digit) {
+    const double per_unit = std::pow(10.0, -std::floor(std::log10(digit)));
+    // A millionth of a digit is rounding.
+    return std::floor(value * per_unit + 1e-6) / per_unit;
+}
 
 }  // namespace myo::planning

@@ -70,8 +70,11 @@ Box free_end(const BodyShape& shape, const FamilyPolicy& policy) {
         box.lowest(shape.axis) = shape.bounds.highest(shape.axis) - margin(shape.axis);
     else
         box.highest(shape.axis) = shape.bounds.lowest(shape.axis) + margin(shape.axis);
-    for (double* value : {box.lowest.data(), box.highest.data()})
-        for (int i = 0; i < 3; ++i) value[i] = rounded(value[i]);
+    // Fewer digits than the margin has would move the box off the face.
+    for (int i = 0; i < 3; ++i) {
+        box.lowest(i) = rounded_down_to(box.lowest(i), margin(i));
+        box.highest(i) = -rounded_down_to(-box.highest(i), margin(i));
+    }
     return box;
 }
 

@@ -11,6 +11,8 @@
 #include "planning/planned_beam.hpp"
 #include "planning/proposal_output.hpp"
 #include "planning/reported_rivals.hpp"
+#include "planning/round_numbers.hpp"
+#include "planning/trial_family.hpp"
 
 // The next experiment of a swung beam, and what the family of trials holds.
 
@@ -115,6 +117,18 @@ until_s = 0.0
         EXPECT_LE(less.trials[t].duration_s, 0.5 + 1e-9);
         for (const experiment::LoadDeclaration& load : less.trials[t].loads) EXPECT_LE(load.force_N.norm(), 0.1 + 1e-9);
     }
+}
+
+/// Numbers of a box keep the digits of its margin: a face at 0.112 m lies in it, one at 0.11 m would not.
+TEST(TrialFamily, BoxesHoldTheirFaces) {
+    for (const double face : {0.112, 0.1234, -0.0871, 0.0, 1.0}) {
+        const double margin = 0.0006, lowest = rounded_down_to(face - margin, margin),
+                     highest = -rounded_down_to(-face - margin, margin);
+        EXPECT_LE(lowest, face - 0.99 * margin);
+        EXPECT_GE(highest, face + 0.99 * margin);
+        EXPECT_LT(highest - lowest, 4.0 * margin);
+    }
+    EXPECT_EQ(rounded_down_to(0.1128, 0.001), 0.112) << "the decimal number itself";
 }
 
 const char* const muscles = R"([[muscle]]
