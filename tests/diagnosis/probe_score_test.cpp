@@ -99,6 +99,24 @@ TEST(ProbeScore, HasNonlinearStartsBeyondTheResidual) {
     EXPECT_LT(compensated.nonlinear[0].step(0), 0.0) << "the modulus moves against the start";
 }
 
+/// A softer patch: 5 times the probe of -10 % is possible, 12 times, which leaves no modulus, is not.
+TEST(ProbeScore, NegativeAmountsHaveTheirBoundsMirrored) {
+    const effect::Effect& patch = *effect::find_effect("soft_patch");
+    const effect::EffectProbe softer = effect::probe(
+        {{"relative_change", -0.1}, {"centre_m", VectorXd(Eigen::Vector3d(0.05, 0.01, 0.01))}, {"radius_m", 0.02}},
+        "relative_change");
+    const FitData data = test::made_data(samples);
+    const auto score_with = [&](double multiple) {
+        const JointFit fit = test::made_fit(-multiple * unit(0), unit(7));
+        return score_probe(patch, softer, unit(0), score_reference(fit, data.layout), ScreeningPolicy{});
+    };
+    const EffectScore half = score_with(5.0), too_much = score_with(12.0);
+    EXPECT_NEAR(effect::number(half.best.effect, "relative_change"), -0.5, 1e-9);
+    EXPECT_NEAR(half.share(), 1.0, 1e-9);
+    EXPECT_LT(too_much.share(), 0.99) << "the bound of the amount limits what the probe explains";
+    EXPECT_NEAR(effect::number(score_with(-12.0).best.effect, "relative_change"), 1.2, 1e-9) << "a stiff patch";
+}
+
 /// A probe with columns in several directions gets their best combination; a hardly observable direction gets hardly
 /// any share of it.
 TEST(ProbeScore, JoinsItsColumnsAndDampsHardlyObservableOnes) {

@@ -41,7 +41,10 @@ Range multiples_of(const effect::Effect& effect, const effect::EffectProbe& prob
     const effect::EffectParameterEntry& entry = *effect.parameter(probe.amount);
     const double amount = amount_of(probe);
     if (probe.joined) return {-entry.highest / std::abs(amount), entry.highest / std::abs(amount)};
-    if (entry.lowest < 0.0) return {entry.lowest / std::abs(amount), entry.highest / std::abs(amount)};
+    // With a negative amount the upper bound limits the negative multiples.
+    if (entry.lowest < 0.0)
+        return amount > 0.0 ? Range{entry.lowest / amount, entry.highest / amount}
+                            : Range{entry.highest / amount, entry.lowest / amount};
     return {0.0, probe.reciprocal ? amount / entry.lowest : entry.highest / amount};
 }
 
