@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <memory>
 #include <set>
 
 #include "diagnosis/fit/store_words.hpp"
@@ -104,8 +106,18 @@ TEST(FitKey, DependsOnAllThatTheFitDependsOn) {
                                      key([](S&, FitData&, V& v, Effort&) { v.youngs_modulus_Pa *= 1.0 + 1e-12; }),
                                      key([](S&, FitData&, V&, Effort& effort) { effort.evaluations = 11; }),
                                      key([&](S&, FitData&, V& v, Effort&) { v.effects.push_back(drag); }),
+                                     key([](S&, FitData&, V&, Effort& effort) { effort.relative_decrease *= 2.0; }),
+                                     key([](S&, FitData&, V&, Effort& effort) { effort.max_jacobians = 1; }),
                                      fit_key({setup, data, start, DiagnosisPolicy{}, EffectFreedom::all, {12}})};
-    EXPECT_EQ(keys.size(), 9u);
+    EXPECT_EQ(keys.size(), 11u);
+}
+
+/// The body scaled, or held at one node more.
+model::BodyPointer with_other_body(const setup::Setup& setup, double scale, bool more_held) {
+    model::Body body = *setup.body;
+    body.mesh.nodes *= scale;
+    if (more_held) *std::find(body.clamped.begin(), body.clamped.end(), false) = true;
+    return std::make_shared<const model::Body>(std::move(body));
 }
 
 TEST(StoreWords, DistinguishSetupsByWhatFitsDependOn) {
@@ -126,8 +138,11 @@ TEST(StoreWords, DistinguishSetupsByWhatFitsDependOn) {
                                     words([](S& s) { s.noise_m(0) *= 2.0; }),
                                     words([](S& s) { s.experiment.gravity_m_s2.z() = 0.0; }),
                                     words([](S& s) { s.experiment.name = "other"; }),
-                                    words([](S& s) { s.trials[1].model.masses.emplace_back(); })};
-    EXPECT_EQ(all.size(), 7u);
+                                    words([](S& s) { s.trials[1].model.masses.emplace_back(); }),
+                                    words([](S& s) { s.markers.bindings[0].offset.x() += 1e-12; }),
+                                    words([](S& s) { s.body = with_other_body(s, 1.0 + 1e-12, false); }),
+                                    words([](S& s) { s.body = with_other_body(s, 1.0, true); })};
+    EXPECT_EQ(all.size(), 10u);
 }
 
 TEST(PhaseLog, AddsCostsByPhaseInTheirOrder) {

@@ -9,7 +9,45 @@
 namespace myo::diagnosis {
 namespace {
 
-/// Hash of recordings, loads, and declared parameters.
+/// Adds where the body is, where it is held, and where its markers and muscles sit.
+void add_body(const setup::Setup& setup, Fingerprint& print) {
+    const model::Body& body = *setup.body;
+    print.add_all(body.mesh.nodes);
+    for (std::size_t node = 0; node < body.clamped.size(); ++node)
+        if (body.clamped[node]) print.add(static_cast<double>(node));
+    for (const model::GuidedNode& guided : body.guided) {
+        print.add(guided.node);
+        for (const bool held : guided.held) print.add(held ? 1.0 : 0.0);
+    }
+    for (const measurement::MarkerBinding& marker : setup.markers.bindings) {
+        for (const int node : marker.nodes) print.add(node);
+        print.add_all(marker.weights);
+        print.add_all(marker.offset);
+    }
+    print.add_all(setup.part_shares);
+    for (const setup::Chamber& chamber : setup.chambers) {
+        for (const int wall : chamber.walls) print.add(wall);
+        print.add(chamber.volume_factor);
+    }
+    for (const setup::Tendon& tendon : setup.tendons) {
+        for (const model::TendonGuide& guide : tendon.route.guides) print.add_all(guide.rest_m);
+        for (const double number : {tendon.route.friction, tendon.stiffness_N_m, tendon.slack_m}) print.add(number);
+    }
+}
+
+/// Adds the muscles of a trial's model.
+void add_muscles(const model::Model& model, Fingerprint& print) {
+    for (const fibre::FibreGroup& muscle : *model.fibres) {
+        print.add(muscle.stiffness_Pa);
+        for (const fibre::FibrePoint& point : muscle.points) {
+            print.add(point.cell);
+            print.add(point.volume);
+            print.add_all(point.shape);
+        }
+    }
+}
+
+/// Hash of the body, recordings, loads, and declared parameters.
 /// Start values and steps are part of the key of each fit instead, see fit_key().
 std::uint64_t setup_fingerprint(const setup::Setup& setup) {
     Fingerprint print;
@@ -19,6 +57,8 @@ std::uint64_t setup_fingerprint(const setup::Setup& setup) {
         print.add(number);
     for (const double number : material.law) print.add(number);
     print.add_all(setup.experiment.gravity_m_s2);
+    add_body(setup, print);
+    if (!setup.trials.empty()) add_muscles(setup.trials.front().model, print);
     print.add_all(setup.noise_m);
     // A law may have changed under its id.
     for (const std::filesystem::path& file : setup.experiment.law_files)

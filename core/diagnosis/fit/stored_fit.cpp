@@ -25,9 +25,10 @@ double fingerprint(const PredictionShift& shift) {
 
 /// See fit_key(). `parameters` with their start values, as joint_parameters() returns them.
 std::string key_of(const FitTask& task, const std::vector<prediction::ModelParameter>& parameters) {
-    std::string key = std::to_string(task.effort.evaluations) + " samples " + std::to_string(task.data.layout.size()) +
-                      " shift " + exact(fingerprint(task.data.shift)) + " modulus factor " +
-                      exact(task.setup.modulus_factor) + " steps";
+    std::string key = std::to_string(task.effort.evaluations) + " " + exact(task.effort.relative_decrease) + " " +
+                      std::to_string(task.effort.max_jacobians) + " samples " +
+                      std::to_string(task.data.layout.size()) + " shift " + exact(fingerprint(task.data.shift)) +
+                      " modulus factor " + exact(task.setup.modulus_factor) + " steps";
     for (const std::size_t t : task.data.trials) key += " " + exact(task.setup.trials[t].options.h_s);
     for (const effect::EffectDeclaration& effect : task.start.effects) key += " " + effect_words(effect);
     for (const prediction::ModelParameter& p : parameters)
