@@ -146,6 +146,9 @@ struct CandidateFitPolicy {
     double large_reduction = 0.3;
     /// Candidates whose predicted reduction is at least this share of the leader's are pruned later.
     double comparable_reduction = 0.9;
+    /// Fits that are continued between two looks at what they may prune: as many on every machine, since the result
+    /// must not depend on the number of threads.
+    std::size_t fitted_together = 2;
     /// A fit is repeated if its squared residual exceeds the predicted one by the first factor and is below the second
     /// share of the base's, and if its predicted reduction is at least the third share of the largest.
     double missed_reduction = 1.5;

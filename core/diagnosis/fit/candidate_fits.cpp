@@ -59,7 +59,6 @@ public:
     }
 
     const JudgedFit& fit(std::size_t i) const { return fits_[i]; }
-    int threads() const { return std::max(1, in_.setup.settings.threads); }
     int runs() const { return runs_; }
 
     /// Whether a usable fit has not converged, or not with all parameters of its effects yet.
@@ -70,27 +69,33 @@ public:
                                        joint_parameters(in_.setup, found.values, in_.settings.policy.declared).size());
     }
 
-    // Both are called from several threads at once, for different candidates; they must not write.
+    // All are called from several threads at once, for different candidates; they must not write.
     using Wanted = std::function<bool(std::size_t)>;
     using Start = std::function<prediction::ParameterValues(std::size_t)>;
+    using EffortOf = std::function<Effort(std::size_t)>;
 
     /// Fits the amounts of the wanted candidates, each on one thread.
     void fit_amounts(const Effort& effort, const Wanted& wanted, const Start& from,
                      Slopes slopes = Slopes::of_earlier_fit) {
-        run(serial_, EffectFreedom::amount, effort, wanted, from, slopes);
-    }
-    /// Continues the wanted candidates with all parameters; with its trials in parallel if there is only one.
-    void continue_fits(const Effort& effort, bool single, const Wanted& wanted) {
         run(
-            single ? in_.setup : serial_, EffectFreedom::all, effort, wanted,
-            [this](std::size_t i) { return fit(i).fit.values; }, Slopes::of_earlier_fit);
+            serial_, EffectFreedom::amount, [&](std::size_t) { return effort; }, wanted, from, slopes);
+    }
+    /// Continues the wanted candidates with all parameters, each on its share of the threads.
+    ///
+    /// @param count  how many are wanted, at least 1
+    void continue_fits(const EffortOf& effort, std::size_t count, const Wanted& wanted) {
+        setup::Setup shared = in_.setup;
+        shared.settings.threads = std::max(1, in_.setup.settings.threads / static_cast<int>(count));
+        run(
+            shared, EffectFreedom::all, effort, wanted, [this](std::size_t i) { return fit(i).fit.values; },
+            Slopes::of_earlier_fit);
     }
 
     std::vector<JudgedFit> take() { return std::move(fits_); }
 
 private:
     /// A result is kept only if it is better than the previous one.
-    void run(const setup::Setup& setup, EffectFreedom freedom, const Effort& effort, const Wanted& wanted,
+    void run(const setup::Setup& setup, EffectFreedom freedom, const EffortOf& effort, const Wanted& wanted,
              const Start& from, Slopes slopes) {
         parallel_tasks(static_cast<int>(in_.starts.size()), in_.setup.settings.threads, [&](int task) {
             const auto i = static_cast<std::size_t>(task);
@@ -101,8 +106,9 @@ private:
                                                         : of_base_;
             warm.paths = of_base_.paths;  // the paths of all candidates would exceed the memory
             const prediction::ParameterValues start = from(i);
-            JointFit found = stored_fit({setup, in_.data, start, in_.settings.policy, freedom, effort, std::move(warm)},
-                                        store_, progress_.with_sink({}));
+            JointFit found = stored_fit(
+                {setup, in_.data, start, in_.settings.policy, freedom, effort(i), std::move(warm)}, store_,
+                progress_.with_sink({}));
             // A cancelled fit is not kept: it would look like one that made no progress.
             if (!found.usable() || progress_.cancelled()) return;
             // Only residuals and positions are needed further on; traces of all candidates would exceed the memory.
@@ -204,19 +210,18 @@ void continue_best(const CandidateFitInput& in, Rounds& rounds) {
         std::vector<std::size_t> next = fits_worth_continuing(
             pruning, [&](std::size_t i) { return predicted_squares(rounds.fit(i).fit); });
         if (next.empty()) return;
-        // After the first round, as many at once as there are threads, the best first.
-        const std::size_t most = first ? 1 : static_cast<std::size_t>(rounds.threads());
+        const std::size_t most = first ? 1 : policy.fitted_together;
         const auto end = next.begin() + static_cast<std::ptrdiff_t>(std::min(next.size(), most));
         std::partial_sort(next.begin(), end, next.end(), [&](std::size_t a, std::size_t b) {
             return pruning.fits[a].squares < pruning.fits[b].squares;
         });
         std::vector<bool> chosen(count, false);
         for (auto i = next.begin(); i != end; ++i) continued[*i] = chosen[*i] = true;
-        const auto leads = [&](std::size_t i) {
-            return first || in.starts[i].predicted_reduction > policy.large_reduction;
+        const auto effort = [&](std::size_t i) {
+            return first || in.starts[i].predicted_reduction > policy.large_reduction ? policy.leader : policy.other;
         };
-        rounds.continue_fits(policy.leader, first, [&](std::size_t i) { return chosen[i] && leads(i); });
-        rounds.continue_fits(policy.other, first, [&](std::size_t i) { return chosen[i] && !leads(i); });
+        rounds.continue_fits(effort, static_cast<std::size_t>(end - next.begin()),
+                             [&](std::size_t i) { return static_cast<bool>(chosen[i]); });
     }
 }
 

@@ -41,7 +41,6 @@ struct CandidateFitInput {
 /// Fits candidate effects added to the effects of a base fit: first the amount of each effect, then all parameters of
 /// the candidates that are not pruned, best first.
 ///
-/// As many fits continue at once as the setup has threads; which of the others are pruned may depend on that number.
 /// Fits found in the store are evaluated only.
 ///
 /// @return  in the order of the starts; not usable where the fit failed
