@@ -9,12 +9,16 @@
 namespace myo::prediction {
 namespace {
 
+const setup::Setup& setup_of(const PredictionTask& task, const setup::Setup& common) {
+    return task.setup ? *task.setup : common;
+}
+
 /// Merges the progress of trials that run in parallel into one: simulated seconds done, summed over the trials.
 class JoinedProgress {
 public:
     JoinedProgress(const setup::Setup& setup, const std::vector<PredictionTask>& tasks, const Progress& outer)
         : outer_(outer), done_(tasks.size(), 0.0) {
-        for (const PredictionTask& task : tasks) total_ += setup.trials[task.trial].options.end_s;
+        for (const PredictionTask& task : tasks) total_ += setup_of(task, setup).trials[task.trial].options.end_s;
     }
     Progress of(std::size_t task) {
         return outer_.with_sink([this, task](const ProgressEvent& event) {
@@ -46,8 +50,8 @@ std::vector<TrialPrediction> predict_trials(const setup::Setup& setup, const std
     // Trials are independent; each prediction is written by one thread only.
     parallel_tasks(static_cast<int>(tasks.size()), setup.settings.threads, [&](int index) {
         const auto i = static_cast<std::size_t>(index);
-        predictions[i] = predict_trial(setup, tasks[i].trial, *tasks[i].values, parameters, joined.of(i),
-                                       tasks[i].warm_start);
+        predictions[i] = predict_trial(setup_of(tasks[i], setup), tasks[i].trial, *tasks[i].values, parameters,
+                                       joined.of(i), tasks[i].warm_start);
     });
     return predictions;
 }

@@ -8,11 +8,12 @@
 
 namespace myo::prediction {
 
-/// One trial to simulate with given parameter values; the values must outlive the run.
+/// One trial to simulate with given parameter values; values and setup must outlive the run.
 struct PredictionTask {
     std::size_t trial = 0;  // index into Setup::trials
     const ParameterValues* values = nullptr;
     std::shared_ptr<const dynamics::StagePath> warm_start{};  // see predict_trial()
+    const setup::Setup* setup = nullptr;                      // its own, such as a finer mesh; null: that of the call
 };
 
 /// Simulates the tasks in parallel on the setup's threads.

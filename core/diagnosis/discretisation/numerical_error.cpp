@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <optional>
 #include <utility>
 
 #include "prediction/predict_trials.hpp"
@@ -42,19 +42,60 @@ bool moves_modulus(const JointFit& fit) {
     });
 }
 
-/// Runs with other steps; poses, which have none, are those of `base`.
-std::vector<prediction::TrialPrediction> runs_with(const setup::Setup& setup, const prediction::ParameterValues& values,
-                                                   const std::vector<std::size_t>& trials,
-                                                   const std::vector<prediction::TrialPrediction>& base,
-                                                   const Progress& progress) {
-    std::vector<std::size_t> moving;
-    std::copy_if(trials.begin(), trials.end(), std::back_inserter(moving),
-                 [&](std::size_t t) { return !setup.trials[t].hold; });
-    std::vector<prediction::TrialPrediction> runs = prediction::predict_trials_with(setup, values, moving, progress);
-    std::vector<prediction::TrialPrediction> all;
-    for (std::size_t i = 0, next = 0; i < trials.size(); ++i)
-        all.push_back(setup.trials[trials[i]].hold ? base[i] : runs[next++]);
-    return all;
+/// The setup without paths, which no run starts from.
+setup::Setup without_paths(setup::Setup setup) {
+    for (setup::PreparedTrial& trial : setup.trials) trial.options.keep_path = false;
+    return setup;
+}
+
+/// The setup with this share of its steps, and its modulus factor for them.
+setup::Setup with_finer_steps(setup::Setup setup, double ratio, double modulus_factor) {
+    setup.modulus_factor = modulus_factor;
+    for (setup::PreparedTrial& trial : setup.trials) {
+        trial.options.h_s *= ratio;
+        trial.options.max_iterations = dynamics::SimulationOptions().max_iterations;  // limit for more steps
+    }
+    return setup;
+}
+
+/// Predictions of each trial; not run where there are none.
+struct ErrorRuns {
+    std::vector<prediction::TrialPrediction> base, fitted, finer_step, finer_mesh;
+};
+
+/// All runs in parallel: those of one kind alone would leave threads without work, since trials differ in length.
+ErrorRuns run_all(const RefinedRuns& in, double step_ratio, bool with_finer_step, const Progress& progress) {
+    const setup::Setup base = without_paths(in.setup),
+                       halved = with_finer_steps(base, step_ratio, in.effective_modulus.factor_of_finer_step());
+    std::optional<setup::Setup> finer;
+    if (in.refined) {
+        finer = without_paths(*in.refined);
+        finer->modulus_factor = in.effective_modulus.factor_of_finer_mesh();
+    }
+    std::vector<prediction::PredictionTask> tasks;
+    std::vector<prediction::TrialPrediction*> places;
+    ErrorRuns runs;
+    const auto add = [&](std::vector<prediction::TrialPrediction>& kind, const setup::Setup& setup,
+                         const prediction::ParameterValues& values, bool holds_too) {
+        for (std::size_t i = 0; i < in.trials.size(); ++i) {
+            if (setup.trials[in.trials[i]].hold && !holds_too) continue;
+            tasks.push_back({in.trials[i], &values, {}, &setup});
+            places.push_back(&kind[i]);
+        }
+    };
+    for (auto* kind : {&runs.base, &runs.fitted, &runs.finer_step, &runs.finer_mesh}) kind->resize(in.trials.size());
+    // The longest first, so that the end is not one of them alone.
+    if (finer) add(runs.finer_mesh, *finer, in.values.finer_mesh, true);
+    if (with_finer_step) add(runs.finer_step, halved, in.values.finer_step, false);
+    add(runs.base, base, in.values.setup, true);
+    if (in.fitted) add(runs.fitted, base, *in.fitted, true);
+    std::vector<prediction::TrialPrediction> done = prediction::predict_trials(in.setup, tasks, {}, progress);
+    for (std::size_t k = 0; k < done.size(); ++k) *places[k] = std::move(done[k]);
+    // A pose has no steps.
+    if (with_finer_step)
+        for (std::size_t i = 0; i < in.trials.size(); ++i)
+            if (in.setup.trials[in.trials[i]].hold) runs.finer_step[i] = runs.base[i];
+    return runs;
 }
 
 }  // namespace
@@ -77,35 +118,20 @@ void add_scaled(const std::vector<Matrix3Xd>& tracks, double factor, std::vector
     for (std::size_t m = 0; m < tracks.size(); ++m) sum[m] += factor * tracks[m];
 }
 
-NumericalError numerical_error(const RefinedRuns& runs, const NumericsPolicy& policy, const Progress& progress) {
-    const auto& [setup, refined, values, trials, base, known, effective_modulus] = runs;
+NumericalError numerical_error(const RefinedRuns& in, const NumericsPolicy& policy, const Progress& progress) {
+    const auto& [setup, refined, values, fitted_values, trials, known, effective_modulus] = in;
     NumericalError error;
     error.effective_modulus = effective_modulus;
     error.step_ratio = policy.step_ratio;
     // Step errors of similar motions are similar: a negligible one is reused and saves a run of twice the steps.
     const bool negligible = known && known->step_rms_m < policy.negligible_step_error * setup.noise_m.minCoeff() &&
                             known->step_shift.size() == setup.trials.size();
-    std::vector<prediction::TrialPrediction> finer_step(trials.size());
-    if (!negligible) {
-        setup::Setup halved = setup;
-        halved.modulus_factor = effective_modulus.factor_of_finer_step();
-        for (setup::PreparedTrial& trial : halved.trials) {
-            trial.options.h_s *= error.step_ratio;
-            trial.options.max_iterations = dynamics::SimulationOptions().max_iterations;  // limit for more steps
-            trial.options.keep_path = false;
-        }
-        finer_step = runs_with(halved, values.finer_step, trials, base, progress);
-    }
-    std::vector<prediction::TrialPrediction> finer_mesh(trials.size());
-    if (refined) {
+    const ErrorRuns runs = run_all(in, error.step_ratio, !negligible, progress);
+    const auto& [base, fitted, finer_step, finer_mesh] = runs;
+    if (refined)
         error.mesh_ratio = refined->mesh.resolution_m / setup.mesh.resolution_m;
-        setup::Setup finer = *refined;
-        finer.modulus_factor = effective_modulus.factor_of_finer_mesh();
-        if (!progress.cancelled())
-            finer_mesh = prediction::predict_trials_with(finer, values.finer_mesh, trials, progress);
-    } else {
+    else
         error.message = "no finer mesh could be made";
-    }
     error.step_shift.resize(setup.trials.size());
     if (negligible) error.step_shift = known->step_shift;
     error.shift.resize(setup.trials.size());
@@ -135,6 +161,11 @@ NumericalError numerical_error(const RefinedRuns& runs, const NumericsPolicy& po
     error.step_rms_m = negligible ? known->step_rms_m : by_step.rms();
     error.mesh_rms_m = by_mesh.rms();
     error.rest_rms_m = shift_rms_m(error.shift);
+    // The runs had the matched values: their distance from those with the fitted ones belongs to the shift.
+    if (fitted_values)
+        for (std::size_t i = 0; i < trials.size(); ++i)
+            if (base[i].ok() && fitted[i].ok() && !error.shift[trials[i]].empty())
+                add_scaled(difference(base[i], fitted[i]), 1.0, error.shift[trials[i]]);
     const setup::PreparedTrial& first = setup.trials.front();
     // Stated for the report only; the step error contains its effect on the motion.
     error.numerical_damping = setup::check_integration(prediction::trial_model(setup, 0, values.setup),

@@ -53,20 +53,19 @@ double step_extrapolation(const NumericsPolicy& policy);
 /// Runs that numerical_error() compares. Refers to values that outlive the call.
 struct RefinedRuns {
     const setup::Setup& setup;
-    const setup::Setup* refined;  // setup on a finer mesh; null: none
-    const MatchedValues& values;  // of the three runs
-    const std::vector<std::size_t>& trials;
-    /// Predictions of the setup with values.setup, one per trial, traces not needed; failed ones are skipped.
-    const std::vector<prediction::TrialPrediction>& base;
+    const setup::Setup* refined;                // setup on a finer mesh; null: none
+    const MatchedValues& values;                // of the three runs
+    const prediction::ParameterValues* fitted;  // to whose predictions the shift applies; null: to values.setup
+    const std::vector<std::size_t>& trials;     // those of which a run fails are skipped
     const NumericalError* known;  // with similar values, null: none; its step part is reused if far below the noise
     /// Effective modulus of the setup, whose modulus factor is set accordingly; the refined runs follow it.
     const EffectiveModulus& effective_modulus;
 };
 
-/// Runs the trials with half the step and on the refined setup, and extrapolates both changes by Richardson's rule with
-/// their orders. Shifts of other trials stay empty.
+/// Runs the trials as they are, with half the step and on the refined setup, all in parallel, and extrapolates both
+/// changes by Richardson's rule with their orders. Shifts of other trials stay empty.
 /// Source: Roache 1997, Annu. Rev. Fluid Mech. 29, 123.
-NumericalError numerical_error(const RefinedRuns& runs, const NumericsPolicy& policy, const Progress& progress);
+NumericalError numerical_error(const RefinedRuns& in, const NumericsPolicy& policy, const Progress& progress);
 
 /// finer - coarser of the residuals, per marker 3 x T [m]; 0 where a sample is not compared.
 std::vector<Eigen::Matrix3Xd> difference(const prediction::TrialPrediction& finer,

@@ -45,17 +45,11 @@ NumericalError error_at(const ErrorTask& task, const NumericsPolicy& policy, con
     const MatchedValues values{prediction::with_predicted_levels(setup, same.setup),
                                prediction::with_predicted_levels(setup, same.finer_step),
                                prediction::with_predicted_levels(setup, same.finer_mesh)};
-    const std::vector<prediction::TrialPrediction> base = fitted_predictions(setup, trials, same.setup, progress);
+    const prediction::ParameterValues there = prediction::with_predicted_levels(setup, fitted);
     NumericalError error = numerical_error(
-        {setup, refinement.finer.get(), values, trials, base, known, unmatched.effective_modulus}, policy, progress);
-    if (matched) {
-        // The base run had the matched values: its distance from the run with the fitted ones belongs to the shift.
-        const std::vector<prediction::TrialPrediction> there = fitted_predictions(setup, trials, fitted, progress);
-        for (std::size_t i = 0; i < trials.size(); ++i)
-            if (base[i].ok() && there[i].ok() && !error.shift[trials[i]].empty())
-                add_scaled(difference(base[i], there[i]), 1.0, error.shift[trials[i]]);
-        error.matched = *matched;
-    }
+        {setup, refinement.finer.get(), values, matched ? &there : nullptr, trials, known, unmatched.effective_modulus},
+        policy, progress);
+    if (matched) error.matched = *matched;
     if (unmatched.effective_modulus.any()) {  // error of the cells without the effective modulus
         error.by_modulus = unmatched.by_modulus;
         error.step_rms_m = unmatched.step_rms_m;
