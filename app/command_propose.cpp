@@ -146,15 +146,12 @@ int propose_command(ProposeCall& call) {
     const Result<std::string> declaration = read_file(declaration_of(call));
     if (!declaration) return console.refuse(declaration.error());
     const double fits_s = opening.stopwatch.seconds() - setup_s;
-    // Signals of trials that are tried are files, as trials name them; the folder is removed at the end.
-    const PassingFolder signals;
     const planning::PlanningPolicy policy;
     const Result<planning::Proposal> proposal = planning::propose_trial({fitted->setup,
                                                                          fitted->rivals,
                                                                          *declaration,
                                                                          declaration_of(call),
                                                                          call.limits,
-                                                                         signals.path(),
                                                                          call.numerical_error_m,
                                                                          {},
                                                                          policy},

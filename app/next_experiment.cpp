@@ -1,7 +1,5 @@
 #include "next_experiment.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <numeric>
 
@@ -9,16 +7,6 @@
 #include "planning/reported_rivals.hpp"
 
 namespace myo::app {
-
-PassingFolder::PassingFolder()
-    : path_(std::filesystem::temp_directory_path() / ("myoloop_signals_" + std::to_string(::getpid()))) {
-    std::filesystem::create_directories(path_);
-}
-
-PassingFolder::~PassingFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-}
 
 std::optional<planning::Proposal> next_experiment(const setup::Setup& setup, const diagnosis::Diagnosis& diagnosis,
                                                   const std::filesystem::path& declaration, const Progress& progress) {
@@ -35,17 +23,8 @@ std::optional<planning::Proposal> next_experiment(const setup::Setup& setup, con
                               static_cast<double>((*rivals)[0].parameters.size() + (*rivals)[1].parameters.size());
     const auto affordable = static_cast<std::size_t>(policy.proposal.most_time * runs / of_a_trial);
     const setup::Setup diagnosed = diagnosis::as_diagnosed(diagnosis, setup);
-    const PassingFolder signals;
     const Result<planning::Proposal> proposal = planning::propose_trial(
-        {diagnosed,
-         *rivals,
-         *text,
-         declaration,
-         {},
-         signals.path(),
-         {},
-         std::max(policy.proposal.fewest_trials, affordable),
-         policy},
+        {diagnosed, *rivals, *text, declaration, {}, {}, std::max(policy.proposal.fewest_trials, affordable), policy},
         progress);
     if (!proposal || !proposal->best()) return std::nullopt;
     return *proposal;

@@ -9,22 +9,6 @@
 
 namespace myo::app {
 
-/// A folder for files of one run below the temporary folder of the system, removed at the end with its content.
-///
-/// Errors: the constructor throws std::filesystem::filesystem_error if the folder cannot be made.
-class PassingFolder {
-public:
-    PassingFolder();
-    ~PassingFolder();
-    PassingFolder(const PassingFolder&) = delete;
-    PassingFolder& operator=(const PassingFolder&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
-
 /// The trial that would separate what a diagnosis could not, found with a small share of the runs that it took. Empty
 /// where everything was separated, where no trial can be run, or if cancelled.
 ///

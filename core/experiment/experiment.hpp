@@ -20,6 +20,7 @@
 #include "fibre/painted_mask.hpp"
 #include "fibre/polyline.hpp"
 #include "fibre/signal.hpp"
+#include "measurement/actuation_csv.hpp"
 #include "measurement/trace_file.hpp"
 #include "measurement/trace_repair.hpp"
 #include "mesh/surface_mesh.hpp"
@@ -193,6 +194,8 @@ struct TrialDeclaration {
     StartState start = StartState::straight;
     double session_time_s = 0.0;                     // time of the trial within the session, for effects that drift
     std::optional<std::filesystem::path> actuation;  // recorded a(t) per muscle, resolved
+    /// Content of `actuation` before there is such a file: of a trial that is only tried. No declaration has it.
+    std::optional<measurement::ActuationTable> tried_actuation;
     std::vector<ActuationStep> actuation_steps;
     std::vector<ConstantCommand> constant_commands;
     bool hold = false;  // at rest all along: all samples are measurements of one pose; `start` is equilibrium

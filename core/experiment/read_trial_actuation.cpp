@@ -31,6 +31,10 @@ struct TrialCommands {
             if (command.actuator == actuator.name) return &command;
         return nullptr;
     }
+    /// Name of the recorded commands in messages.
+    std::string recorded_name() const {
+        return trial.tried_actuation ? "the tried signal" : trial.actuation->filename().string();
+    }
     // Neither a follower nor with a step, a constant or a signal of its own.
     bool recordable(const Actuator& actuator) const {
         const bool follows = muscle(actuator) != nullptr && muscle(actuator)->follows;
@@ -67,7 +71,7 @@ std::string column_fault(const TrialCommands& commands, const std::string& colum
 /// Recorded rows; a muscle without a column is an error, a chamber or tendon without one rests.
 Result<void> fill_recorded(const TrialCommands& commands, const std::string& key,
                            const measurement::ActuationTable& recorded, measurement::ActuationTable& table) {
-    const std::string file = commands.trial.actuation->filename().string();
+    const std::string file = commands.recorded_name();
     for (std::size_t i = 0; i < commands.all.size(); ++i) {
         const Actuator& actuator = commands.all[i];
         if (!commands.recordable(actuator)) continue;
@@ -83,8 +87,9 @@ Result<void> fill_recorded(const TrialCommands& commands, const std::string& key
         Eigen::Index lowest = 0;
         if (actuator.kind == ActuatorKind::tendon_tension && table.values.row(row).minCoeff(&lowest) < 0.0)
             return Error{key + ": column \"" + actuator.column + "\" holds a negative tension; a tendon never pushes",
-                         commands.trial.actuation->string() + ":" +
-                             std::to_string(recorded.lines[static_cast<std::size_t>(lowest)])};
+                         recorded.lines.empty() ? file
+                                                : commands.trial.actuation->string() + ":" +
+                                                      std::to_string(recorded.lines[static_cast<std::size_t>(lowest)])};
     }
     return {};
 }
@@ -117,19 +122,21 @@ Result<measurement::ActuationTable> read_trial_actuation(const Experiment& exper
     for (const Actuator& actuator : commands.all) table.muscles.push_back(actuator.name);
     // One sample without a recording: Signal extends its first and last value to all times.
     table.time_s = Eigen::VectorXd::Zero(1);
-    if (!trial.actuation) {
+    if (!trial.actuation && !trial.tried_actuation) {
         fill_constants(commands, table);
         fill_followers(experiment, table.values);
         return table;
     }
     const std::string key = trial_key(experiment, trial) + ".actuation";
-    Result<measurement::ActuationTable> recorded = measurement::read_actuation_csv(*trial.actuation);
+    const Result<measurement::ActuationTable> recorded = trial.tried_actuation
+                                                             ? *trial.tried_actuation
+                                                             : measurement::read_actuation_csv(*trial.actuation);
     if (!recorded) return Error{key + ": " + recorded.error().what, recorded.error().where};
     for (const std::string& warning : recorded->warnings) table.warnings.push_back(key + ": " + warning);
     for (const std::string& column : recorded->muscles)
         if (const std::string fault = column_fault(commands, column); !fault.empty())
-            return declaration_error(
-                experiment, key, trial.actuation->filename().string() + " has a column \"" + column + "\", " + fault);
+            return declaration_error(experiment, key,
+                                     commands.recorded_name() + " has a column \"" + column + "\", " + fault);
     // Constants and rest first: rows of the recording then replace those that it contains.
     table.time_s = recorded->time_s;
     table.lines = recorded->lines;

@@ -44,35 +44,6 @@ std::vector<PossibleTrial> evenly(std::vector<PossibleTrial> family, std::size_t
     return chosen;
 }
 
-/// File of the signal of a trial while the family is run.
-std::filesystem::path signal_of(const PossibleTrial& trial, const std::filesystem::path& folder) {
-    return folder / (trial.name + ".csv");
-}
-
-/// Signal files of a family, removed at the end.
-class SignalFiles {
-public:
-    SignalFiles(const std::vector<PossibleTrial>& family, const std::filesystem::path& folder) {
-        for (const PossibleTrial& trial : family) {
-            if (!trial.signal) continue;
-            files_.push_back(signal_of(trial, folder));
-            if (written_) written_ = measurement::write_actuation_csv(files_.back(), *trial.signal);
-        }
-    }
-    ~SignalFiles() {
-        std::error_code ignored;
-        for (const std::filesystem::path& file : files_) std::filesystem::remove(file, ignored);
-    }
-    SignalFiles(const SignalFiles&) = delete;
-    SignalFiles& operator=(const SignalFiles&) = delete;
-
-    const Result<void>& written() const { return written_; }
-
-private:
-    std::vector<std::filesystem::path> files_;
-    Result<void> written_;
-};
-
 /// Shortest step of the moving trials, in whole parts of the sampling interval.
 /// With a step that is a whole part of the interval, every sample is at the end of a step.
 double step_of(const setup::Setup& setup, const setup::PreparedTrial& trial) {
@@ -87,17 +58,19 @@ double step_of(const setup::Setup& setup, const setup::PreparedTrial& trial) {
 /// The setup with the trials of a family behind its own.
 Result<setup::Setup> with_family(const ProposalTask& task, const std::vector<PossibleTrial>& family,
                                  const Progress& progress) {
-    // The reader of experiments reads signals from files: they exist until the trials are prepared.
-    const SignalFiles signals(family, task.signal_folder);
-    if (!signals.written()) return signals.written().error();
-    // By way of the text, so that a proposed trial is read and checked as the user's own will be.
+    // By way of the text, so that a proposed trial is read and checked as the user's own will be. Only signals of
+    // muscles are added behind the reader, which takes them from files.
     std::string text = task.declaration + "\n";
-    for (const PossibleTrial& trial : family) text += trial_text(trial, signal_of(trial, task.signal_folder)) + "\n";
+    for (PossibleTrial trial : family) {
+        trial.signal.reset();
+        text += trial_text(trial) + "\n";
+    }
     const Result<experiment::Experiment> read = experiment::read_experiment_text(text, task.file);
     if (!read) return read.error();
     experiment::Experiment added = task.setup.experiment;
     // Only the new trials are prepared; mesh and body of the fits are kept.
     added.trials.assign(read->trials.end() - static_cast<std::ptrdiff_t>(family.size()), read->trials.end());
+    for (std::size_t i = 0; i < family.size(); ++i) added.trials[i].tried_actuation = family[i].signal;
     Result<setup::Setup> prepared = setup::prepare_setup(added, task.setup.settings, progress, &task.setup.mesh);
     if (!prepared) return prepared.error();
     setup::Setup whole = task.setup;

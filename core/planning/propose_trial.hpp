@@ -44,7 +44,6 @@ struct ProposalTask {
     const std::string& declaration;             // text of experiment.toml, to which the trial is added
     const std::filesystem::path& file;          // its path
     experiment::LimitsDeclaration limits = {};  // instead of the declared ones, value by value
-    std::filesystem::path signal_folder = {};   // where signals of muscles are kept while trials are run
     // Rms; empty: DetectionPolicy::numerical_error times the noise.
     std::optional<double> numerical_error_m = {};
     std::optional<std::size_t> most_trials = {};  // of the family, evenly chosen
@@ -57,7 +56,7 @@ struct ProposalTask {
 /// free: by the linear step that best reproduces the prediction, with what the existing trials know of its parameters
 /// kept (their Jacobian stands above that of the trial). What is left over noise and numerical error is the
 /// noncentrality of the test that rejects it; of the two directions the smaller one counts (T-optimality).
-/// Errors: the declaration with the trials cannot be read; a signal cannot be written; cancelled.
+/// Errors: the declaration with the trials cannot be read; cancelled.
 /// Source: Atkinson & Fedorov 1975, Biometrika 62, 57.
 Result<Proposal> propose_trial(const ProposalTask& task, const Progress& progress);
 

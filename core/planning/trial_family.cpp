@@ -206,12 +206,12 @@ std::vector<PossibleTrial> trial_family(const setup::Setup& setup, const experim
     return family;
 }
 
-std::string trial_text(const PossibleTrial& trial, const std::filesystem::path& signal) {
+std::string trial_text(const PossibleTrial& trial) {
     return "# Proposed: " + trial.words +
            ".\n# Once it is recorded: role = \"fit\", trace = \"FILE\", format = \"...\", without duration_s.\n"
            "[[trial]]\nname = " +
            toml::toml_text(trial.name) + "\nrole = \"simulate\"\n" +
-           (trial.signal ? "actuation = " + toml::toml_text(signal.string()) + "\n" : "") + trial.keys;
+           (trial.signal ? "actuation = " + toml::toml_text(signal_file) + "\n" : "") + trial.keys;
 }
 
 }  // namespace myo::planning

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,9 +35,7 @@ inline constexpr const char* signal_file = "next_trial_signal.csv";
 std::vector<PossibleTrial> trial_family(const setup::Setup& setup, const experiment::LimitsDeclaration& limits,
                                         const FamilyPolicy& policy);
 
-/// Declaration as `[[trial]]`, of role simulate until it is recorded.
-///
-/// @param signal  file of its signal, if it has one
-std::string trial_text(const PossibleTrial& trial, const std::filesystem::path& signal = signal_file);
+/// Declaration as `[[trial]]`, of role simulate until it is recorded; its signal, if it has one, is in signal_file.
+std::string trial_text(const PossibleTrial& trial);
 
 }  // namespace myo::planning

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "app/experiment_calls.hpp"
 
 // myoloop power and myoloop propose, from call to files.
@@ -47,6 +49,19 @@ TEST(Propose, WritesATrialThatTheProgramRuns) {
     expect_clean(folder);
     folder.write("exp/experiment.toml", small_toml() + content_of(folder.path() / "out/next_trial.toml"));
     EXPECT_EQ(run_program(call({"simulate", folder.str("exp"), "--out", folder.str("run")})).status, 0);
+}
+
+/// Trials are tried in memory: TMPDIR may lead nowhere.
+TEST(Propose, NeedsNoTemporaryFolder) {
+    const Folder folder("propose_no_tmpdir");
+    write_small_experiment(folder);
+    const std::string program = (std::filesystem::path(MYOLOOP_BINARY_DIR) / "myoloop").string();
+    const std::string command = "TMPDIR='" + folder.str("nowhere") + "' '" + program + "' propose '" +
+                                folder.str("exp") + "' --out '" + folder.str("out") +
+                                "' --between linear_drag --between point_mass --limits force_N=0.01 --resolution 0.01" +
+                                " >'" + folder.str("said") + "' 2>&1";
+    EXPECT_EQ(std::system(command.c_str()), 0) << content_of(folder.path() / "said");
+    EXPECT_TRUE(folder.has("out/next_trial.toml"));
 }
 
 struct WrongPlan {

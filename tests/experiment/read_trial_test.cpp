@@ -186,6 +186,23 @@ TEST_F(ReadTrial, ActuationHasARowForEveryMuscle) {
     EXPECT_EQ(none->values, Eigen::MatrixXd::Ones(2, 1)) << "no file: passive";
 }
 
+/// A trial that is tried has the signal in memory and no file yet.
+TEST_F(ReadTrial, ATriedSignalCountsAsItsFileWould) {
+    Experiment e = experiment();
+    const Result<measurement::ActuationTable> recorded = measurement::read_actuation_csv(*e.trials[0].actuation),
+                                              file = read_trial_actuation(e, e.trials[0]);
+    ASSERT_TRUE(recorded);
+    ASSERT_TRUE(file) << file.error().text();
+    e.trials[0].actuation.reset();
+    e.trials[0].tried_actuation = *recorded;
+    const Result<measurement::ActuationTable> tried = read_trial_actuation(e, e.trials[0]);
+    ASSERT_TRUE(tried) << tried.error().text();
+    EXPECT_EQ(tried->time_s, file->time_s);
+    EXPECT_EQ(tried->values, file->values);
+    e.trials[0].tried_actuation->muscles[0] = "lift";
+    EXPECT_THAT(read_trial_actuation(e, e.trials[0]).error().what, HasSubstr("no declared muscle"));
+}
+
 TEST_F(ReadTrial, WarningsOfTheSignalFileArePassedOn) {
     folder_.write("signal.csv", signal_csv + "0.2,0.8\n");
     const Experiment e = experiment();

@@ -27,8 +27,8 @@ Proposal proposal_in(const test::Folder& folder, const setup::Setup& setup, cons
     const Result<FittedRivals> fitted = fitted_rivals(setup, starts, {});
     EXPECT_TRUE(fitted) << fitted.error().text();
     const std::filesystem::path file = folder.path() / "experiment.toml";
-    const Result<Proposal> proposal = propose_trial(
-        {fitted->setup, fitted->rivals, declaration, file, {}, folder.path(), {}, {}, {}}, {});
+    const Result<Proposal> proposal = propose_trial({fitted->setup, fitted->rivals, declaration, file, {}, {}, {}, {}},
+                                                    {});
     EXPECT_TRUE(proposal) << proposal.error().text();
     return *proposal;
 }
