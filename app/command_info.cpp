@@ -12,6 +12,16 @@
 #include "standard_output.hpp"
 
 namespace myo::app {
+namespace {
+
+// Clang's __VERSION__ begins with its name, and GCC's is a number alone.
+#ifdef __clang__
+const char* const compiler = __VERSION__;
+#else
+const char* const compiler = "GCC " __VERSION__;
+#endif
+
+}  // namespace
 
 std::function<int()> declare_info(CLI::App&) {
     return [] {
@@ -19,7 +29,7 @@ std::function<int()> declare_info(CLI::App&) {
             print_format("%-12s %s\n", name, value.c_str());
         };
         line("myoloop", MYOLOOP_VERSION);
-        line("compiler", "GCC " __VERSION__);
+        line("compiler", compiler);
         line("threads", std::to_string(hardware_threads()));
         line("elements", join(fem::element_ids()));
         line("integrators", join(dynamics::integrator_ids()));

@@ -20,6 +20,17 @@ TEST(Call, InfoNamesVersionLibrariesAndChoices) {
     EXPECT_EQ(run.err, "");
 }
 
+/// One compiler makes the program and its tests.
+TEST(Call, InfoNamesTheCompilerOnce) {
+    const std::string out = run_program({"info"}).out;
+#ifdef __clang__
+    EXPECT_THAT(out, HasSubstr("Clang"));
+    EXPECT_THAT(out, Not(HasSubstr("GCC")));
+#else
+    EXPECT_THAT(out, HasSubstr("GCC " __VERSION__));
+#endif
+}
+
 TEST(Call, VersionAndHelpSucceed) {
     EXPECT_THAT(run_program({"--version"}).out, HasSubstr("myoloop "));
     const ProgramRun help = run_program({"--help"});
