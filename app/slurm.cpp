@@ -34,7 +34,7 @@ std::string shell_word(const std::string& word) {
 /// The call without the options that the scripts replace, in both spellings: "--nodes 4" and "--nodes=4".
 std::vector<std::string> repeated_words(const std::vector<std::string>& words, const std::string& at_once_option) {
     const std::vector<std::string> flags{"--slurm", "--collect"},
-        valued{"--partition", "--time", "--account", "--nodes", at_once_option};
+        valued{"--partition", "--time", "--account", "--nodes", "--share", at_once_option};
     const auto among = [](const std::vector<std::string>& list, const std::string& word) {
         return std::find(list.begin(), list.end(), word) != list.end();
     };

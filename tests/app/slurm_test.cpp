@@ -55,6 +55,21 @@ TEST(Slurm, WithoutSbatchTheJobsAreWrittenOnly) {
     EXPECT_FALSE(folder.has("out/cases"));
 }
 
+/// A share of all cases may stand in the call; each task has its own instead.
+TEST(Slurm, TheShareOfTheCallIsNotThatOfATask) {
+    const Folder folder("slurm_share");
+    write_sweep(folder, of_two, 0.05);
+    const PathOf nowhere(folder.str("bin"));
+    const std::vector<std::vector<std::string>> spellings{{"--slurm", "--share", "1/1"}, {"--slurm", "--share=1/1"}};
+    for (const std::vector<std::string>& words : spellings) {
+        EXPECT_THAT(run_sweep(folder, words).err, HasSubstr("sbatch is not in PATH"));
+        const std::string array = content_of(folder.path() / "out/slurm/array.sh");
+        EXPECT_THAT(array, HasSubstr(" --share \"$SLURM_ARRAY_TASK_ID/2\""));
+        EXPECT_EQ(array.find("--share"), array.rfind("--share")) << array;
+        EXPECT_THAT(content_of(folder.path() / "out/slurm/collect.sh"), Not(HasSubstr("--share")));
+    }
+}
+
 TEST(Slurm, TasksAndTheCollectingJobMakeTheTableOfALocalRun) {
     const Folder folder("slurm obeyed");  // the name needs quotes in a shell
     write_sweep(folder, of_two, 0.05);
