@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <system_error>
 
 #include "base/files.hpp"
 #include "base/text.hpp"
@@ -143,14 +144,16 @@ Result<void> write_results(const DiagnoseCall& call, const experiment::Experimen
     return report::write_html(call.out / "report.html", page);
 }
 
-/// Settings of the diagnosis. Without --resume, fits kept from an earlier call are removed.
-diagnosis::DiagnoseSettings diagnose_settings(const DiagnoseCall& call) {
+/// Settings of the diagnosis. Without --resume, fits kept from an earlier call are removed. Errors: they cannot be.
+Result<diagnosis::DiagnoseSettings> diagnose_settings(const DiagnoseCall& call) {
     diagnosis::DiagnoseSettings settings;
     settings.without = call.without;
     // Fits are stored as they finish, so a stopped diagnosis can be resumed.
     settings.fits = call.out / fits_file;
     // Stored fits are reused on request only: they may belong to other settings.
-    if (!call.resume) std::filesystem::remove(*settings.fits);
+    std::error_code code;
+    if (!call.resume) std::filesystem::remove(*settings.fits, code);
+    if (code) return Error{"cannot be removed: " + code.message(), settings.fits->string()};
     return settings;
 }
 
@@ -166,10 +169,11 @@ int diagnose_command(const DiagnoseCall& call) {
     tell_findings(before, opening.told, console);
     console.print(setup.experiment.name + "\n" + size_line(setup));
     // After open_command(), which holds the lock of the folder: kept fits are removed or read from here on.
-    const diagnosis::DiagnoseSettings settings = diagnose_settings(call);
+    const Result<diagnosis::DiagnoseSettings> settings = diagnose_settings(call);
+    if (!settings) return console.refuse(settings.error());
     const double setup_s = opening.stopwatch.seconds();
     // A stopped diagnosis has no verdict, and nothing but its fits is worth keeping.
-    const diagnosis::Diagnosis d = diagnosis::whole_diagnosis(setup, settings, progress);
+    const diagnosis::Diagnosis d = diagnosis::whole_diagnosis(setup, *settings, progress);
     if (d.stopped) {
         console.complain("stopped; what was fitted is kept in " + call.out.string() + ", --resume continues from it");
         return status_stopped;

@@ -129,5 +129,9 @@ int main(int argc, char** argv) {
     } catch (const std::bad_alloc&) {
         std::fputs("myoloop: out of memory; try a coarser mesh (--resolution) or a larger step (--dt)\n", stderr);
         return myo::app::status_failed;
+    } catch (const std::exception& error) {
+        // Bad input is a Result, so an exception is a mistake of the program: a sentence serves better than SIGABRT.
+        myo::app::complain(std::string("stopped by an internal error: ") + error.what());
+        return myo::app::leave(myo::app::status_failed);
     }
 }

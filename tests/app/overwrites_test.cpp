@@ -76,6 +76,18 @@ TEST(Overwrites, TheDeclarationThatIsReadStays) {
                    folder.path() / "out/simulate.json");
 }
 
+/// Told before the diagnosis, which may take hours.
+TEST(Overwrites, AFolderInThePlaceOfKeptFitsStays) {
+    const Folder folder("overwrites_fits");
+    write_small_experiment(folder);
+    folder.write("out/diagnose_fits.json/notes.txt", "mine");
+    const ProgramRun run = run_program(
+        {"diagnose", folder.str("exp"), "--out", folder.str("out"), "--resolution", "0.01", "--dt", "0.005"});
+    EXPECT_EQ(run.status, 2) << run.err;
+    EXPECT_THAT(run.err, HasSubstr(folder.str("out/diagnose_fits.json") + ": cannot be removed: Directory not empty"));
+    EXPECT_EQ(content_of(folder.path() / "out/diagnose_fits.json/notes.txt"), "mine");
+}
+
 TEST(Overwrites, GradcheckKeepsEveryFileOfTheExperiment) {
     const Folder folder("overwrites_gradcheck");
     std::string text = muscled_toml();
