@@ -86,21 +86,25 @@ private:
         const fs::path folder = case_folder(out_, c.number);
         // A lock next to the folder, not in it: the folder is cleared before a run, and its command takes the lock
         // within.
-        const Result<FolderLock> lock = FolderLock::take_file(folder);
-        // Another process may have ended the case since the list was made.
-        if (!lock || !to_be_run(c, folder, run_)) return;
+        const Result<std::optional<FolderLock>> lock = FolderLock::take_file_if_free(folder);
+        if (!lock) return give_up(lock.error());
+        // Another process may run the case, or have ended it since the list was made.
+        if (!*lock || !to_be_run(c, folder, run_)) return;
         // With `stop_` as its flag: an error ends the cases at work, too.
         const Result<CaseMarker> marker = run_case(runner_, c, folder, Progress({}, &stop_));
+        if (!marker) return give_up(marker.error());
+        if (!has_ended(marker->state)) return;
         const std::lock_guard<std::mutex> guard(mutex_);
-        if (!marker) {
-            // A case that cannot be written ends the sweep: the next one could not be written either.
-            trouble_ = marker.error();
-            stop_ = true;
-        } else if (has_ended(marker->state)) {
-            ++ended_count_;
-            report();
-            if (ended_) ended_(c, *marker);
-        }
+        ++ended_count_;
+        report();
+        if (ended_) ended_(c, *marker);
+    }
+
+    /// Ends the sweep after a case that cannot be written: the next one could not be written either.
+    void give_up(const Error& error) {
+        const std::lock_guard<std::mutex> guard(mutex_);
+        trouble_ = error;
+        stop_ = true;
     }
 
     const std::vector<const SweepCase*> open_;

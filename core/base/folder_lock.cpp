@@ -33,6 +33,9 @@ std::string owner_words(const fs::path& file) {
     return known ? ", process " + id->substr(0, id->find('\n')) : "";
 }
 
+/// Hidden lock file beside a file.
+fs::path lock_file_of(const fs::path& file) { return file.parent_path() / ("." + file.filename().string() + ".lock"); }
+
 /// Writes the process id for messages of other runs. The lock is valid without it, for example on a full disk.
 void write_owner(int descriptor) {
     const std::string id = std::to_string(::getpid()) + "\n";
@@ -50,25 +53,35 @@ Result<FolderLock> FolderLock::take(const fs::path& folder) {
 }
 
 Result<FolderLock> FolderLock::take_file(const fs::path& file) {
-    return take(file.parent_path() / ("." + file.filename().string() + ".lock"), [&](const std::string& owner) {
+    return take(lock_file_of(file), [&](const std::string& owner) {
         return file.filename().string() + " is open in another window of Myoloop" + owner;
     });
 }
 
+Result<std::optional<FolderLock>> FolderLock::take_file_if_free(const fs::path& file) {
+    return take_if_free(lock_file_of(file));
+}
+
 Result<FolderLock> FolderLock::take(const fs::path& file,
                                     const std::function<std::string(const std::string&)>& refusal) {
+    Result<std::optional<FolderLock>> taken = take_if_free(file);
+    if (!taken) return taken.error();
+    if (!*taken) return Error{refusal(owner_words(file)), ""};
+    return **std::move(taken);
+}
+
+Result<std::optional<FolderLock>> FolderLock::take_if_free(const fs::path& file) {
     // Repeats until the locked file is also the file of that name, see is_still().
     while (true) {
         const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
         if (descriptor < 0) return Error{"cannot be made: " + std::generic_category().message(errno), file.string()};
         if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-            const std::string owner = owner_words(file);
             ::close(descriptor);
-            return Error{refusal(owner), ""};
+            return std::optional<FolderLock>();
         }
         if (is_still(file, descriptor)) {
             write_owner(descriptor);
-            return FolderLock(file, descriptor);
+            return std::optional<FolderLock>(FolderLock(file, descriptor));
         }
         ::close(descriptor);
     }

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "base/result.hpp"
@@ -21,6 +22,9 @@ public:
     /// Takes the lock of one file without waiting, by a hidden lock file beside it: `.NAME.lock`.
     /// Errors: "FILE is open in another window of Myoloop, process 1234"; or the lock file cannot be created.
     static Result<FolderLock> take_file(const std::filesystem::path& file);
+    /// take_file() for work that can be left to another process: empty if that has the lock.
+    /// Errors: the lock file cannot be created.
+    static Result<std::optional<FolderLock>> take_file_if_free(const std::filesystem::path& file);
 
     FolderLock(FolderLock&& other) noexcept;
     FolderLock& operator=(FolderLock&& other) noexcept;
@@ -30,6 +34,8 @@ public:
 
 private:
     FolderLock(std::filesystem::path file, int descriptor);
+    /// Empty if another process has the lock.
+    static Result<std::optional<FolderLock>> take_if_free(const std::filesystem::path& lock_file);
     /// @param refusal  the message if another process has the lock, from the words about its owner
     static Result<FolderLock> take(const std::filesystem::path& lock_file,
                                    const std::function<std::string(const std::string&)>& refusal);

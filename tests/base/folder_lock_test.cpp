@@ -48,5 +48,20 @@ TEST(FolderLock, WhatAKilledRunLeftIsTakenOver) {
     EXPECT_TRUE(FolderLock::take(folder.path()));
 }
 
+TEST(FolderLock, AFileThatIsTakenIsNoErrorForWorkThatCanBeLeft) {
+    const test::Folder folder("folder_lock_free");
+    std::optional<Result<FolderLock>> first(FolderLock::take_file(folder.path() / "case"));
+    ASSERT_TRUE(*first);
+    const Result<std::optional<FolderLock>> taken = FolderLock::take_file_if_free(folder.path() / "case");
+    ASSERT_TRUE(taken) << taken.error().text();
+    EXPECT_FALSE(*taken);
+    first.reset();
+    const Result<std::optional<FolderLock>> freed = FolderLock::take_file_if_free(folder.path() / "case");
+    ASSERT_TRUE(freed) << freed.error().text();
+    EXPECT_TRUE(*freed);
+    EXPECT_EQ(FolderLock::take_file_if_free(folder.path() / "nowhere/case").error().text(),
+              folder.str("nowhere/.case.lock") + ": cannot be made: No such file or directory");
+}
+
 }  // namespace
 }  // namespace myo

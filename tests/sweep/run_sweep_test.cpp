@@ -151,6 +151,16 @@ TEST(RunSweep, CasesThatAnotherProcessRunsAreLeftToIt) {
     EXPECT_EQ(fake.calls().size(), 2u);
 }
 
+/// A folder in the place of the lock stands for one that this user cannot write.
+TEST(RunSweep, ACaseThatCannotBeLockedEndsTheSweepWithItsReason) {
+    const FakeSweep fake("sweep_unlockable", R"(["converges", "converges "])");
+    fs::create_directories(fake.out() / "cases/.0001.lock");
+    const Result<void> worked = fake.work();
+    ASSERT_FALSE(worked);
+    EXPECT_THAT(worked.error().text(), HasSubstr("cases/.0001.lock: cannot be made: Is a directory"));
+    EXPECT_THAT(fake.calls(), ::testing::IsEmpty());
+}
+
 TEST(RunSweep, TwoAtOnceRunEveryCaseOnce) {
     const FakeSweep fake("sweep_twice",
                          R"(["converges", "fails", "converges x", "ends_early", "fails x", "no_report"])");
