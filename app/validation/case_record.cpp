@@ -14,9 +14,6 @@ using Eigen::VectorXd;
 
 constexpr std::size_t kept_places = 5;  // stored entries of a ranking
 
-/// Whether a parameter is a position, whose relative error depends on the choice of the origin.
-bool is_place(const std::string& name) { return name == "position_m" || name == "anchor_m" || name == "centre_m"; }
-
 /// A number or a vector as a vector; empty for names.
 VectorXd as_vector(const effect::EffectParameter& value) {
     if (const auto* const number = std::get_if<double>(&value)) return VectorXd::Constant(1, *number);
@@ -36,6 +33,10 @@ effect::EffectParameters comparable(const effect::EffectDeclaration& effect) {
 }
 
 }  // namespace
+
+bool is_place(const std::string& parameter) {
+    return parameter == "position_m" || parameter == "anchor_m" || parameter == "centre_m";
+}
 
 std::string CaseRecord::expected() const { return kind == CaseKind::deleted ? "unknown" : truth; }
 

@@ -14,8 +14,10 @@ namespace myo::validation {
 struct ParameterError {
     std::string name;
     double absolute = 0.0;  // norm of the difference, in the unit of the parameter
-    double relative = 0.0;  // over the norm of the truth; NaN for positions
+    double relative = 0.0;  // over the norm of the truth; NaN for positions and where the truth is 0
 };
+/// Whether a parameter of this name is a position, whose relative error would depend on the choice of the origin.
+bool is_place(const std::string& parameter);
 
 /// Answer of a diagnosis to a case with known truth; one JSON line of a file.
 struct CaseRecord {

@@ -53,12 +53,15 @@ std::vector<ParameterQuality> qualities_of(const std::vector<CaseRecord>& record
         for (const ParameterError& error : record.errors) all[{record.truth, error.name}].push_back(error);
     std::vector<ParameterQuality> list;
     for (const auto& [name, errors] : all) {
-        ParameterQuality quality{name.first, name.second, 0.0, !std::isfinite(errors.front().relative), {}};
+        ParameterQuality quality{name.first, name.second, 0.0, is_place(name.second), {}};
         std::vector<double> sizes;
         for (const ParameterError& error : errors) {
+            // No error is relative to a truth of 0.
+            if (!quality.is_place && std::isnan(error.relative)) continue;
             sizes.push_back(quality.is_place ? error.absolute : error.relative);
             quality.good.add(sizes.back() <= (quality.is_place ? good_place_m : good_relative));
         }
+        if (sizes.empty()) continue;
         quality.median = finite_median(sizes);
         list.push_back(quality);
     }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "validation/validation_report.hpp"
 
@@ -94,6 +95,26 @@ TEST(ValidationSummary, ConfidenceThatIsRightAsOftenAsItSaysHasNoError) {
     EXPECT_NEAR(validation::validation_summary(records).calibration_error, 0.0, 1e-12);
     for (validation::CaseRecord& record : records) record.confidence = 1.0;
     EXPECT_NEAR(validation::validation_summary(records).calibration_error, 0.2, 1e-12);
+}
+
+/// A truth of 0 makes no place of a parameter: its error in another case is judged relative to that one's truth.
+TEST(ValidationSummary, OnlyPositionsAreJudgedByDistance) {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    std::vector<validation::CaseRecord> records = {
+        answered(1, validation::CaseKind::named, "point_mass", {"point_mass"}, 0.9),
+        answered(2, validation::CaseKind::named, "point_mass", {"point_mass"}, 0.9)};
+    records[0].errors = {{"mass_kg", 0.001, none}, {"position_m", 0.004, none}};
+    records[1].errors = {{"mass_kg", 0.004, 0.5}, {"position_m", 0.006, none}};
+    const validation::ValidationSummary s = validation::validation_summary(records);
+    ASSERT_EQ(s.parameters.size(), 2u);
+    EXPECT_EQ(s.parameters[0].parameter, "mass_kg");
+    EXPECT_FALSE(s.parameters[0].is_place);
+    EXPECT_DOUBLE_EQ(s.parameters[0].median, 0.5);
+    EXPECT_EQ(s.parameters[0].good.count, 0);
+    EXPECT_EQ(s.parameters[0].good.of, 1);
+    EXPECT_TRUE(s.parameters[1].is_place);
+    EXPECT_EQ(s.parameters[1].good.count, 1);
+    EXPECT_EQ(s.parameters[1].good.of, 2);
 }
 
 TEST(ParameterErrors, AreRelativeToTheTruthAndPlacesAreDistances) {
