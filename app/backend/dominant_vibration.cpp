@@ -40,13 +40,21 @@ void fit_free_vibration(const VectorXd& times_s, const VectorXd& values, Measure
     found.damping_ratio = fit.damping_ratio();
 }
 
+/// Mean of the samples that are seen; NaN if none is.
+double mean_of_seen(const VectorXd& values) {
+    double sum = 0.0, count = 0.0;
+    for (const double value : values)
+        if (std::isfinite(value)) sum += value, ++count;
+    return sum / count;
+}
+
 }  // namespace
 
 MeasuredVibration vibration_of(const VectorXd& times_s, const VectorXd& values) {
     MeasuredVibration found;
     const Eigen::Index samples = values.size(), tail = std::max<Eigen::Index>(1, samples / 5);
     // A free vibration has nearly come to rest at the end of its record.
-    const double rest = values.tail(tail).mean();
+    const double rest = mean_of_seen(values.tail(tail));
     double first = 0.0, last = 0.0;
     int crossings = 0;
     for (Eigen::Index t = 1; t < samples; ++t) {

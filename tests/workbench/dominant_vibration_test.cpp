@@ -38,6 +38,17 @@ TEST(DominantVibration, LooksBetweenGaps) {
     EXPECT_NEAR(backend::vibration_of(t, y).damping_ratio, 0.06, 1e-3);
 }
 
+TEST(DominantVibration, FindsItsRestBesideAnOccludedSample) {
+    const Eigen::VectorXd t = Eigen::VectorXd::LinSpaced(301, 0.0, 3.0);
+    Eigen::VectorXd y = release(t, 0.06);
+    y(290) = std::numeric_limits<double>::quiet_NaN();
+    const backend::MeasuredVibration found = backend::vibration_of(t, y);
+    EXPECT_NEAR(found.frequency_Hz, 3.0, 0.05);
+    EXPECT_NEAR(found.damping_ratio, 0.06, 1e-3);
+    y.tail(70).setConstant(std::numeric_limits<double>::quiet_NaN());
+    EXPECT_EQ(backend::vibration_of(t, y).frequency_Hz, 0.0);
+}
+
 TEST(DominantVibration, HasNoDampingWhereNothingDecays) {
     const Eigen::VectorXd t = Eigen::VectorXd::LinSpaced(301, 0.0, 3.0);
     // Driven: the swing grows.
