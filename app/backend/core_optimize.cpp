@@ -220,7 +220,6 @@ ui::commands::SearchResult optimized(const setup::Setup& setup, const inverse::A
     result.warnings = found.warnings;
     if (!found.fit.converged() && !found.stopped) result.problem = "The search did not converge: " + found.fit.message;
     result.parameters = signal_rows(setup, problem, found.fit.start, found.fit.values);
-    for (ui::commands::ParameterRow& row : result.parameters) row.deviation = std::numeric_limits<double>::quiet_NaN();
     for (ui::commands::ParameterRow& row : design_rows(found.found)) result.parameters.push_back(std::move(row));
     // Settings hold one signal per muscle for all trials, which replaces those that other trials recorded.
     if (signals && !setup.experiment.muscles.empty())
