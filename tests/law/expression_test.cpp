@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "law/parser.hpp"
@@ -117,6 +118,18 @@ INSTANTIATE_TEST_SUITE_P(OfEveryFunction, Derivative,
                                          "max(k, 1)^2 * min(k, 3)", "if(k > 1, k^2, 5)", "smooth_step(k / 3)",
                                          "positive(k - 1.6, 1) * k", "step(k) * k^2", "k^-1.5", "pow(k, 2.5)",
                                          "norm(v)^3 / (1[m2] + norm(x)^2)"));
+
+/// As section 3 of the manual's page on laws says.
+TEST(Expression, HasAtACornerTheSlopeOfTheBranchThatIsTakenThere) {
+    Language l;
+    const std::vector<std::pair<const char*, double>> slopes{{"abs(k)", 1.0},        {"max(k, 2 * k)", 1.0},
+                                                             {"max(2 * k, k)", 2.0}, {"min(k, 2 * k)", 2.0},
+                                                             {"min(2 * k, k)", 1.0}, {"if(k < 0, -k, 3 * k)", 3.0}};
+    for (const auto& [text, slope] : slopes) {
+        const Program derivative(l.expressions, {l.expressions.derivative(l.read(text).node(), k)});
+        EXPECT_EQ(run_once(derivative, {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0}).front(), slope) << text;
+    }
+}
 
 TEST(Expression, HasTheSlopeZeroOfALengthAtItsCorner) {
     Language l;
