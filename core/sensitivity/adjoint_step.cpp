@@ -147,90 +147,121 @@ Matrix3Xd AdjointFollower::stage_adjoint(dynamics::StageSolver& solver, const dy
     return model::scatter(pattern, p);
 }
 
-bool AdjointFollower::step(dynamics::StageSolver& solver, const StepRecord& record) {
-    const model::Body& body = *model_.body;
-    if (model_.softening) {
-        lower_peaks(record.peak_energy_J_m3, record.solved.back().solution.x);
-        PeakAdjoint::soften(solver, record.peak_energy_J_m3);
-    }
-    const Known& known = coefficients(record.scheme, record.h_s, record.start.step_before_s);
-    const StepCoefficients &plain = known.plain, &by_lambda = known.by_velocity_force;
-    const int stages = plain.stages();
-    const double middle_s = record.time_s + 0.5 * known.h;
-    const model::MassMatrix& mass = solver.mass(middle_s);
-    const auto rows_count = static_cast<std::size_t>(nodal_fields + stages);
+/// A step backwards: the adjoints of the rows of its map, and the transposed map.
+struct AdjointFollower::StepAdjoint {
+    const Known& known;
+    const StepRecord& record;
+    double middle_s;
+    const model::MassMatrix& mass;
     // Adjoints of the fields after the step and of the stage constants; momentum rows also multiplied by the mass.
-    std::vector<Matrix3Xd> rows(rows_count), mass_rows(rows_count);
-    std::vector<VectorXd> strain_rows(static_cast<std::size_t>(strain_fields + stages));
-    std::vector<Matrix3Xd> velocity_rows(
-        static_cast<std::size_t>(stages));  // adjoints of the stages' velocity histories
-    std::move(state_.nodal.begin(), state_.nodal.end(), rows.begin());
-    std::move(state_.strain.begin(), state_.strain.end(), strain_rows.begin());
-    // Momentum rows depend on the masses and Lambda, which contributes to the gradient.
-    for (const int row : {force_field, force_lag_field}) {
-        const auto r = static_cast<std::size_t>(row);
-        if (rows[r].size() == 0) continue;
-        mass_rows[r] = model::times_mass(rows[r], mass);
-        const Matrix3Xd by_velocity_force = accelerations(by_lambda, record, row);
-        gradient_.add_momentum(middle_s, rows[r], mass_rows[r], accelerations(plain, record, row), &by_velocity_force);
+    std::vector<Matrix3Xd> rows, mass_rows;
+    std::vector<VectorXd> strain_rows;
+    std::vector<Matrix3Xd> velocity_rows;  // adjoints of the stages' velocity histories
+
+    /// Takes the adjoints of the fields after the step.
+    StepAdjoint(const dynamics::StageSolver& solver, const Known& step, const StepRecord& run, KinematicsAdjoint& after)
+        : known(step),
+          record(run),
+          middle_s(run.time_s + 0.5 * step.h),
+          mass(solver.mass(middle_s)),
+          rows(static_cast<std::size_t>(nodal_fields + stages())),
+          mass_rows(rows.size()),
+          strain_rows(static_cast<std::size_t>(strain_fields + stages())),
+          velocity_rows(static_cast<std::size_t>(stages())) {
+        std::move(after.nodal.begin(), after.nodal.end(), rows.begin());
+        std::move(after.strain.begin(), after.strain.end(), strain_rows.begin());
     }
-    // Column of the transposed map: adjoint of a field before the step or of a stage solution.
-    const auto column = [&](int c) {
+
+    int stages() const { return known.plain.stages(); }
+    const dynamics::SolvedStage& solved(int stage) const { return record.solved[static_cast<std::size_t>(stage)]; }
+
+    /// Column of the transposed map: adjoint of a field before the step or of a stage solution.
+    Matrix3Xd column(int c) const {
+        const StepCoefficients& map = known.plain;
         Matrix3Xd sum;
-        for (int row = 0; row < plain.nodal.rows(); ++row) {
+        for (int row = 0; row < map.nodal.rows(); ++row) {
             const auto r = static_cast<std::size_t>(row);
-            add_to(sum, plain.nodal(row, c), is_momentum_row(row) && is_motion_column(c) ? mass_rows[r] : rows[r]);
+            add_to(sum, map.nodal(row, c), is_momentum_row(row) && is_motion_column(c) ? mass_rows[r] : rows[r]);
         }
         // Stage velocities depend on motions with the same coefficients as strain rates on strains.
         const int beside = c < strain_fields ? c : c - nodal_fields + strain_fields;
         if (c < strain_fields || c >= nodal_fields)
-            for (int k = 0; k < stages; ++k)
-                add_to(sum, plain.strain(strain_fields + k, beside), velocity_rows[static_cast<std::size_t>(k)]);
+            for (int k = 0; k < stages(); ++k)
+                add_to(sum, map.strain(strain_fields + k, beside), velocity_rows[static_cast<std::size_t>(k)]);
         return sum;
-    };
-    const auto strain_column = [&](int c) {
-        VectorXd sum;
-        for (int row = 0; row < plain.strain.rows(); ++row)
-            add_to(sum, plain.strain(row, c), strain_rows[static_cast<std::size_t>(row)]);
-        return sum;
-    };
-
-    guesses_.resize(static_cast<std::size_t>(stages));
-    // Stages in reverse order. Implicit function theorem: the stage adjoint p solves H p = adjoint of the solution; p
-    // is then the adjoint of the stage constant.
-    for (int k = stages - 1; k >= 0; --k) {
-        const dynamics::Stage& stage = record.solved[static_cast<std::size_t>(k)].stage;
-        const dynamics::StageSolution& solution = record.solved[static_cast<std::size_t>(k)].solution;
-        const auto row = static_cast<std::size_t>(nodal_fields + k);
-        Matrix3Xd load = column(nodal_fields + k);
-        const VectorXd strain_load = strain_column(strain_fields + k);
-        if (strain_load.size() > 0)
-            add_to(load, 1.0,
-                   model::viscous_gradient(model_, solution.x,
-                                           body_strain_adjoint(model_, stage.rate_factor_1_s, strain_load)));
-        if (load.size() == 0) load = Matrix3Xd::Zero(3, body.node_count());
-        rows[row] = stage_adjoint(solver, stage, solution.x, load, guesses_[static_cast<std::size_t>(k)]);
-        if (rows[row].size() == 0) return false;
-        mass_rows[row] = model::times_mass(rows[row], mass);
-        if (model::is_viscous(model_) || model_.creep)
-            strain_rows[static_cast<std::size_t>(strain_fields + k)] = history_adjoint(
-                model_, stage.rate_factor_1_s, -model::strain_tangent(model_, solution.x, rows[row]), strain_load);
-        if (model_.softening) peaks_.use(model_, record.peak_energy_J_m3, solution.x, rows[row]);
-        const Matrix3Xd v = model::depends_on_velocity(model_) ? dynamics::stage_velocities(stage, solution.x)
-                                                               : Matrix3Xd();  // only force elements use it
-        if (model::depends_on_velocity(model_))
-            velocity_rows[static_cast<std::size_t>(k)] = -model::velocity_pull(
-                model_, dynamics::force_state(stage, solution.x, v), rows[row]);
-        const Matrix3Xd u = accelerations(plain, record, nodal_fields + k),
-                        by_velocity_force = accelerations(by_lambda, record, nodal_fields + k);
-        const model::StrainRate rate{stage.rate_factor_1_s, with_strains_ ? &stage.rate_history : nullptr};
-        gradient_.add({solution.x, v.size() > 0 ? &v : nullptr, rate, stage.time_s, stage.before_jump,
-                       stage.inertia_at_s, &u, &by_velocity_force, &solver.softening()},
-                      rows[row], mass_rows[row]);
     }
-    for (int field = 0; field < nodal_fields; ++field) state_.nodal[static_cast<std::size_t>(field)] = column(field);
+    /// Likewise of a strain field.
+    VectorXd strain_column(int c) const {
+        const StepCoefficients& map = known.plain;
+        VectorXd sum;
+        for (int row = 0; row < map.strain.rows(); ++row)
+            add_to(sum, map.strain(row, c), strain_rows[static_cast<std::size_t>(row)]);
+        return sum;
+    }
+};
+
+void AdjointFollower::add_momenta(StepAdjoint& at) {
+    for (const int row : {force_field, force_lag_field}) {
+        const auto r = static_cast<std::size_t>(row);
+        if (at.rows[r].size() == 0) continue;
+        at.mass_rows[r] = model::times_mass(at.rows[r], at.mass);
+        const Matrix3Xd by_velocity_force = accelerations(at.known.by_velocity_force, at.record, row);
+        gradient_.add_momentum(at.middle_s, at.rows[r], at.mass_rows[r], accelerations(at.known.plain, at.record, row),
+                               &by_velocity_force);
+    }
+}
+
+Matrix3Xd AdjointFollower::solution_adjoint(const StepAdjoint& at, int k, const VectorXd& strain_load) const {
+    const auto& [stage, solution] = at.solved(k);
+    Matrix3Xd load = at.column(nodal_fields + k);
+    if (strain_load.size() > 0)
+        add_to(load, 1.0,
+               model::viscous_gradient(model_, solution.x,
+                                       body_strain_adjoint(model_, stage.rate_factor_1_s, strain_load)));
+    if (load.size() == 0) load = Matrix3Xd::Zero(3, model_.body->node_count());
+    return load;
+}
+
+bool AdjointFollower::transpose_stage(dynamics::StageSolver& solver, int k, StepAdjoint& at) {
+    const auto& [stage, solution] = at.solved(k);
+    const auto row = static_cast<std::size_t>(nodal_fields + k);
+    const VectorXd strain_load = at.strain_column(strain_fields + k);
+    Matrix3Xd &p = at.rows[row], &p_times_mass = at.mass_rows[row];
+    p = stage_adjoint(solver, stage, solution.x, solution_adjoint(at, k, strain_load),
+                      guesses_[static_cast<std::size_t>(k)]);
+    if (p.size() == 0) return false;
+    p_times_mass = model::times_mass(p, at.mass);
+    if (model::is_viscous(model_) || model_.creep)
+        at.strain_rows[static_cast<std::size_t>(strain_fields + k)] = history_adjoint(
+            model_, stage.rate_factor_1_s, -model::strain_tangent(model_, solution.x, p), strain_load);
+    if (model_.softening) peaks_.use(model_, at.record.peak_energy_J_m3, solution.x, p);
+    const Matrix3Xd v = model::depends_on_velocity(model_) ? dynamics::stage_velocities(stage, solution.x)
+                                                           : Matrix3Xd();  // only force elements use it
+    if (model::depends_on_velocity(model_))
+        at.velocity_rows[static_cast<std::size_t>(k)] = -model::velocity_pull(
+            model_, dynamics::force_state(stage, solution.x, v), p);
+    const Matrix3Xd u = accelerations(at.known.plain, at.record, nodal_fields + k),
+                    by_velocity_force = accelerations(at.known.by_velocity_force, at.record, nodal_fields + k);
+    const model::StrainRate rate{stage.rate_factor_1_s, with_strains_ ? &stage.rate_history : nullptr};
+    gradient_.add({solution.x, v.size() > 0 ? &v : nullptr, rate, stage.time_s, stage.before_jump, stage.inertia_at_s,
+                   &u, &by_velocity_force, &solver.softening()},
+                  p, p_times_mass);
+    return true;
+}
+
+bool AdjointFollower::step(dynamics::StageSolver& solver, const StepRecord& record) {
+    if (model_.softening) {
+        lower_peaks(record.peak_energy_J_m3, record.solved.back().solution.x);
+        PeakAdjoint::soften(solver, record.peak_energy_J_m3);
+    }
+    StepAdjoint at(solver, coefficients(record.scheme, record.h_s, record.start.step_before_s), record, state_);
+    add_momenta(at);
+    guesses_.resize(static_cast<std::size_t>(at.stages()));
+    for (int k = at.stages() - 1; k >= 0; --k)
+        if (!transpose_stage(solver, k, at)) return false;
+    for (int field = 0; field < nodal_fields; ++field) state_.nodal[static_cast<std::size_t>(field)] = at.column(field);
     for (int field = 0; field < strain_fields; ++field)
-        state_.strain[static_cast<std::size_t>(field)] = strain_column(field);
+        state_.strain[static_cast<std::size_t>(field)] = at.strain_column(field);
     return true;
 }
 

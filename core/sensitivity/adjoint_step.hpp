@@ -77,6 +77,16 @@ private:
     Eigen::Matrix3Xd stage_adjoint(dynamics::StageSolver& solver, const dynamics::Stage& stage,
                                    const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& load, Guess& guess) const;
 
+    struct StepAdjoint;
+    /// Contribution of the force rows to the gradient: momenta depend on the masses and Lambda.
+    void add_momenta(StepAdjoint& at);
+    /// Adjoint of the solution of stage k, collected from all rows that use it, 3 x n.
+    /// @param strain_load  adjoint of its strains; empty: none
+    Eigen::Matrix3Xd solution_adjoint(const StepAdjoint& at, int k, const Eigen::VectorXd& strain_load) const;
+    /// Transposes stage k after the later ones, by the implicit function theorem: the stage adjoint p solves H p =
+    /// adjoint of the solution; p is then the adjoint of the stage constant. Returns false if the solve failed.
+    bool transpose_stage(dynamics::StageSolver& solver, int k, StepAdjoint& at);
+
     /// Transposes what a softening body remembers of the positions x at the end of a step or of the start equilibrium.
     /// @param before  peak energies before
     void lower_peaks(const Eigen::VectorXd& before, const Eigen::Matrix3Xd& x);
