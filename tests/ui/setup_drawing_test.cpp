@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "commands/actuator_drawing.hpp"
+#include "commands/body_cut.hpp"
 #include "commands/scene_at_time.hpp"
 #include "ui/driver.hpp"
 
@@ -38,8 +40,9 @@ struct DrawnBeam {
     }
     viewport::DrawnScene drawn() {
         state.scene = std::make_shared<const commands::Scene>(scene);
-        return commands::scene_at_time(state, platform::make_theme(platform::ThemeName::light, 1.0f),
-                                       commands::summarize_motion(state));
+        commands::MotionSummary motion = commands::summarize_motion(state);
+        commands::BodyCut().apply(state, motion);
+        return commands::scene_at_time(state, platform::make_theme(platform::ThemeName::light, 1.0f), motion);
     }
 };
 
@@ -97,6 +100,40 @@ TEST(SetupDrawing, TintsTheElementsOfAPartUnlessAMuscleDoes) {
         EXPECT_EQ(drawn.tints(3, f) > 0.0f, x > 0.05) << f;
     }
     EXPECT_TRUE(has_label(drawn, "tip"));
+}
+
+TEST(SetupDrawing, ACutLeavesTheTintOfAChamberOnItsWalls) {
+    DrawnBeam shown;
+    shown.scene.parts.clear();
+    const commands::MeshedBody& body = *shown.state.body;
+    const auto x_of = [&](const mesh::BoundaryFaces& faces, Eigen::Index f) {
+        return body.mesh.nodes(0, faces.nodes.col(f)).mean();
+    };
+    // Both ends of the beam are walls; the cut removes one of them.
+    commands::ShownChamber chamber;
+    for (Eigen::Index f = 0; f < body.boundary.count(); ++f)
+        if (const double x = x_of(body.boundary, f); x < 1e-9 || x > 0.1 - 1e-9)
+            chamber.walls.push_back(static_cast<int>(f));
+    shown.state.actuators.chambers = {chamber};
+    shown.state.view.clip = {true, Eigen::Vector3d::UnitX(), 0.05, false};
+    auto paint = std::make_shared<fibre::CellPaint>(fibre::blank_paint(body.mesh));
+    paint->weights.setOnes();
+    paint->directions.row(0).setOnes();
+    for (const bool painted : {false, true}) {
+        if (painted) shown.state.settings.muscles.resize(1), shown.state.paint = {paint};
+        const viewport::DrawnScene drawn = shown.drawn();
+        ASSERT_EQ(drawn.tints.cols(), drawn.body->faces.count());
+        ASSERT_LT(drawn.tints.cols(), body.boundary.count());
+        const viewport::Color color = commands::actuator_color(
+            shown.state, platform::make_theme(platform::ThemeName::light, 1.0f), 0);
+        int walls = 0;
+        for (Eigen::Index f = 0; f < drawn.tints.cols(); ++f) {
+            const bool wall = drawn.tints(3, f) > 0.0f && drawn.tints.col(f).head<3>() == color.head<3>();
+            EXPECT_EQ(wall, x_of(drawn.body->faces, f) < 1e-9) << f;
+            walls += wall ? 1 : 0;
+        }
+        EXPECT_EQ(2 * static_cast<std::size_t>(walls), chamber.walls.size()) << "one of two equal ends";
+    }
 }
 
 TEST(SetupDrawing, LoadsFollowTheBodyAndSayHowLargeTheyAre) {

@@ -62,6 +62,31 @@ TEST(SideBySide, ADragInEitherHalfTurnsBoth) {
     EXPECT_FALSE(driver.window->viewport().camera == before);
 }
 
+TEST(SideBySide, TintsTheChambersOfTheComparedMesh) {
+    Driver driver;
+    driver.backend->has_chamber = true;
+    driver.open_beam();
+    ASSERT_NO_FATAL_FAILURE(run(driver, 5e5));
+    const commands::JobRecord fine = driver.state().history.back();
+    commands::Settings settings = driver.state().settings;
+    settings.resolution_m *= 2.0;
+    driver.workbench->execute(commands::ChangeSettings{settings, "resolution"});
+    ASSERT_NO_FATAL_FAILURE(run(driver, 5e5));
+    ASSERT_NE(driver.state().body, fine.on.body);
+    driver.workbench->execute(commands::CompareRecord{fine.id});
+    commands::ViewOptions view = driver.state().view;
+    view.side_by_side = true;
+    driver.workbench->execute(commands::ChangeView{view});
+    driver.settle();
+    const viewport::DrawnScene& other = driver.window->compared_scene();
+    ASSERT_TRUE(other.body);
+    ASSERT_EQ(other.tints.cols(), fine.on.body->boundary.count());
+    for (Eigen::Index f = 0; f < other.tints.cols(); ++f) {
+        const double x = fine.on.body->mesh.nodes(0, other.body->faces.nodes.col(f)).mean();
+        EXPECT_EQ(other.tints(3, f) > 0.0f, x > 0.1 - 1e-9) << f;
+    }
+}
+
 TEST(SideBySide, WithoutAComparedRunIsOneView) {
     Driver driver;
     driver.open_beam();

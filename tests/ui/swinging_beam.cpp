@@ -290,6 +290,13 @@ Result<ui::commands::MeshedBody> SwingingBeam::mesh(const ui::commands::Scene&, 
                                                          : mesh::tet_box_mesh(body_box, n, settings.element);
     body.boundary = mesh::boundary_faces(body.mesh);
     body.dofs = 3.0 * static_cast<double>(body.mesh.node_count());
+    if (has_chamber) {
+        ui::commands::ShownChamber chamber;
+        for (Eigen::Index f = 0; f < body.boundary.count(); ++f)
+            if (body.mesh.nodes(0, body.boundary.nodes.col(f)).minCoeff() > body_box.highest.x() - 1e-9)
+                chamber.walls.push_back(static_cast<int>(f));
+        body.actuators.chambers = {chamber};
+    }
     body.report = {{"Volume error", "0.00 %", false}, {"Worst shape", "0.98", false}};
     return body;
 }

@@ -53,6 +53,29 @@ Matrix3Xd outline(const MeshedBody& body, const std::vector<int>& walls, const M
     return line;
 }
 
+/// Number of each face of the whole boundary among the drawn faces; -1: it is cut away.
+///
+/// The order of both is that of the cells and of the faces in a cell; faces of the cut may lie between the drawn ones.
+std::vector<Index> drawn_numbers(const mesh::BoundaryFaces& whole, const viewport::DrawnBody& drawn) {
+    std::vector<Index> numbers(static_cast<std::size_t>(whole.count()), -1);
+    Index next = 0;
+    for (Index f = 0; f < drawn.faces.count(); ++f) {
+        while (next < whole.count() && !drawn.has(whole.cell(next))) ++next;
+        if (next == whole.count()) break;
+        if (drawn.faces.nodes.col(f) == whole.nodes.col(next)) numbers[static_cast<std::size_t>(next++)] = f;
+    }
+    return numbers;
+}
+
+/// Tints the drawn walls of a chamber, over the colours of muscles.
+void tint_walls(viewport::DrawnScene& drawn, const std::vector<int>& walls, const std::vector<Index>& numbers,
+                const viewport::Color& color) {
+    if (drawn.tints.cols() == 0) drawn.tints = Eigen::Matrix4Xf::Zero(4, drawn.body->faces.count());
+    for (const int wall : walls)
+        if (const Index face = numbers[static_cast<std::size_t>(wall)]; face >= 0)
+            drawn.tints.col(face) << color.head<3>(), wall_tint;
+}
+
 /// Place of a guide now [m]: the weighted mean of its nodes, or where it stands still.
 Vector3d place_of(const ThreadGuide& guide, const Matrix3Xd& positions) {
     if (guide.nodes.empty()) return guide.rest_m;
@@ -91,11 +114,11 @@ void add_actuators(viewport::DrawnScene& drawn, const WorkbenchState& state, con
         drawn.positions.cols() != state.body->mesh.node_count())
         return;
     const MeshedBody& body = *state.body;
+    const std::vector<Index> numbers = drawn_numbers(body.boundary, *drawn.body);
     std::size_t actuator = 0;
     for (const ShownChamber& chamber : state.actuators.chambers) {
         const viewport::Color color = actuator_color(state, theme, actuator++);
-        if (drawn.tints.cols() == 0) drawn.tints = Eigen::Matrix4Xf::Zero(4, body.boundary.count());
-        for (const int wall : chamber.walls) drawn.tints.col(wall) << color.head<3>(), wall_tint;
+        tint_walls(drawn, chamber.walls, numbers, color);
         drawn.lines.push_back({outline(body, chamber.walls, drawn.positions), color, outline_width});
     }
     for (const ShownTendon& tendon : state.actuators.tendons)

@@ -19,6 +19,7 @@ commands::WorkbenchState with_record(const commands::WorkbenchState& state, cons
     other.run = record.run;
     if (other.body != record.on.body) {
         other.body = record.on.body;
+        other.actuators = record.on.body->actuators;
         other.ground = record.on.ground;
         other.paint.clear();  // paint of another mesh
     }
