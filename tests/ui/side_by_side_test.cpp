@@ -62,6 +62,19 @@ TEST(SideBySide, ADragInEitherHalfTurnsBoth) {
     EXPECT_FALSE(driver.window->viewport().camera == before);
 }
 
+TEST(SideBySide, AModelThatPlaysLiveMovesInItsHalfOnly) {
+    Driver driver;
+    ASSERT_NO_FATAL_FAILURE(compare(driver));
+    const Eigen::Matrix3Xd recorded = driver.window->compared_scene().positions;
+    driver.workbench->execute(commands::PlayLive{true});
+    const auto& live = driver.state().live;
+    for (int i = 0; i < 200 && !(live && live->ready); ++i) driver.frame_beside_job();
+    ASSERT_TRUE(live && live->ready);
+    driver.frame();
+    EXPECT_NE(driver.window->scene().positions, recorded);
+    EXPECT_EQ(driver.window->compared_scene().positions, recorded);
+}
+
 TEST(SideBySide, TintsTheChambersOfTheComparedMesh) {
     Driver driver;
     driver.backend->has_chamber = true;

@@ -15,6 +15,7 @@ commands::WorkbenchState with_record(const commands::WorkbenchState& state, cons
     other.history.clear();
     other.job.reset();  // the best iterate of a running search would be shown instead
     other.preview.run.reset();
+    other.live.reset();
     other.diagnosis.reset();
     other.run = record.run;
     if (other.body != record.on.body) {
