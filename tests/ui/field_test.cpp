@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <thread>
+
 #include "commands/field_store.hpp"
 #include "ui/driver.hpp"
 #include "viewport/color_map.hpp"
@@ -130,6 +133,31 @@ TEST(Fields, SlowValuesDoNotHoldTheWindowUp) {
     while (!driver.window->scene().field) driver.frame();
     driver.backend->field_delay_s = 0.0;
     while (driver.window->waits_for_field()) driver.frame();
+}
+
+/// The window rests once nothing that it shows is being computed.
+TEST(Fields, NothingIsAwaitedOfAFieldThatWasGivenUp) {
+    Driver driver;
+    ASSERT_NO_FATAL_FAILURE(run_beam(driver));
+    commands::WorkbenchState state = driver.state();
+    const commands::Backend& backend = driver.workbench->backend();
+    for (const std::string next : {"", "effect_force"}) {
+        commands::FieldStore store;
+        const auto update = [&] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            return store.update(state, backend);
+        };
+        driver.backend->field_delay_s = 0.02;
+        state.view.field = "height";
+        std::shared_ptr<const commands::FieldFrame> shown;
+        while (!shown) shown = update();
+        ASSERT_FALSE(shown->trial_range) << "it takes far longer";
+        state.view.field = next;
+        driver.backend->field_delay_s = 0.0;
+        for (int i = 0; i < 1000 && (i == 0 || store.waits()); ++i) shown = update();
+        EXPECT_FALSE(store.waits()) << next;
+        EXPECT_FALSE(shown) << next;
+    }
 }
 
 TEST(ColorMap, OfSignedValuesIsEquallyLightOnBothSides) {

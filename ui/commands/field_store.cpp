@@ -92,7 +92,7 @@ void FieldStore::take(Answer answer) {
 
 const std::shared_ptr<const FieldFrame>& FieldStore::update_force(const WorkbenchState& state) {
     // An answer that is still being computed belongs to no source then, so that take() drops it.
-    source_ = {};
+    change_source({});
     const ForceKey key{state.diagnosis, state.body, state.candidate, state.trial, state.time_s};
     if (!(force_key_ == key)) shown_ = force_frame(state);
     force_key_ = key;
@@ -134,7 +134,7 @@ std::shared_ptr<const FieldFrame> FieldStore::update(const WorkbenchState& state
     force_key_.reset();
     Source wanted{state.drawn_run(), state.body, state.view.field, static_cast<std::size_t>(state.trial)};
     if (wanted.field.empty() || !trial || trial->frames.empty() || !state.body) {
-        source_ = {};
+        change_source({});
         shown_.reset();
         return nullptr;
     }
