@@ -159,6 +159,7 @@ Result<ui::commands::Declaration> SwingingBeam::edited(const ui::commands::Scene
 Result<ui::commands::Scene> SwingingBeam::redeclared(const ui::commands::Scene& scene,
                                                      const ui::commands::Declaration& declaration,
                                                      const ui::commands::MeshedBody*) const {
+    if (refuses_declarations) return Error{"this is refused", ""};
     ui::commands::Scene result = scene;
     if (declaration.text) result.description = *declaration.text;
     return result;

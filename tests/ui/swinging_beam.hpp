@@ -43,6 +43,8 @@ public:
     }
     /// While set, the beam opens as an experiment whose declaration can be edited.
     bool as_experiment = false;
+    /// While set, another declaration is refused.
+    bool refuses_declarations = false;
     /// While set, the free end of a meshed beam is the wall of a chamber.
     bool has_chamber = false;
     /// Edits in the order in which they were asked for.

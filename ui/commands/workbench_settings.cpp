@@ -62,13 +62,19 @@ void Workbench::check_stability() {
 
 void Workbench::on(const ChangeSettings& c) { change_settings(c); }
 
+// While an import is open, undo and redo mean its choices. An entry that is refused goes back to where it was, so that
+// it can be tried again.
+
 void Workbench::on(const Undo&) {
-    // While an import is open, undo and redo mean its choices.
-    if (!step_import(true)) set_settings(undo_.undo(state_.settings));
+    if (step_import(true)) return;
+    const Settings wanted = undo_.undo(state_.settings);
+    if (!set_settings(wanted)) undo_.redo(wanted);
 }
 
 void Workbench::on(const Redo&) {
-    if (!step_import(false)) set_settings(undo_.redo(state_.settings));
+    if (step_import(false)) return;
+    const Settings wanted = undo_.redo(state_.settings);
+    if (!set_settings(wanted)) undo_.undo(wanted);
 }
 
 void Workbench::on(const SetDampingFrequency& c) {
