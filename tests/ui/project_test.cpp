@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <set>
 
 #include "panels/palette.hpp"
 #include "panels/start_page.hpp"
@@ -109,6 +110,22 @@ TEST(Project, SaysWhyItCannotBeSaved) {
     driver.workbench->execute(commands::SaveAs{"/forbidden/x.myoloop"});
     EXPECT_EQ(driver.state().log.back().level, commands::LogLevel::failure);
     EXPECT_TRUE(driver.state().unsaved());
+}
+
+TEST(Project, KeepsItsFileFromOtherWindowsWhenItCannotBeSavedElsewhere) {
+    Driver driver;
+    driver.open_beam();
+    driver.workbench->execute(commands::SaveAs{"/arm.myoloop"});
+    const std::set<std::filesystem::path> arm{"/arm.myoloop"};
+    EXPECT_EQ(driver.backend->claimed, arm);
+    driver.workbench->execute(commands::SaveAs{"/forbidden/x.myoloop"});
+    EXPECT_EQ(driver.state().project, "/arm.myoloop");
+    EXPECT_EQ(driver.backend->claimed, arm);
+    driver.backend->open_elsewhere["/leg.myoloop"] = "leg.myoloop is open in another window of Myoloop, process 7";
+    driver.workbench->execute(commands::SaveAs{"/leg.myoloop"});
+    EXPECT_EQ(driver.backend->claimed, arm);
+    driver.workbench->execute(commands::SaveAs{"/hand.myoloop"});
+    EXPECT_EQ(driver.backend->claimed, std::set<std::filesystem::path>{"/hand.myoloop"});
 }
 
 TEST(Project, UnsavedWorkIsKeptAndRecovered) {

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "commands/backend.hpp"
 
@@ -115,8 +116,11 @@ public:
     Result<std::shared_ptr<const void>> claim_project(const std::filesystem::path& file) const override {
         const auto other = open_elsewhere.find(file);
         if (other != open_elsewhere.end()) return Error{other->second, ""};
-        return std::shared_ptr<const void>();
+        claimed.insert(file);
+        return std::shared_ptr<const void>(this, [this, file](const void*) { claimed.erase(file); });
     }
+    /// Projects that the window has claimed and not released.
+    mutable std::set<std::filesystem::path> claimed;
     /// Projects are kept in memory; the file itself is empty.
     Result<ui::commands::Project> read_project(const std::filesystem::path& file) const override;
     Result<void> write_project(const std::filesystem::path& file, const ui::commands::Project& project) const override;

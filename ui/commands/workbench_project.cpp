@@ -56,11 +56,12 @@ bool Workbench::save_as(fs::path file) {
     state_.asks_where_to_save = false;
     if (!state_.scene) return false;
     if (!is_project(file)) file += project_ending;
+    // This window keeps the file that it has until the new one is written.
+    const Claim before = claim_;
     if (!claim(file)) {
         state_.pending.reset();
         log_failure(*claim_.refusal, "Cannot save");
-        // This window keeps the file that it has.
-        claim(state_.project);
+        claim_ = before;
         return false;
     }
     const Result<void> written = backend_->write_project(file, project());
@@ -68,6 +69,7 @@ bool Workbench::save_as(fs::path file) {
         // What waited for saving is dropped too, as continuing would lose the changes.
         state_.pending.reset();
         log_failure(written.error(), "Cannot save");
+        claim_ = before;
         return false;
     }
     state_.project = file;
