@@ -138,6 +138,26 @@ TEST(PlayLive, WhatCannotBeSolvedIsSaidAndItGoesOn) {
     EXPECT_TRUE(soon(beam.driver, [&] { return beam.live()->problem.empty(); }));
 }
 
+TEST(PlayLive, StandsStillWhileTheModelOfTheSettingsCannotBeMade) {
+    PlayingBeam beam;
+    ui::commands::Settings settings = beam.driver.state().settings;
+    beam.driver.backend->refuses_live = true;
+    settings.youngs_modulus_Pa *= 2.0;
+    beam.driver.workbench->execute(ChangeSettings{settings, "modulus"});
+    ASSERT_TRUE(soon(beam.driver, [&] { return !beam.live()->problem.empty(); }));
+    const double stopped_s = beam.live()->frame->time_s;
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    beam.driver.frame(0.1);
+    EXPECT_THAT(beam.live()->problem, HasSubstr("cannot move"));
+    EXPECT_EQ(beam.live()->frame->time_s, stopped_s) << "the model of other settings would be shown";
+    beam.driver.backend->refuses_live = false;
+    settings.youngs_modulus_Pa *= 1.1;
+    beam.driver.workbench->execute(ChangeSettings{settings, "modulus"});
+    EXPECT_TRUE(soon(beam.driver, [&] { return beam.live()->problem.empty(); }));
+    const auto frame = beam.live()->frame;
+    EXPECT_TRUE(soon(beam.driver, [&] { return beam.live()->frame != frame; }));
+}
+
 TEST(PlayLive, AnotherMeshEndsIt) {
     PlayingBeam beam;
     ui::commands::Settings settings = beam.driver.state().settings;

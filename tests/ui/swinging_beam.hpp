@@ -93,6 +93,7 @@ public:
                                                           const ui::commands::Settings& settings, std::size_t trial,
                                                           const ui::commands::LiveModel* before,
                                                           const Progress& progress) override;
+    std::atomic<bool> refuses_live = false;         // no further model can be made
     std::atomic<int> live_models = 0;               // made so far
     std::atomic<double> live_velocity_force = 0.0;  // that the last step was told
     Result<ui::commands::SearchResult> calibrate(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body,

@@ -57,6 +57,7 @@ Result<std::unique_ptr<ui::commands::LiveModel>> SwingingBeam::live(const ui::co
                                                                     const ui::commands::Settings& settings,
                                                                     std::size_t trial, const ui::commands::LiveModel*,
                                                                     const Progress&) {
+    if (refuses_live) return Error{"this body cannot move", ""};
     ++live_models;
     return std::unique_ptr<ui::commands::LiveModel>(
         std::make_unique<LiveBeam>(*this, scene, body, settings.youngs_modulus_Pa, trial));

@@ -87,18 +87,21 @@ struct LivePlay::Content {
 
     std::atomic<bool> stop = false;
     std::thread thread;
+    bool current = false;  // on the thread: the model is the last one that was asked for
 
-    /// Makes the model that was asked for, if any. Returns false if there is none.
+    /// Makes the model that was asked for, if any. Returns false if there is none, or if it cannot be made: then the
+    /// present one stands still until another is asked for, which goes on from it.
     bool make_asked(std::unique_ptr<LiveModel>& model, const Progress& progress) {
         Make asked;
         {
             const std::lock_guard lock(mutex);
             asked = std::exchange(make, {});
         }
-        if (!asked) return model != nullptr;
+        if (!asked) return current;
         Result<std::unique_ptr<LiveModel>> made = asked(model.get(), progress);
         const std::lock_guard lock(mutex);
         shown.problem = made ? "" : made.error().text();
+        current = static_cast<bool>(made);
         if (!made) return false;
         model = std::move(*made);
         shown.actuators = model->actuators();
