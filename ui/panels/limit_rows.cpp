@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "commands/units.hpp"
 #include "panels/widgets.hpp"
 #include "platform/fonts.hpp"
 #include "toml/toml_text.hpp"
@@ -21,9 +22,9 @@ struct LimitKind {
     const char* unit;
     double most;         // largest that can be typed [SI]
     double first;        // of a new limit, for the user to change [SI]
-    double smallest_SI;  // step of a drag
+    double smallest_SI;  // least value, and least step of a drag
 };
-// Largest value, first value and step of a drag, in SI units.
+// Largest value, first value and smallest one, in SI units.
 constexpr std::array limit_kinds{
     LimitKind{"pressure_Pa", "Pressure up to",
               "Largest pressure that Optimise may use [kPa]. The chamber is then only blown up, unless a trial of the "
@@ -59,8 +60,13 @@ void draw_limit(PanelContext& context, const LimitKind& kind, NumberEdits& edits
     // A declared limit is a number field; its button removes the key, so that no limit holds.
     double value = declared->second;
     bool goes_on = false;
-    const NumberField field{kind.label,      item, kind.dimension, kind.unit, kind.tip, {kind.smallest_SI, kind.most},
-                            kind.smallest_SI};
+    const NumberField field{kind.label,
+                            item,
+                            kind.dimension,
+                            kind.unit,
+                            kind.tip,
+                            {kind.smallest_SI, kind.most},
+                            kind.smallest_SI / commands::find_unit(kind.dimension, kind.unit)->si()};
     if (number_row(context, field, edits, value, goes_on))
         context.emit(commands::EditDeclaration{{commands::SetDeclared{path, toml::toml_number(value)}}, item, goes_on});
     row_label(context.theme, "");
