@@ -67,5 +67,23 @@ TEST(SoughtLimits, FollowADragInStepsOfTheirShownUnit) {
     EXPECT_LT(shortening_m, 5e-3);
 }
 
+TEST(CommandRows, OfferNoneOnlyWhereACommandCanBeRemoved) {
+    OpenedActuators opened;
+    Driver& driver = opened.driver;
+    driver.window->show_panel("tendon");
+    driver.settle();
+    driver.click("tendon/list/left");
+    driver.click("tendon/command/kind");
+    EXPECT_TRUE(driver.has("tendon/command/kind/file"));
+    EXPECT_TRUE(driver.has("tendon/command/kind/constant"));
+    EXPECT_FALSE(driver.has("tendon/command/kind/rest")) << "the file would keep its column";
+    driver.click("tendon/command/kind/file");
+    EXPECT_TRUE(opened.beam->edits.empty());
+    driver.click("tendon/list/right");
+    driver.click("tendon/command/kind");
+    EXPECT_FALSE(driver.has("tendon/command/kind/file"));
+    EXPECT_TRUE(driver.has("tendon/command/kind/rest"));
+}
+
 }  // namespace
 }  // namespace myo::ui

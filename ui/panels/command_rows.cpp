@@ -33,13 +33,16 @@ void command_rows(PanelContext& context, const DeclaredActuator& actuator, const
     const auto found = scene.declared.commands[trial].find(actuator.name);
     const DeclaredCommand* const command = found == scene.declared.commands[trial].end() ? nullptr : &found->second;
     std::vector<commands::Choice> choices{
-        {rest_id, "None", "Zero in this trial."},
         {constant_id, "Constant", "Also before the start, so that an equilibrium includes it."},
         {step_id, "From the start on", "Zero before t = 0 and this value from then on."},
         {curve_id, "A curve", "Rows of time and value, linear in between."}};
-    // The file is listed only where it is in use: a column of it cannot be made here.
+    // The file is listed only where it is in use, and then without rest: a column of it can neither be made nor removed
+    // here.
     if (command && command->kind == DeclaredCommand::Kind::file)
-        choices.push_back({file_id, "From the trial's file", "A column of the trial's actuation file."});
+        choices.push_back({file_id, "From the trial's file",
+                           "A column of the trial's actuation file, which alone changes or removes it."});
+    else
+        choices.insert(choices.begin(), {rest_id, "None", "Zero in this trial."});
     std::string chosen = id_of(command);
     const std::string before = chosen;
     const std::string label = field.quantity + " in " + scene.trials[trial].name;
