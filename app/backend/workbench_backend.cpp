@@ -129,7 +129,11 @@ public:
     }
     std::string recovery_words(const fs::path& file) const override { return unsaved_work_words(file); }
 
-    bool needs_unit(const fs::path& path) const override { return fs::is_regular_file(path) && is_mesh_file(path); }
+    bool needs_unit(const fs::path& path) const override {
+        // Opening the file says why it cannot be read.
+        std::error_code ignored;
+        return fs::is_regular_file(path, ignored) && is_mesh_file(path);
+    }
 
     Result<fibre::Signal> read_signal(const fs::path& path, const std::string& muscle) const override {
         const Result<measurement::ActuationTable> table = measurement::read_actuation_csv(path);

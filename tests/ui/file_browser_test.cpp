@@ -106,6 +106,23 @@ TEST(FileBrowser, MakesANewFolderToSaveIn) {
     EXPECT_EQ(driver.state().project, folder.path() / "monday" / "swing.myoloop");
 }
 
+TEST(FileBrowser, AsksForAnotherNameWhereAFolderCannotBeMade) {
+    const Folder folder("long_name");
+    Driver driver;
+    driver.open_beam();
+    driver.key(ui::platform::key_s, {.ctrl = true});
+    go_to(driver, folder.path());
+    driver.click("browser/new_folder");
+    driver.type(std::string(300, 'n'));
+    ASSERT_NO_THROW(driver.key(ImGuiKey_Enter));
+    ASSERT_TRUE(driver.has("browser/new_folder/name")) << "no file system takes a name of 300 characters";
+    driver.key(ImGuiKey_A, {.ctrl = true});
+    driver.type("monday");
+    driver.key(ImGuiKey_Enter);
+    EXPECT_TRUE(std::filesystem::is_directory(folder.path() / "monday"));
+    EXPECT_FALSE(driver.has("browser/new_folder/name"));
+}
+
 TEST(FileBrowser, EnterOpensWhatIsSelected) {
     const Folder folder("enter_opens");
     folder.write("beam/experiment.toml", "");

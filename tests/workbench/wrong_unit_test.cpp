@@ -30,5 +30,11 @@ TEST(CoreWrongUnit, AFitToTimesInMillisecondsIsRefused) {
     EXPECT_THAT(driver.state().log.back().text, HasSubstr("state time_unit = \"ms\""));
 }
 
+/// A path that no file system takes is told when it is opened.
+TEST(CoreUnit, IsNotAskedForWhereNoFileCanBe) {
+    const auto backend = backend::make_core_backend();
+    EXPECT_NO_THROW(EXPECT_FALSE(backend->needs_unit("/" + std::string(300, 'n') + ".stl")));
+}
+
 }  // namespace
 }  // namespace myo

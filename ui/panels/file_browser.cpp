@@ -177,16 +177,18 @@ void FileBrowser::draw_foot(PanelContext& context) {
 }
 
 void FileBrowser::make_folder() {
-    std::error_code failed;
+    // What cannot be looked at, as a name that is too long, counts as not there: only the first error is told.
+    std::error_code failed, ignored;
     const fs::path made = folder_ / new_folder_;
     const bool is_new = fs::create_directories(made, failed);
     // An existing folder of this name is opened, as that is what the user wants.
-    if (is_new || fs::is_directory(made)) {
+    if (is_new || fs::is_directory(made, ignored)) {
         go_to(made);
         typing_name_ = true;
         ImGui::CloseCurrentPopup();
     } else {
-        problem_ = fs::exists(made) ? "A file of this name exists already." : "Cannot be created: " + failed.message();
+        problem_ = fs::exists(made, ignored) ? "A file of this name exists already."
+                                             : "Cannot be created: " + failed.message();
         typing_folder_ = true;
     }
 }
