@@ -2,11 +2,15 @@
 
 #include <atomic>
 #include <chrono>
+#include <memory>
 #include <stdexcept>
+#include <string>
 #include <thread>
 
 #include "commands/settings_difference.hpp"
 #include "panels/job_text.hpp"
+#include "plot/number_text.hpp"
+#include "ui/drawn_text.hpp"
 #include "ui/driver.hpp"
 
 namespace myo::ui {
@@ -335,6 +339,35 @@ TEST(Jobs, TimeLeftAfterACountThatWentBackIsNotTooShort) {
     ASSERT_TRUE(view.remaining_s);
     EXPECT_GT(*view.remaining_s, 0.6 / 3.0 * 27.0 - 0.1) << "three evaluations took 0.6 s, and 27 are left";
     EXPECT_EQ(view.remaining_of, commands::TimeLeft::at_most);
+}
+
+TEST(Jobs, ASearchLeavesTheNumbersOfTheLastRun) {
+    Driver driver(1280, 1400);
+    driver.open_beam();
+    driver.window->show_task(commands::Task::run);
+    driver.workbench->execute(commands::Run{});
+    ASSERT_TRUE(driver.wait_for_job());
+    const std::shared_ptr<const commands::RunResult> run = driver.state().run;
+    const auto row = [&] {
+        std::string texts;
+        const platform::Rectangle place = driver.item("run/trial/gravity_release");
+        for (const test::DrawnText& text : test::drawn_text())
+            if (place.contains(text.part.center())) texts += text.text + "|";
+        return texts;
+    };
+    const auto error = [](const commands::RunResult& of) { return plot::value_label(1e3 * of.trials[0].rms_m, 3); };
+    const std::string before = row();
+    ASSERT_NE(before.find(error(*run)), std::string::npos) << before;
+    set_youngs_modulus(driver, 6e5);
+    driver.backend->hold_search = true;
+    driver.workbench->execute(commands::Calibrate{});
+    ASSERT_NO_FATAL_FAILURE(wait_for_evaluation(driver));
+    driver.settle();
+    ASSERT_EQ(driver.state().shown_run(), driver.state().search->best);
+    ASSERT_NE(error(*driver.state().search->best), error(*run));
+    EXPECT_EQ(row(), before) << "all trials, time and warnings are of the run, too";
+    driver.backend->hold_search = false;
+    ASSERT_TRUE(driver.wait_for_job());
 }
 
 TEST(Jobs, ASearchShowsItsBestSoFarAndLeavesEditsAlone) {

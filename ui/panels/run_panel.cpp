@@ -128,8 +128,8 @@ void RunPanel::draw_errors(PanelContext& context) {
     // Without markers there is no error to show.
     if (std::isfinite(state.run->rms_m)) {
         heading(theme, "Error against the markers");
-        // A preview is no result, so that the table stays that of the last run. A search shows its best iterate.
-        draw_trial_errors(context, "run/trial/", state.previewing() ? state.run.get() : state.shown_run().get());
+        // Neither a preview nor the best iterate of a search is a result: all rows are of the last run.
+        draw_trial_errors(context, "run/trial/", state.run.get());
         text_row(theme, "All trials", plot::millimetres(state.run->rms_m) + " rms");
     }
     text_row(theme, "Time taken", duration_label(state.run->seconds));
