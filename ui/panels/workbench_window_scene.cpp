@@ -124,6 +124,10 @@ Result<void> WorkbenchWindow::render_view(int height, bool moving) {
 
 void WorkbenchWindow::load_names() {
     const commands::WorkbenchState& state = workbench_->state();
+    // At the start, and after a change of theme, the fonts are loaded by the next frame: what they lack is known then.
+    if (!interface_.theme().regular) return;
+    // Muscles are renamed without a message and in the same scene; their few letters are looked up in every frame.
+    for (const commands::Muscle& muscle : state.settings.muscles) interface_.need_letters(muscle.name);
     const auto key = std::pair(state.scene.get(), state.logged + state.preferences.recent.size());
     if (std::exchange(named_, key) == key) return;
     if (!state.log.empty()) interface_.need_letters(state.log.back().text);
@@ -132,7 +136,6 @@ void WorkbenchWindow::load_names() {
     interface_.need_letters(state.scene->name + state.scene->path.string());
     for (const commands::SceneTrial& trial : state.scene->trials) interface_.need_letters(trial.name);
     for (const commands::SceneMarker& marker : state.scene->markers) interface_.need_letters(marker.name);
-    for (const commands::Muscle& muscle : state.settings.muscles) interface_.need_letters(muscle.name);
 }
 
 /// The order within a frame: results of jobs, input, scene, panels, requests, rendering, and finally the commands.
