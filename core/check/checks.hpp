@@ -17,9 +17,10 @@ std::vector<Finding> check_markers(const CheckedJob& job);
 std::vector<Finding> check_units(const CheckedJob& job);
 /// Recorded frequency of free vibration against the first natural frequency, and the sampling rate.
 std::vector<Finding> check_time_unit(const CheckedJob& job);
-/// The clamped nodes must span an area, otherwise the body rotates about them.
+/// The clamped nodes must span an area, otherwise the body rotates about them. A body without any is borne by
+/// obstacles.
 std::vector<Finding> check_support(const CheckedJob& job);
-/// Stability of the rest pose under gravity and loads (linear buckling).
+/// Stability of the rest pose under gravity and loads (linear buckling); does not apply to a body on obstacles alone.
 std::vector<Finding> check_pose(const CheckedJob& job);
 /// Time step against the dominant vibration of the run, or against its estimated error.
 std::vector<Finding> check_step(const CheckedJob& job);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "base/text.hpp"
 #include "check/checks.hpp"
@@ -74,6 +76,8 @@ std::vector<Finding> check_support(const CheckedJob& job) {
     if (!body.guided.empty()) return {guided_finding(body)};
     // Nodes of the clamp as the model has it, not the declared box.
     const std::vector<int> held = model::held_nodes(body);
+    // Obstacles hold no node, so that there is no width to judge.
+    if (held.empty()) return {passed_finding("", "no node is held: obstacles bear the body")};
     const Eigen::Matrix3Xd points = body.mesh.nodes(Eigen::all, held);
     const Eigen::Matrix3Xd apart = points.colwise() - points.rowwise().mean();
     // Principal axes of the clamped nodes. The eigenvalues ascend, so extents(1) is the second largest extent: it

@@ -101,6 +101,19 @@ TEST(Support, ThatLeavesAMotionIsNamedByTheCheck) {
     EXPECT_THAT(turning.sentence, HasSubstr("free to turn about y"));
 }
 
+TEST(Support, OfABodyThatOnlyAnObstacleBearsIsThatObstacle) {
+    const std::string
+        table = "[[obstacle]]\nkind = \"plane\"\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\nfriction = 0.5\n\n";
+    const std::string toml = bridge_toml;
+    const std::size_t first = toml.find("[[support]]"), end = toml.find("[material]");
+    const setup::Setup lying = prepared(toml.substr(0, first) + table + toml.substr(end));
+    const std::vector<check::Finding> found = check::check_support({lying});
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].level, check::CheckLevel::passed);
+    EXPECT_THAT(found[0].sentence, HasSubstr("obstacles bear the body"));
+    EXPECT_TRUE(check::check_pose({lying}).empty());
+}
+
 TEST(Support, RefusesWhatHoldsNothingOrEverything) {
     const auto error = [](const std::string& toml) {
         const Result<experiment::Experiment> result = read(toml);
