@@ -215,7 +215,7 @@ ui::commands::SearchResult optimized(const setup::Setup& setup, const inverse::A
     if (signals)
         result.settings = with_found_signals(settings, calibration::found_commands(problem.sought, found.fit.values));
     if (!settings.own_step) result.settings.time_step_s = h_s;
-    result.evaluations = static_cast<int>(found.fit.log.size()) + found.earlier_evaluations;
+    result.evaluations = found.evaluations();
     result.stopped = found.stopped;
     result.warnings = found.warnings;
     if (!found.fit.converged() && !found.stopped) result.problem = "The search did not converge: " + found.fit.message;

@@ -130,6 +130,12 @@ bool seeks_signals(const OptimizeSettings& settings) {
            settings.seek.end();
 }
 
+int Optimization::evaluations() const {
+    int sum = 0;
+    for (const StartEnding& start : starts) sum += start.evaluations;
+    return sum;
+}
+
 Result<inverse::ActuationProblem> actuation_problem(const setup::Setup& setup, const OptimizeSettings& settings,
                                                     inverse::Design design) {
     assert(setup.trials.size() == 1);

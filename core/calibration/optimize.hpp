@@ -59,16 +59,17 @@ struct Optimization {
     inverse::ActuationProblem problem;
     inverse::ActuationFit fit;                // of the start with the lowest loss
     inverse::ActuationDeviations deviations;  // standard deviations of its values
-    std::vector<StartEnding> starts;
-    prediction::SetupRun before, after;  // with the values of the first start and with those found; markers only
-    TargetMiss miss;                     // remaining distance to the target
-    std::vector<FoundItem> found;        // what the values of the design mean; of the caller, see found_items()
-    int earlier_evaluations = 0;         // of searches that this one continues
+    std::vector<StartEnding> starts;          // of all searches, see optimize_with_chosen_steps()
+    prediction::SetupRun before, after;       // with the values of the first start and with those found; markers only
+    TargetMiss miss;                          // remaining distance to the target
+    std::vector<FoundItem> found;             // what the values of the design mean; of the caller, see found_items()
+    int earlier_evaluations = 0;              // evaluations of the searches that were resumed; of the caller
     double seconds = 0.0;
     bool stopped = false;  // cancelled by the user
     std::vector<std::string> warnings;
 
     bool usable() const { return fit.usable(); }
+    int evaluations() const;  // runs with gradients, over all starts
 };
 
 /// Minimises the loss from `start` and from random levels.
@@ -85,9 +86,10 @@ void judge_signals(const setup::Setup& setup, Optimization& found, const Progres
 
 /// search_signals() and judge_signals() with time steps suited to the resulting motion. If half a sampling interval is
 /// too long for the vibrations that the signals excite, shorter steps are set in the setup and the search continues.
-/// Steps that are not choosable() are kept. Evaluations of all searches but the last count as earlier ones.
+/// Steps that are not choosable() are kept.
 ///
 /// @param setup  receives the final time step
+/// @return       one search: its starts are those with long steps, followed by one for each shorter step
 Optimization optimize_with_chosen_steps(setup::Setup& setup, const inverse::ActuationProblem& problem,
                                         const OptimizeSettings& settings, const inverse::ActuationStart& start,
                                         const Progress& progress = {});

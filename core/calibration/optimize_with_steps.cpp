@@ -47,8 +47,8 @@ Optimization search_with_chosen_steps(setup::Setup& setup, const inverse::Actuat
         once.starts = 1;
         Optimization next = search_signals(setup, finer, once, {found.fit.values, found.fit.design}, progress);
         if (!next.usable()) break;  // cancelled at once: keep the signals found with longer steps
-        next.earlier_evaluations = found.earlier_evaluations + static_cast<int>(found.fit.log.size());
-        // The result is one search: it begins where the first one began.
+        // The result is one search: it begins where the first one began, and the starts of all are its own.
+        next.settings = found.settings;
         next.fit.first = std::move(found.fit.first);
         next.fit.start = found.fit.start;
         next.starts.insert(next.starts.begin(), found.starts.begin(), found.starts.end());

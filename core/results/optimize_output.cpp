@@ -180,18 +180,11 @@ bool put_level_in_front(report::Json& signal, const inverse::SoughtSignals& soug
     return true;
 }
 
-/// Runs with gradients, over all starts.
-int evaluations_of(const std::vector<calibration::StartEnding>& starts) {
-    int evaluations = 0;
-    for (const calibration::StartEnding& start : starts) evaluations += start.evaluations;
-    return evaluations;
-}
-
 /// Settings, errors and values of the search.
 report::Json search_json(const setup::Setup& setup, const calibration::Optimization& optimization) {
     const inverse::SoughtSignals& sought = optimization.problem.sought;
     const inverse::ActuationFit& fit = optimization.fit;
-    const int evaluations = evaluations_of(optimization.starts);
+    const int evaluations = optimization.evaluations();
     return {{"schema", "optimize/1"},
             {"trial", setup.trials.front().name},
             {"target", optimization.miss.goals ? "goals" : "recording"},

@@ -25,13 +25,6 @@ std::string ending(const calibration::Optimization& optimization) {
     return "";
 }
 
-/// Runs with gradients, over all starts.
-int evaluations_of(const calibration::Optimization& optimization) {
-    int count = 0;
-    for (const calibration::StartEnding& start : optimization.starts) count += start.evaluations;
-    return count;
-}
-
 /// Name, quantity and unit of the actuator that a signal drives.
 experiment::Actuator actuator_named(const setup::Setup& setup, const std::string& name) {
     return experiment::actuators(setup.experiment)[*experiment::find_actuator(setup.experiment, name)];
@@ -63,7 +56,7 @@ std::vector<report::KeyFigure> key_figures(const setup::Setup& setup, const cali
                                std::to_string(row.size()) + " values at " + readable_number(sought.frequency_Hz, 3) +
                                    " Hz" + (sought.hold ? ", held" : "")});
     }
-    figures.push_back({"Evaluations", std::to_string(evaluations_of(optimization)), "",
+    figures.push_back({"Evaluations", std::to_string(optimization.evaluations()), "",
                        readable_number(optimization.seconds, 3) + " s, " + std::to_string(setup.body->dofs()) +
                            " degrees of freedom"});
     return figures;
@@ -203,7 +196,7 @@ std::string summary_sentence(const setup::Setup& setup, const calibration::Optim
         words += sought.constant
                      ? ": one value of each signal, as the body is at rest"
                      : ": signals with values " + readable_number(1e3 / sought.frequency_Hz, 3) + " ms apart";
-    return words + ", found by " + std::to_string(evaluations_of(optimization)) + " runs with their gradients in " +
+    return words + ", found by " + std::to_string(optimization.evaluations()) + " runs with their gradients in " +
            readable_number(optimization.seconds, 3) + " s.";
 }
 

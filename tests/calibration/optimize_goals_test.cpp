@@ -219,6 +219,26 @@ TEST(OptimizeGoals, AreReachedByTheTensionOfAHold) {
     EXPECT_LT(found.after.fit_rms_m, 0.02 * found.before.fit_rms_m);
 }
 
+/// Steps of a whole sampling interval are halved, so that the search runs again; what it tells is counted once.
+TEST(OptimizeGoals, CountTheSearchesWithLongerStepsOnce) {
+    const test::Folder folder("goals_steps");
+    setup::Setup setup = beam_with_goals(folder);
+    setup.noise_m.setConstant(0.1);  // at this noise the goals are reached from the start: one evaluation per search
+    const double interval_s = setup::sampling_interval_s(setup.trials[0]);
+    setup::set_step(setup.trials[0], interval_s);
+    OptimizeSettings settings = goal_settings();
+    int told = 0;
+    settings.evaluated = [&](const inverse::ActuationFit&) { ++told; };
+    const Result<inverse::ActuationProblem> problem = actuation_problem(setup, settings);
+    ASSERT_TRUE(problem) << problem.error().text();
+    const Optimization found = optimize_with_chosen_steps(setup, *problem, settings,
+                                                          first_values(setup, problem->sought));
+    ASSERT_TRUE(found.usable()) << found.fit.message;
+    EXPECT_LT(setup.trials[0].options.h_s, 0.51 * interval_s);
+    EXPECT_GE(found.starts.size(), 2u);
+    EXPECT_EQ(found.evaluations() + found.earlier_evaluations, told);
+}
+
 TEST(OptimizeGoals, NeedAGoalAfterTheStart) {
     const test::Folder folder("goals_start");
     setup::Setup planned = muscle_beam(folder, "time_s,up\n0,1\n");
