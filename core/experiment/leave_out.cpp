@@ -10,6 +10,7 @@ Result<std::vector<std::string>> leave_out(Experiment& experiment, int count, st
     std::vector<std::size_t> open;
     for (std::size_t t = 0; t < experiment.trials.size(); ++t)
         if (experiment.trials[t].role == TrialRole::fit) open.push_back(t);
+    if (open.empty()) return Error{"no trial has role = \"fit\", so that none can be left out", "--leave-out"};
     if (static_cast<std::size_t>(count) >= open.size())
         return Error{"of " + std::to_string(open.size()) + " trials to fit, at most " +
                          std::to_string(open.size() - 1) + " can be left out",

@@ -45,5 +45,14 @@ TEST(LeaveOut, LeavesATrialToFit) {
     EXPECT_TRUE(leave_out(experiment, 10, 1));
 }
 
+TEST(LeaveOut, SaysThatNoTrialIsToFit) {
+    Experiment experiment = twelve_trials();
+    for (TrialDeclaration& trial : experiment.trials) trial.role = TrialRole::simulate;
+    const Result<std::vector<std::string>> left = leave_out(experiment, 1, 1);
+    ASSERT_FALSE(left);
+    EXPECT_EQ(left.error().what, "no trial has role = \"fit\", so that none can be left out");
+    EXPECT_EQ(left.error().where, "--leave-out");
+}
+
 }  // namespace
 }  // namespace myo::experiment
