@@ -57,8 +57,7 @@ Result<mesh::SurfaceMesh> read_body_surface(const Experiment& experiment, std::v
     return std::move(parts->surface);
 }
 
-Error holds_whole_body(const Experiment& experiment) {
-    const char* const key = has_clamp(experiment) ? "clamp.box_m" : "support[0].box_m";
+Error holds_whole_body(const Experiment& experiment, const std::string& key) {
     return declaration_error(experiment, key, "holds the whole body, nothing can move; its corners are in m");
 }
 
@@ -69,16 +68,17 @@ Result<void> check_on_body(const Experiment& experiment, const mesh::SurfaceMesh
     if (has_clamp(experiment) && !check.holds_material(experiment.clamp_box_m))
         return declaration_error(experiment, "clamp.box_m", "the box contains no material of the body");
     // A clamp without free material is caught here, before any meshing, with the likely cause (a wrong unit).
-    if (has_clamp(experiment) && check.lies_in(experiment.clamp_box_m)) return holds_whole_body(experiment);
+    if (has_clamp(experiment) && check.lies_in(experiment.clamp_box_m))
+        return holds_whole_body(experiment, "clamp.box_m");
     for (std::size_t i = 0; i < experiment.supports.size(); ++i) {
         const SupportDeclaration& support = experiment.supports[i];
         // A box without depth has no area; it is grown beyond the tolerance within which clipping drops slivers.
         const Box grown{support.box_m.lowest.array() - 2.0 * check.tolerance(),
                         support.box_m.highest.array() + 2.0 * check.tolerance()};
+        const std::string key = element("support", i) + ".box_m";
         if (!check.holds_material(grown))
-            return declaration_error(experiment, element("support", i) + ".box_m",
-                                     "the box contains no material of the body");
-        if (support.clamps() && check.lies_in(support.box_m)) return holds_whole_body(experiment);
+            return declaration_error(experiment, key, "the box contains no material of the body");
+        if (support.clamps() && check.lies_in(support.box_m)) return holds_whole_body(experiment, key);
     }
     for (std::size_t i = 0; i < experiment.muscles.size(); ++i) {
         const auto* box = std::get_if<MuscleBox>(&experiment.muscles[i].part);

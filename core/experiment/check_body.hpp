@@ -21,8 +21,8 @@ Result<mesh::SurfaceMesh> read_body_surface(const Experiment& experiment, std::v
 
 /// Error for clamp and supports that hold the whole body, so that no degree of freedom remains.
 ///
-/// @return   error at the line of clamp.box_m, or of the first support without a clamp
-Error holds_whole_body(const Experiment& experiment);
+/// @param key  of the box with which nothing is free any more: clamp.box_m or support[i].box_m
+Error holds_whole_body(const Experiment& experiment, const std::string& key);
 
 /// Checks clamp, supports, muscle boxes, load boxes and marker rest positions against the geometry of the body.
 ///

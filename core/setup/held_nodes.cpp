@@ -1,6 +1,7 @@
 #include "setup/held_nodes.hpp"
 
 #include <set>
+#include <string>
 
 #include "experiment/check_body.hpp"
 #include "experiment/read_experiment.hpp"
@@ -18,24 +19,28 @@ Result<HeldNodes> held_nodes(const experiment::Experiment& experiment, const Bod
             experiment, key, "no node of the mesh lies in the box; choose a finer resolution or a deeper box");
     };
     HeldNodes held;
+    std::set<int> distinct;  // boxes may overlap, so nodes are counted once
+    // Whether these nodes leave none free.
+    const auto clamp = [&](const std::vector<int>& nodes) {
+        held.clamped.insert(held.clamped.end(), nodes.begin(), nodes.end());
+        distinct.insert(nodes.begin(), nodes.end());
+        return static_cast<Eigen::Index>(distinct.size()) == mesh.mesh.node_count();
+    };
     if (experiment::has_clamp(experiment)) {
-        held.clamped = nodes_in(experiment.clamp_box_m);
-        if (held.clamped.empty()) return none("clamp.box_m");
+        const std::vector<int> nodes = nodes_in(experiment.clamp_box_m);
+        if (nodes.empty()) return none("clamp.box_m");
+        if (clamp(nodes)) return experiment::holds_whole_body(experiment, "clamp.box_m");
     }
     for (std::size_t i = 0; i < experiment.supports.size(); ++i) {
         const experiment::SupportDeclaration& support = experiment.supports[i];
+        const std::string key = "support[" + std::to_string(i) + "].box_m";
         const std::vector<int> nodes = nodes_in(support.box_m);
-        if (nodes.empty()) return none("support[" + std::to_string(i) + "].box_m");
-        for (const int node : nodes)
-            if (support.clamps())
-                held.clamped.push_back(node);
-            else
-                held.guided.push_back({node, support.held});
+        if (nodes.empty()) return none(key);
+        if (!support.clamps())
+            for (const int node : nodes) held.guided.push_back({node, support.held});
+        else if (clamp(nodes))
+            return experiment::holds_whole_body(experiment, key);
     }
-    // Boxes may overlap, so nodes are counted once.
-    const std::set<int> distinct(held.clamped.begin(), held.clamped.end());
-    if (static_cast<Eigen::Index>(distinct.size()) == mesh.mesh.node_count())
-        return experiment::holds_whole_body(experiment);
     return held;
 }
 

@@ -5,6 +5,7 @@
 
 #include "check/catalogue.hpp"
 #include "check/checks.hpp"
+#include "setup/setup.hpp"
 #include "support/experiment_folder.hpp"
 #include "support/setup_of_folder.hpp"
 
@@ -129,6 +130,24 @@ TEST(Support, RefusesWhatHoldsNothingOrEverything) {
     EXPECT_THAT(error(replaced(bridge_toml, "[[0.0, -0.001, 0.0], [0.0, 0.021, 0.0]]",
                                "[[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]]")),
                 HasSubstr("holds the whole body"));
+}
+
+/// The support that leaves nothing free is named, alone or after the others.
+TEST(Support, ThatHoldsTheRestOfTheBodyIsNamed) {
+    const std::string roller = "[[0.1, -0.001, 0.0], [0.1, 0.021, 0.0]]\nheld = [\"y\", \"z\"]";
+    const Result<experiment::Experiment> whole = read(
+        replaced(bridge_toml, roller, "[[-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]]"));
+    ASSERT_FALSE(whole);
+    EXPECT_THAT(whole.error().what, HasSubstr("support[1].box_m: holds the whole body"));
+    const std::string half = replaced(bridge_toml, "[[0.0, -0.001, 0.0], [0.0, 0.021, 0.0]]",
+                                      "[[-1.0, -1.0, -1.0], [0.05, 1.0, 1.0]]");
+    const Result<experiment::Experiment> halves = read(replaced(half, roller, "[[0.05, -1.0, -1.0], [1.0, 1.0, 1.0]]"));
+    ASSERT_TRUE(halves) << halves.error().text();
+    SetupSettings settings;
+    settings.mesh.resolution_m = 0.01;
+    const Result<setup::Setup> held = prepare_setup(*halves, settings);
+    ASSERT_FALSE(held);
+    EXPECT_THAT(held.error().what, HasSubstr("support[1].box_m: holds the whole body"));
 }
 
 }  // namespace
