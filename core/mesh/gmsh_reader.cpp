@@ -240,7 +240,8 @@ private:
             int region = 0;
             for (long long t = 0; t < tags; ++t) {
                 if (!text_.integer(skip)) return text_.error("an element's tag is not a number");
-                if (t == 0) region = static_cast<int>(skip);  // the physical entity comes first
+                // The physical group comes first, 0 without one: then the geometric entity separates the parts.
+                if (t == 0 || (t == 1 && region == 0)) region = static_cast<int>(skip);
             }
             if (const auto added = add_element(type, region); !added) return added;
         }

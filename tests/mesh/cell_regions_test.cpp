@@ -30,6 +30,8 @@ TEST(CellRegions, AreThePhysicalTagsOfGmsh2) {
                                 "$Elements\n3\n1 2 2 9 1 1 2 3\n2 4 2 7 1 1 2 3 4\n3 4 2 3 2 2 3 4 5\n"
                                 "$EndElements\n");
     EXPECT_EQ(regions_of(folder, "two.msh"), (Regions{7, 3}));
+    folder.write("plain.msh", gmsh_nodes_2 + "$Elements\n2\n1 4 2 0 1 1 2 3 4\n2 4 2 0 2 2 3 4 5\n$EndElements\n");
+    EXPECT_EQ(regions_of(folder, "plain.msh"), (Regions{1, 2})) << "without physical groups: the entities";
 }
 
 TEST(CellRegions, AreThePhysicalTagsOfTheVolumesOfGmsh4) {
