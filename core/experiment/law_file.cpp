@@ -111,11 +111,16 @@ void read_law_parameter(const toml::TomlReader& table, const toml::TomlValue& va
     const double absent = table.number_or("absent", 0.0, toml::any_or_infinite());
     if (absent != 0.0 && !(std::isinf(absent) && absent > 0.0)) table.fail("absent", "must be 0 or inf");
     if (!is_number && table.has("absent")) table.fail("absent", "only numbers have it");
-    if (is_number)
+    if (is_number) {
         declared.starts.push_back(read_starts(table, entry, starts_in(value)));
-    else
-        declared.starts.push_back({effect::EffectParameter(Eigen::VectorXd(
-            entry.kind == Kind::direction ? table.vector3("start").normalized() : table.vector3("start")))});
+    } else {
+        Eigen::Vector3d start = table.vector3("start");
+        if (entry.kind == Kind::direction) {
+            if (!(start.norm() > 0.0)) table.fail("start", "has no direction: it is zero");
+            start.normalize();
+        }
+        declared.starts.push_back({effect::EffectParameter(Eigen::VectorXd(start))});
+    }
     if (declared.starts.back().empty()) table.fail("start", "holds no value");
     declared.absent_at_infinity.push_back(absent > 0.0);
     declared.entries.push_back(std::move(entry));

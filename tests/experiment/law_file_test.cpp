@@ -80,6 +80,8 @@ TEST(LawFile, RefusesWhatHasNoMeaning) {
     expect(replaced(good, "name = \"coefficient_kg_m3\"", "name = \"signal\""), "a key that every effect may have");
     expect(replaced(good, "name = \"coefficient_kg_m3\"", "name = \"coefficient_kg_m3\"\nunit = \"g/m3\""),
            "laws/drag.toml:8:9: parameter[0].unit: \"g/m3\" is not a unit");
+    expect(good + "[[parameter]]\nname = \"axis\"\nkind = \"direction\"\nstart = [0, 0, 0]\n",
+           "parameter[1].start: has no direction: it is zero");
     expect(replaced(test::bed_law, "range = [1e4, 1e12]", "range = [0.0, 1e12]"), "lowest value above 0");
     expect("schema = ", "laws/drag.toml:1");
 }
