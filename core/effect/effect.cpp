@@ -43,6 +43,21 @@ bool acts_on(const TrialContext& context, const EffectParameters& parameters) {
     return !has(parameters, "trial") || text(parameters, "trial") == context.trial;
 }
 
+std::vector<std::string> fitted_names(const EffectDeclaration& effect, const EffectParameterEntry& parameter) {
+    const auto found = effect.parameters.find(parameter.name);
+    if (found == effect.parameters.end() || !(parameter.scale > 0.0)) return {};
+    const std::string name = "effect." + effect.id + "." + parameter.name;
+    const auto* const v = std::get_if<Eigen::VectorXd>(&found->second);
+    if (v == nullptr) return {name};
+    if (parameter.kind == EffectParameterKind::direction) return {name + ".turn_1_rad", name + ".turn_2_rad"};
+    std::vector<std::string> names;
+    for (Eigen::Index i = 0; i < v->size(); ++i)
+        names.push_back(name + "." +
+                        (parameter.kind == EffectParameterKind::number_or_list ? "trial_" + std::to_string(i + 1)
+                                                                               : std::string(1, "xyz"[i % 3])));
+    return names;
+}
+
 EffectProbe probe(EffectParameters at, const std::string& amount) { return {{std::move(at)}, amount, false, nullptr}; }
 
 EffectParameterEntry fitted_number(const std::string& name, double lowest, double highest, double scale,

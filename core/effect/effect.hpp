@@ -165,6 +165,14 @@ bool has(const EffectParameters& parameters, const std::string& name);
 /// Whether the effect acts on this trial: it has no parameter `trial`, or it names this one.
 bool acts_on(const TrialContext& context, const EffectParameters& parameters);
 
+/// Names in results of the numbers by which fits move a parameter: one of a number, one per component of a vector or
+/// list, two of a direction. Empty: the parameter is absent, or has no scale.
+///
+/// @param parameter  of the entry of the effect
+/// @return           "effect.quadratic_drag.coefficient_kg_m3", "effect.point_mass.position_m.x",
+///                   "effect.gravity_tilt.axis.turn_1_rad"
+std::vector<std::string> fitted_names(const EffectDeclaration& effect, const EffectParameterEntry& parameter);
+
 /// Probe with a single column whose parameter `amount` is multiplied.
 EffectProbe probe(EffectParameters at, const std::string& amount);
 

@@ -1,6 +1,11 @@
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "base/text.hpp"
+#include "effect/catalogue.hpp"
 #include "experiment/actuators.hpp"
 #include "experiment/read_experiment.hpp"
 #include "experiment/read_experiment_tables.hpp"
@@ -9,7 +14,7 @@
 namespace myo::experiment {
 namespace {
 
-/// Names of the values that a fit can find, but for those of effects.
+/// Names of the values that a fit can find.
 std::vector<std::string> names_of_unknowns(const Experiment& experiment) {
     std::vector<std::string> names{"youngs_modulus_Pa", "damping_s"};
     for (const material::LawParameter& parameter : material::find_material(experiment.material.model)->parameters())
@@ -25,16 +30,10 @@ std::vector<std::string> names_of_unknowns(const Experiment& experiment) {
         for (const Actuator& actuator : actuators(experiment))
             names.push_back("actuation_level." + trial.name + "." + actuator.name);
     }
+    for (const effect::EffectDeclaration& effect : experiment.effects)
+        for (const effect::EffectParameterEntry& parameter : effect::find_effect(effect)->parameters)
+            for (std::string& name : effect::fitted_names(effect, parameter)) names.push_back(std::move(name));
     return names;
-}
-
-/// Whether a name is that of a parameter of a declared effect: "effect.<id>.<parameter>".
-bool is_of_effect(const Experiment& experiment, const std::string& name) {
-    return std::any_of(experiment.effects.begin(), experiment.effects.end(), [&](const auto& effect) {
-        return std::any_of(effect.parameters.begin(), effect.parameters.end(), [&](const auto& parameter) {
-            return name.starts_with("effect." + effect.id + "." + parameter.first);
-        });
-    });
 }
 
 }  // namespace
@@ -86,7 +85,7 @@ void check_unknowns(const Experiment& experiment) {
     }
     for (std::size_t i = 0; i < experiment.unknowns.size(); ++i) {
         const std::string& name = experiment.unknowns[i].name;
-        if (std::find(names.begin(), names.end(), name) != names.end() || is_of_effect(experiment, name)) continue;
+        if (std::find(names.begin(), names.end(), name) != names.end()) continue;
         const std::string key = "unknown[" + std::to_string(i) + "].name";
         throw toml::TomlFailure{declaration_error(experiment, key,
                                                   "no fit finds a value \"" + name +

@@ -57,35 +57,23 @@ std::vector<EffectNumber> effect_numbers(const effect::EffectDeclaration& effect
     assert(entry != nullptr);
     std::vector<EffectNumber> numbers;
     for (const effect::EffectParameterEntry& parameter : entry->parameters) {
-        const auto found = effect.parameters.find(parameter.name);
         // Optional parameters that are absent, and those without a scale, are not fitted.
-        if (found == effect.parameters.end() || !(parameter.scale > 0.0)) continue;
-        const std::string name = "effect." + effect.id + "." + parameter.name;
-        const auto* const v = std::get_if<Eigen::VectorXd>(&found->second);
+        const std::vector<std::string> names = effect::fitted_names(effect, parameter);
+        if (names.empty()) continue;
+        const auto* const v = std::get_if<Eigen::VectorXd>(&effect.parameters.at(parameter.name));
         if (v == nullptr) {
             const double unit = parameter.of_signal ? signal_size : 1.0;
-            numbers.push_back({parameter.name, -1, name, unit * parameter.lowest, unit * parameter.highest,
+            numbers.push_back({parameter.name, -1, names.front(), unit * parameter.lowest, unit * parameter.highest,
                                unit * parameter.scale, parameter.over_decades});
             continue;
         }
         // A unit vector has two degrees of freedom: two rotation angles about the current direction, free of a
         // singularity.
-        if (parameter.kind == effect::EffectParameterKind::direction) {
-            const Eigen::Vector3d base = v->normalized();
-            for (int i = 0; i < 2; ++i)
-                numbers.push_back({parameter.name, i, name + ".turn_" + std::to_string(i + 1) + "_rad",
-                                   parameter.lowest, parameter.highest, parameter.scale, false, base});
-            continue;
-        }
-        if (parameter.kind == effect::EffectParameterKind::number_or_list) {
-            for (int i = 0; i < static_cast<int>(v->size()); ++i)
-                numbers.push_back({parameter.name, i, name + ".trial_" + std::to_string(i + 1), parameter.lowest,
-                                   parameter.highest, parameter.scale, false});
-            continue;
-        }
-        for (int i = 0; i < static_cast<int>(v->size()); ++i)
-            numbers.push_back({parameter.name, i, name + "." + "xyz"[i % 3], parameter.lowest, parameter.highest,
-                               parameter.scale, false});
+        const bool turns = parameter.kind == effect::EffectParameterKind::direction;
+        const Eigen::Vector3d base = turns ? Eigen::Vector3d(v->normalized()) : Eigen::Vector3d::Zero();
+        for (std::size_t i = 0; i < names.size(); ++i)
+            numbers.push_back({parameter.name, static_cast<int>(i), names[i], parameter.lowest, parameter.highest,
+                               parameter.scale, false, base});
     }
     return numbers;
 }

@@ -25,10 +25,9 @@ bool changes_observation_only(const effect::EffectDeclaration& effect);
 /// A scalar degree of freedom of an effect that a fit may change: a parameter, a component of a vector, or an angle of
 /// a direction.
 struct EffectNumber {
-    std::string parameter;  // key in EffectDeclaration::parameters
-    int component = -1;     // component of a vector or index of an angle; -1: scalar parameter
-    std::string name;       // "effect.quadratic_drag.coefficient_kg_m3", "effect.point_mass.position_m.x",
-                            // "effect.gravity_tilt.axis.turn_1_rad"
+    std::string parameter;                         // key in EffectDeclaration::parameters
+    int component = -1;                            // component of a vector or index of an angle; -1: scalar parameter
+    std::string name;                              // see effect::fitted_names()
     double lower = 0.0, upper = 0.0, scale = 1.0;  // bounds and typical magnitude, in the unit of the parameter
     bool over_decades = false;                     // the fit scales it logarithmically
     /// Direction: unit vector from which the angles are measured; zero otherwise.

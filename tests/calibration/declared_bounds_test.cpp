@@ -5,6 +5,7 @@
 #include "check/catalogue.hpp"
 #include "check/checks.hpp"
 #include "dynamics/simulate.hpp"
+#include "experiment/read_experiment.hpp"
 #include "support/recorded_motion.hpp"
 #include "support/swung_beam.hpp"
 
@@ -97,6 +98,28 @@ TEST(DeclaredBounds, RefusesWhatBoundsNothing) {
     EXPECT_THAT(error("name = \"damping_s\"\nlowest = 0.1\ntolerance = 1.0\n"), HasSubstr("cannot be combined"));
     EXPECT_THAT(error("name = \"youngs_modulus_Pa\"\nlowest = -1.0\n"), HasSubstr("must be positive"));
     EXPECT_THAT(error("name = \"youngs_modulus_Pa\"\ntolerance = 3.0e6\n"), HasSubstr("must be below the modulus"));
+}
+
+/// Each number that a fit moves has a name, and no other name bounds it.
+TEST(DeclaredBounds, OfAnEffectNameOneOfItsNumbers) {
+    const test::Folder folder("declared_bounds_effect");
+    test::swung_beam(folder, 0.1);
+    const auto read = [&](const std::string& name) {
+        folder.write("experiment.toml", test::swung_beam_toml() + "[[unknown]]\nname = \"" + name +
+                                            "\"\nhighest = 1.0\n[[effect]]\nid = \"point_mass\"\nmass_kg = 0.01\n"
+                                            "position_m = [0.1, 0.015, 0.03]\ncalibrate = true\n");
+        return experiment::read_experiment(folder.path());
+    };
+    for (const char* name : {"effect.point_mass.mass_kg", "effect.point_mass.position_m.z"}) {
+        const Result<experiment::Experiment> good = read(name);
+        EXPECT_TRUE(good) << good.error().text();
+    }
+    for (const std::string name : {"effect.point_mass.mass_kg_typo", "effect.point_mass.position_m",
+                                   "effect.point_mass.position_m.w", "effect.point_mass.mass"}) {
+        const Result<experiment::Experiment> bad = read(name);
+        ASSERT_FALSE(bad) << name;
+        EXPECT_THAT(bad.error().what, HasSubstr("unknown[0].name: no fit finds a value \"" + name + "\""));
+    }
 }
 
 }  // namespace
