@@ -1,7 +1,10 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cstddef>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "base/text.hpp"
 #include "effect/catalogue.hpp"
@@ -156,10 +159,10 @@ bool has_free_level(const TrialDeclaration& trial, const std::string& muscle) {
                        [&](const ActuationStep& step) { return step.muscle == muscle && !step.level; });
 }
 
-// A free level of a validation trial is interpolated from the fitted levels over a shared test condition, so at least
-// one fit trial must provide the same muscle with that condition.
-void check_predicted_levels(const Experiment& experiment, const std::string& trial_path,
-                            const TrialDeclaration& trial) {
+/// A free level of a validation trial is interpolated from the fitted levels over a test condition, so at least one fit
+/// trial must provide the same muscle with that condition. Over a condition that not all of them state the prediction
+/// does not interpolate, but takes their mean level; that adds a warning.
+void check_predicted_levels(Experiment& experiment, const std::string& trial_path, const TrialDeclaration& trial) {
     if (trial.role != TrialRole::validate) return;
     for (const ActuationStep& step : trial.actuation_steps) {
         if (step.level) continue;
@@ -167,18 +170,22 @@ void check_predicted_levels(const Experiment& experiment, const std::string& tri
         if (trial.condition.empty())
             fail(experiment, key,
                  "the free level of a validate trial is predicted from its `condition`, which is missing");
-        // One fit trial with a common condition suffices. A condition that not all fit trials with this free level
-        // state is not interpolated over: the prediction then takes their mean level.
-        const bool found = std::any_of(
-            experiment.trials.begin(), experiment.trials.end(), [&](const TrialDeclaration& other) {
-                const bool shared = std::any_of(trial.condition.begin(), trial.condition.end(), [&](const auto& entry) {
-                    return other.condition.contains(entry.first);
-                });
-                return other.role == TrialRole::fit && has_free_level(other, step.muscle) && shared;
-            });
-        if (!found)
+        std::vector<const TrialDeclaration*> sources;
+        for (const TrialDeclaration& other : experiment.trials)
+            if (other.role == TrialRole::fit && has_free_level(other, step.muscle)) sources.push_back(&other);
+        std::size_t most = 0;  // sources that state one and the same condition of this trial
+        for (const auto& entry : trial.condition) {
+            std::size_t count = 0;
+            for (const TrialDeclaration* const source : sources) count += source->condition.count(entry.first);
+            most = std::max(most, count);
+        }
+        if (most == 0)
             fail(experiment, key,
                  "no fit trial has a free level of this muscle and the same `condition` to predict it from");
+        if (most < sources.size())
+            experiment.warnings.push_back(key + ": no `condition` of this trial stands in all " +
+                                          std::to_string(sources.size()) +
+                                          " fit trials with this free level, so that it is predicted as their mean");
     }
 }
 

@@ -234,5 +234,27 @@ TEST(ReadExperiment, RealBeamHasItsDeclaredValues) {
     EXPECT_EQ(read->trials[0].trace.filename(), "beam_gravity_V2_a.c3d");
 }
 
+/// A condition that only some of the fit trials state gives no curve to predict a free level from.
+TEST(ReadExperiment, WarnsOfALevelThatIsPredictedAsAMean) {
+    const Folder folder("mean_level");
+    const auto warnings = [&](const std::string& condition) {
+        const std::string other =
+            "[[trial]]\nname = \"other\"\nrole = \"fit\"\ntrace = \"step.txt\"\n"
+            "format = \"columns\"\ncolumns = { markers = [\"side\", \"base\", \"tip\"], "
+            "unit = \"mm\", separator = \";\", rate_Hz = 50 }\nstart = \"equilibrium\"\n"
+            "actuation_step = { left = \"free\" }\n" +
+            condition;
+        write_files(folder,
+                    replaced(good_toml, "[[trial]]\nname = \"check\"", other + "\n[[trial]]\nname = \"check\""));
+        const Result<Experiment> read = read_experiment(folder.path());
+        EXPECT_TRUE(read) << read.error().text();
+        return read ? read->warnings : std::vector<std::string>{};
+    };
+    EXPECT_THAT(warnings("condition = { pressure_mbar = 100 }\n"), testing::IsEmpty());
+    EXPECT_THAT(warnings("condition = { temperature_K = 300 }\n"),
+                ElementsAre(testing::AllOf(StartsWith("trial[3].actuation_step.left: no `condition`"),
+                                           HasSubstr("all 2 fit trials"), HasSubstr("their mean"))));
+}
+
 }  // namespace
 }  // namespace myo::experiment
