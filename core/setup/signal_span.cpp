@@ -33,6 +33,17 @@ fibre::Signal with_times(fibre::Signal signal, double shift_s, double factor) {
     return signal;
 }
 
+/// Key that declares the signal of an actuator in a trial: of the muscle, of a curve, or of the actuation file.
+std::string key_of(const experiment::Experiment& experiment, std::size_t trial, std::size_t actuator,
+                   const std::string& name) {
+    if (actuator < experiment.muscles.size() && experiment.muscles[actuator].signal)
+        return "muscle[" + std::to_string(actuator) + "].signal";
+    const std::string path = "trial[" + std::to_string(trial) + "].";
+    for (const experiment::ConstantCommand& command : experiment.trials[trial].constant_commands)
+        if (command.actuator == name) return path + command.key + "." + name;
+    return path + "actuation";
+}
+
 // Tries the two usual mistakes: times of the recording's clock, and times in milliseconds.
 SignalClock clock_of(const fibre::Signal& signal, const PreparedTrial& trial, double end_s,
                      const SignalSpanPolicy& policy) {
@@ -68,11 +79,9 @@ std::vector<MissedSignal> missed_signals(const Setup& setup, const SignalSpanPol
         for (std::size_t m = 0; m < names.size(); ++m) {
             const fibre::Signal& signal = actuator_signal(setup.experiment, trial.model, m);
             // A follower has no rows of its own: its leader is reported.
-            const bool muscle = m < muscles.size();
-            if ((muscle && muscles[m].follows) || meets(signal, end_s, policy)) continue;
+            if ((m < muscles.size() && muscles[m].follows) || meets(signal, end_s, policy)) continue;
             const double first = signal.times_s.front(), last = signal.times_s.back();
-            const std::string key = muscle && muscles[m].signal ? "muscle[" + std::to_string(m) + "].signal"
-                                                                : "trial[" + std::to_string(t) + "].actuation";
+            const std::string key = key_of(setup.experiment, t, m, names[m]);
             // Actuators of one file share its rows; they are reported in one sentence.
             const auto same = std::find_if(found.begin() + static_cast<std::ptrdiff_t>(first_of_trial), found.end(),
                                            [&](const MissedSignal& other) {

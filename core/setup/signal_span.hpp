@@ -21,7 +21,7 @@ enum class SignalClock { unknown, of_the_recording, milliseconds };
 /// A signal that changes, but not during its trial.
 struct MissedSignal {
     std::size_t trial = 0;               // index into Setup::trials
-    std::string key;                     // of the signal: "trial[0].actuation", "muscle[1].signal"
+    std::string key;                     // "trial[0].actuation", "trial[0].tension_N.cable", "muscle[1].signal"
     std::vector<std::string> actuators;  // names; same times, same key
     double first_s = 0.0, last_s = 0.0;  // first and last row of the signal; they count from the trial's t = 0
     double end_s = 0.0;                  // last sample of the trial

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "support/chambered_beam.hpp"
 #include "support/experiment_folder.hpp"
 #include "support/muscle_beam.hpp"
 
@@ -46,6 +47,20 @@ TEST(SignalSpan, FindsSignalsBeforeAfterAndInMilliseconds) {
     EXPECT_EQ(missed_with("0,1\n200,1\n400,0.8\n800,0.8\n")[0].clock, SignalClock::milliseconds);
     EXPECT_EQ(missed_with("1700000000,1\n1700000001,0.8\n")[0].clock, SignalClock::unknown);
     EXPECT_EQ(missed_with("1000.2,1\n1000.4,0.8\n", 1000.0, "start_s = 1000")[0].clock, SignalClock::of_the_recording);
+}
+
+/// A curve that stands in the experiment has a key of its own.
+TEST(SignalSpan, NamesTheCurveThatMissesItsTrial) {
+    const test::Folder folder("signal_span_curve");
+    const setup::Setup setup = test::chambered_beam(folder, 0.1, [](experiment::Experiment& e) {
+        e.chambers.clear();
+        e.tendons = {test::upper_tendon()};
+        e.trials[0].constant_commands = {{"upper", 0.0, "tension_N", fibre::Signal{{50.0, 60.0}, {0.0, 3.0}}}};
+    });
+    const std::vector<MissedSignal> missed = missed_signals(setup);
+    ASSERT_EQ(missed.size(), 1u);
+    EXPECT_EQ(missed[0].key, "trial[0].tension_N.upper");
+    EXPECT_EQ(missed[0].first_s, 50.0);
 }
 
 TEST(SignalSpan, ASentenceNamesBothSpansAndTheStart) {
