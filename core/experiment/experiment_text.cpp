@@ -1,13 +1,26 @@
 #include "experiment/experiment_text.hpp"
 
+#include <optional>
 #include <regex>
+#include <string>
 #include <string_view>
 
 #include "base/files.hpp"
 #include "toml/toml_text.hpp"
+#include "toml/toml_value.hpp"
 
 namespace myo::experiment {
 namespace {
+
+/// Pattern of a TOML string of one line, in which a backslash escapes a quote.
+const std::string quoted_pattern = R"re("[^"\\\n]*(?:\\.[^"\\\n]*)*"|'[^'\n]*')re";
+
+/// What a quoted TOML string holds; empty if it is none, as may stand in a comment.
+std::optional<std::string> unquoted(const std::string& quoted) {
+    const Result<toml::TomlValue> line = toml::parse_toml("name = " + quoted, "");
+    if (!line) return std::nullopt;
+    return line->find("name")->text;
+}
 
 /// Path relative to `folder` of a file that is given relative to `home`.
 std::string seen_from(const std::filesystem::path& file, const std::filesystem::path& home,
@@ -34,7 +47,7 @@ bool names_a_file(const std::string& key, const std::string& text, std::size_t p
 /// The text with the names in the list `laws` at its top made relative to `folder`.
 std::string with_laws_seen_from(const std::string& text, const std::filesystem::path& home,
                                 const std::filesystem::path& folder) {
-    static const std::regex list(R"((^|\n)(\s*laws\s*=\s*\[)([^\]]*)(\]))"), quoted(R"(\"[^\"\n]*\"|'[^'\n]*')");
+    static const std::regex list(R"((^|\n)(\s*laws\s*=\s*\[)([^\]]*)(\]))"), quoted(quoted_pattern);
     std::smatch found;
     const std::string top = text.substr(0, text.find("\n["));
     if (!std::regex_search(top, found, list)) return text;
@@ -42,9 +55,10 @@ std::string with_laws_seen_from(const std::string& text, const std::filesystem::
     std::string moved;
     auto from = names.cbegin();
     for (std::sregex_iterator match(names.begin(), names.end(), quoted), end; match != end; ++match) {
+        const std::optional<std::string> name = unquoted((*match)[0].str());
+        if (!name) continue;
         moved.append(from, (*match)[0].first);
-        const std::string name = (*match)[0].str();
-        moved += toml::toml_text(seen_from(name.substr(1, name.size() - 2), home, folder));
+        moved += toml::toml_text(seen_from(*name, home, folder));
         from = (*match)[0].second;
     }
     moved.append(from, names.cend());
@@ -63,16 +77,16 @@ Result<std::string> experiment_text_for(const std::filesystem::path& folder, con
 std::string experiment_text_for(const std::filesystem::path& folder, const std::string& text,
                                 const std::filesystem::path& home) {
     // The text is edited in place rather than parsed and written: comments, order and layout of the author remain.
-    static const std::regex named(
-        R"(\b(file|trace|actuation|mask|signal|sensors|path)(\s*=\s*)(\"[^\"\n]*\"|'[^'\n]*'))");
+    static const std::regex named(R"(\b(file|trace|actuation|mask|signal|sensors|path)(\s*=\s*)()" + quoted_pattern +
+                                  ")");
     std::string result;
     auto from = text.cbegin();
     for (std::sregex_iterator match(text.begin(), text.end(), named), end; match != end; ++match) {
         if (!names_a_file((*match)[1].str(), text, static_cast<std::size_t>(match->position()))) continue;
+        const std::optional<std::string> name = unquoted((*match)[3].str());
+        if (!name) continue;
         result.append(from, (*match)[0].first);
-        const std::string name = (*match)[3].str();
-        result += (*match)[1].str() + (*match)[2].str() +
-                  toml::toml_text(seen_from(name.substr(1, name.size() - 2), home, folder));
+        result += (*match)[1].str() + (*match)[2].str() + toml::toml_text(seen_from(*name, home, folder));
         from = (*match)[0].second;
     }
     result.append(from, text.cend());
