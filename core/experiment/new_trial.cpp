@@ -1,7 +1,9 @@
 #include "experiment/new_trial.hpp"
 
 #include <algorithm>
+#include <string>
 #include <system_error>
+#include <vector>
 
 #include "base/files.hpp"
 #include "experiment/law_values.hpp"
@@ -95,13 +97,29 @@ Result<void> make_folder(const fs::path& folder, bool& made) {
     return {};
 }
 
-/// Body, clamp, material and gravity as TOML.
+/// Clamp and supports as TOML; empty without either.
+std::string holding_text(const Experiment& declared) {
+    const auto box = [](const Box& box_m) {
+        return "box_m = [" + toml::toml_vector(box_m.lowest) + ", " + toml::toml_vector(box_m.highest) + "]\n";
+    };
+    std::string text;
+    if (has_clamp(declared)) text += "\n[clamp]\n" + box(declared.clamp_box_m);
+    for (const SupportDeclaration& support : declared.supports) {
+        text += "\n[[support]]\n" + box(support.box_m);
+        std::vector<std::string> axes;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (support.held[axis]) axes.emplace_back(1, "xyz"[axis]);
+        if (!support.clamps()) text += "held = " + toml::toml_list(axes, toml::toml_text) + "\n";
+    }
+    return text;
+}
+
+/// Body, clamp, supports, material and gravity as TOML.
 std::string body_text(const Experiment& declared) {
     const MaterialDeclaration& material = declared.material;
     std::string text = "schema = \"experiment/1\"\nname = " + toml::toml_text(declared.name) +
                        "\n\n[geometry]\nkind = \"stl\"\nfile = \"body.stl\"\nunit = \"m\"\n";
-    text += "\n[clamp]\nbox_m = [" + toml::toml_vector(declared.clamp_box_m.lowest) + ", " +
-            toml::toml_vector(declared.clamp_box_m.highest) + "]\n";
+    text += holding_text(declared);
     text += "\n[material]\nmodel = " + toml::toml_text(material.model) +
             "\nyoungs_modulus_Pa = " + toml::toml_number(material.youngs_modulus_Pa) +
             "\npoissons_ratio = " + toml::toml_number(material.poissons_ratio) +
@@ -143,12 +161,16 @@ Result<void> write_experiment(const fs::path& folder, const Experiment& declared
 
 Result<void> write_planned_experiment(const fs::path& folder, const Experiment& declared,
                                       const mesh::SurfaceMesh& surface) {
-    return write_folder(folder, surface, [&] {
-        return write_file(folder / declaration_file,
-                          body_text(declared) + "\n[markers]\ncompare = \"displacement\"\n" + standoff_text +
-                              "[markers.rest_m]\n"
-                              "\n[[trial]]\nname = \"release\"\nrole = \"simulate\"\nduration_s = 1.0\n"
-                              "start = \"straight\"\n");
+    const std::string text = body_text(declared) + "\n[markers]\ncompare = \"displacement\"\n" + standoff_text +
+                             "[markers.rest_m]\n"
+                             "\n[[trial]]\nname = \"release\"\nrole = \"simulate\"\nduration_s = 1.0\n"
+                             "start = \"straight\"\n";
+    return write_folder(folder, surface, [&]() -> Result<void> {
+        const fs::path file = folder / declaration_file;
+        // The line would be one of a text that no file holds.
+        if (const Result<Experiment> read = read_experiment_text(text, file); !read)
+            return Error{read.error().what, folder.string()};
+        return write_file(file, text);
     });
 }
 

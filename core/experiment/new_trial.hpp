@@ -29,10 +29,10 @@ struct NewTrial {
 Result<void> add_trial(const std::filesystem::path& folder, const NewTrial& trial,
                        const std::string* declaration = nullptr);
 
-/// Creates an experiment folder with one trial. Body, clamp, material, gravity and markers are taken from `declared`;
-/// its muscles, effects and trials are not written, nor are chambers, tendons, parts, obstacles, sensors and limits: it
-/// serves bodies of a mesh alone. An experiment folder keeps all its tables in copy_experiment() and add_trial(). The
-/// markers are compared by displacement.
+/// Creates an experiment folder with one trial. Body, clamp, supports, material, gravity and markers are taken from
+/// `declared`; its muscles, effects and trials are not written, nor are chambers, tendons, parts, obstacles, sensors
+/// and limits: it serves bodies of a mesh alone. An experiment folder keeps all its tables in copy_experiment() and
+/// add_trial(). The markers are compared by displacement.
 ///
 /// @param folder   new or empty directory
 /// @param surface  closed surface [m], mesh frame; written as body.stl
@@ -41,9 +41,10 @@ Result<void> write_experiment(const std::filesystem::path& folder, const Experim
                               const mesh::SurfaceMesh& surface, const NewTrial& trial);
 
 /// Creates an experiment folder with one trial that is only simulated: "release", one second, from the rest shape.
-/// Body, clamp, material and gravity are taken from `declared`, as in write_experiment().
+/// Body, clamp, supports, material and gravity are taken from `declared`, as in write_experiment().
 ///
-/// Errors: the folder is not empty, or cannot be written.
+/// Errors: the folder is not empty, or cannot be written; nothing holds the body, or what is declared cannot be read
+/// for another reason. After an error the folder is unchanged.
 Result<void> write_planned_experiment(const std::filesystem::path& folder, const Experiment& declared,
                                       const mesh::SurfaceMesh& surface);
 

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <string>
+
 #include "base/files.hpp"
 #include "experiment/new_trial.hpp"
 #include "experiment/read_experiment.hpp"
@@ -83,6 +86,32 @@ TEST(NewTrial, ChangesNothingWhereItCannotBeRead) {
     EXPECT_FALSE(write_experiment(folder.path() / "bad", unclamped,
                                   mesh::box_surface({{0.0, 0.0, 0.0}, {0.1, 0.03, 0.03}}), released("drop")));
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "bad"));
+}
+
+/// Supports hold a body without a clamp; a body that nothing holds is refused, with no folder left.
+TEST(NewTrial, WritesWhatHoldsTheBody) {
+    Folder folder("new_trial_held");
+    const mesh::SurfaceMesh surface = mesh::box_surface({{0.0, 0.0, 0.0}, {0.1, 0.03, 0.03}});
+    Experiment lying = beam();
+    lying.clamp_box_m = {Eigen::Vector3d::Ones(), -Eigen::Vector3d::Ones()};
+    const Result<void> planned = write_planned_experiment(folder.path() / "none", lying, surface);
+    ASSERT_FALSE(planned);
+    EXPECT_NE(planned.error().what.find("clamp: is missing"), std::string::npos) << planned.error().what;
+    EXPECT_FALSE(write_experiment(folder.path() / "none", lying, surface, released("drop")));
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "none"));
+    lying.supports = {{{{0.0, 0.0, 0.0}, {0.0, 0.03, 0.0}}},
+                      {{{0.1, 0.0, 0.0}, {0.1, 0.03, 0.0}}, {false, true, true}}};
+    ASSERT_TRUE(write_planned_experiment(folder.path() / "planned", lying, surface));
+    ASSERT_TRUE(write_experiment(folder.path() / "recorded", lying, surface, released("drop")));
+    for (const char* name : {"planned", "recorded"}) {
+        const Result<Experiment> read = read_experiment(folder.path() / name);
+        ASSERT_TRUE(read) << read.error().text();
+        EXPECT_FALSE(has_clamp(*read));
+        ASSERT_EQ(read->supports.size(), 2u);
+        EXPECT_TRUE(read->supports[0].clamps());
+        EXPECT_EQ(read->supports[1].box_m.lowest, lying.supports[1].box_m.lowest);
+        EXPECT_EQ(read->supports[1].held, lying.supports[1].held);
+    }
 }
 
 TEST(NewTrial, CopiesAnExperimentOutsideOfItself) {
