@@ -134,6 +134,7 @@ Result<void> take_samples(const experiment::Experiment& experiment, const std::s
     // Fixed markers come last and serve registration only.
     placed.labels.resize(experiment.markers.on_body.size());
     placed.tracks.resize(experiment.markers.on_body.size());
+    if (!placed.residual_m.empty()) placed.residual_m.resize(experiment.markers.on_body.size());
     // Samples before t = 0 are kept for display but are not compared.
     while (trial.first_sample < placed.sample_count() && placed.time_s(trial.first_sample) < 0.0) ++trial.first_sample;
     if (trial.first_sample >= placed.sample_count())
