@@ -50,6 +50,12 @@ Result<CellSoup> read_vtu(const std::filesystem::path& path);
 Result<CellSoup> read_legacy_vtk(const std::filesystem::path& path);
 /// Gmsh MSH 2.2 or 4.1, ASCII.
 Result<CellSoup> read_gmsh(const std::filesystem::path& path);
+/// The two files of a TetGen mesh, which differ in their ending.
+struct TetgenFiles {
+    std::filesystem::path nodes, cells;
+};
+/// @param path  names either of the two
+TetgenFiles tetgen_files(const std::filesystem::path& path);
 /// TetGen .node and .ele; `path` names either of the two.
 Result<CellSoup> read_tetgen(const std::filesystem::path& path);
 

@@ -24,11 +24,15 @@ constexpr std::array<std::size_t, 10> from_tetgen{0, 1, 2, 3, 6, 7, 9, 5, 8, 4};
 
 }  // namespace
 
+TetgenFiles tetgen_files(const std::filesystem::path& path) {
+    TetgenFiles files{path, path};
+    files.nodes.replace_extension(".node");
+    files.cells.replace_extension(".ele");
+    return files;
+}
+
 Result<CellSoup> read_tetgen(const std::filesystem::path& path) {
-    std::filesystem::path node_path = path, cell_path = path;
-    // Points and cells are in two files of the same name.
-    node_path.replace_extension(".node");
-    cell_path.replace_extension(".ele");
+    const auto [node_path, cell_path] = tetgen_files(path);
     const auto node_file = read_file(node_path);
     if (!node_file) return node_file.error();
     const auto cell_file = read_file(cell_path);

@@ -1,23 +1,25 @@
 #include "mesh/volume_reader.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
+#include "base/letter_case.hpp"
 #include "mesh/file_formats.hpp"
 #include "mesh/mesh_repair.hpp"
 
 namespace myo::mesh {
 namespace {
 
+bool is_tetgen(const std::string& extension) { return extension == ".node" || extension == ".ele"; }
+
 /// Selects the reader by the extension.
 Result<CellSoup> read_cells(const std::filesystem::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string extension = lower_case(path.extension().string());
     if (extension == ".vtu") return read_vtu(path);
     if (extension == ".vtk") return read_legacy_vtk(path);
     if (extension == ".msh") return read_gmsh(path);
-    if (extension == ".node" || extension == ".ele") return read_tetgen(path);
+    if (is_tetgen(extension)) return read_tetgen(path);
     return Error{"unknown kind of volume mesh '" + extension + "': .vtu, .vtk, .msh and .node/.ele are read",
                  path.string()};
 }
@@ -43,6 +45,12 @@ Result<VolumeMesh> read_volume(const std::filesystem::path& path, double metres_
     if (static_cast<Eigen::Index>(soup->regions.size()) == mesh.cell_count()) mesh.regions = soup->regions;
     // Checks node numbers and volumes, and repairs the orientation of mirrored cells.
     return with_positive_cells(std::move(mesh), path.string());
+}
+
+std::vector<std::filesystem::path> volume_files(const std::filesystem::path& path) {
+    if (!is_tetgen(lower_case(path.extension().string()))) return {path};
+    const TetgenFiles files = tetgen_files(path);
+    return {files.nodes, files.cells};
 }
 
 }  // namespace myo::mesh

@@ -7,9 +7,11 @@
 #include <cmath>
 #include <cstdio>
 #include <system_error>
+#include <utility>
 
 #include "base/files.hpp"
 #include "measurement/trace_csv.hpp"
+#include "mesh/volume_reader.hpp"
 #include "mesh/vtk_writer.hpp"
 #include "prediction/laboratory_trace.hpp"
 #include "results/output_motion.hpp"
@@ -149,7 +151,7 @@ std::vector<fs::path> files_read(const fs::path& declared, const experiment::Exp
         files.push_back(surface->file);
     files.insert(files.end(), experiment.law_files.begin(), experiment.law_files.end());
     if (const auto* volume = std::get_if<experiment::VolumeGeometry>(&experiment.geometry))
-        files.push_back(volume->file);
+        for (fs::path& file : mesh::volume_files(volume->file)) files.push_back(std::move(file));
     for (const experiment::PartDeclaration& part : experiment.parts)
         if (const auto* file = std::get_if<fs::path>(&part.place)) files.push_back(*file);
     for (const experiment::TrialDeclaration& trial : experiment.trials) {

@@ -141,6 +141,13 @@ TEST_F(OutputFiles, FilesReadAreTheDeclarationAndWhatItNames) {
     more.muscles[1].part = experiment::MuscleMask{fs::path("mask.json"), {}};
     EXPECT_THAT(files_read("other.toml", more), ElementsAre("other.toml", "body.stl", setup_.experiment.trials[0].trace,
                                                             "a.csv", "s.csv", "mask.json"));
+    // A mesh of TetGen is two files, whichever is named.
+    for (const char* name : {"body.node", "body.ele"}) {
+        more.geometry = experiment::VolumeGeometry{.file = name};
+        EXPECT_THAT(files_read("other.toml", more),
+                    ElementsAre("other.toml", "body.node", "body.ele", setup_.experiment.trials[0].trace, "a.csv",
+                                "s.csv", "mask.json"));
+    }
 }
 
 TEST_F(OutputFiles, FolderIsMadeAndTried) {
