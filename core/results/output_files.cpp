@@ -20,6 +20,11 @@ namespace myo::results {
 namespace {
 namespace fs = std::filesystem;
 
+struct OutputNamePolicy {
+    std::size_t max_bytes = 150;  // file systems allow 255; the rest is for endings and numbers
+};
+constexpr OutputNamePolicy output_name_policy;
+
 /// File names of the trials of a setup, in their order.
 std::vector<std::string> names_of(const setup::Setup& setup) { return trial_file_names(setup.experiment); }
 
@@ -31,8 +36,11 @@ std::string safe_name(const std::string& name) {
         safe += std::isalnum(byte) != 0 || byte > 127 || c == '-' || c == '_' || c == '.' ? c : '_';
     }
     if (safe.empty() || safe.front() == '.') safe.insert(safe.begin(), '_');
-    // File systems allow 255 bytes; the rest is for endings and numbers.
-    return safe.substr(0, 150);
+    if (safe.size() <= output_name_policy.max_bytes) return safe;
+    std::size_t end = output_name_policy.max_bytes;
+    // Bytes that continue a character of UTF-8 are left out together with its first one.
+    while (end > 0 && (static_cast<unsigned char>(safe[end]) & 0xC0) == 0x80) --end;
+    return safe.substr(0, end);
 }
 
 /// Indices of the steps closest to equally spaced times, without repetition.

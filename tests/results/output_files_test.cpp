@@ -26,6 +26,9 @@ TEST(TrialFileNames, AreSafeAndDistinct) {
                 ElementsAre("release", "a_b", "a_b_2", "a_b_3", "_.._x", "_", "_.hidden", "März-1.5"));
     EXPECT_THAT(trial_file_names(Names{"x", "x_2", "x"}), ElementsAre("x", "x_2", "x_3"));
     EXPECT_EQ(trial_file_names(Names{std::string(400, 'a')}).front().size(), 150u);
+    std::string letters = "a";
+    for (int i = 0; i < 100; ++i) letters += "ä";
+    EXPECT_EQ(trial_file_names(Names{letters}).front(), letters.substr(0, 149)) << "no half of a letter";
 }
 
 class OutputFiles : public testing::Test {
