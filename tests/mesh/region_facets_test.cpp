@@ -44,12 +44,13 @@ void expect_conforming(const SurfaceMesh& surface, const std::vector<Box>& regio
     const auto mesh = tetrahedralize(surface, options);
     ASSERT_TRUE(mesh) << mesh.error().text();
     const Eigen::VectorXd volumes = cell_volumes(*mesh);
+    const double volume = volumes.sum();
     EXPECT_GT(volumes.minCoeff(), 0.0);
-    EXPECT_NEAR(volumes.sum() / enclosed_volume(surface), 1.0, allowed.volume);
+    EXPECT_NEAR(volume / enclosed_volume(surface), 1.0, allowed.volume);
     for (const Box& region : regions) {
         const Eigen::VectorXd inside = volume_fractions(*mesh, region);
         for (Eigen::Index c = 0; c < inside.size(); ++c)
-            EXPECT_LT(std::min(inside(c), 1.0 - inside(c)) * volumes(c), 1e-9 * volumes.sum())
+            EXPECT_LT(std::min(inside(c), 1.0 - inside(c)) * volumes(c), 1e-9 * volume)
                 << "cell " << c << " is cut, " << inside(c);
         EXPECT_GT(inside.sum(), 0.0);
         // The nodes of the cells inside are those that a clamp of this box finds.
