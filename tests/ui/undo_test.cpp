@@ -16,18 +16,18 @@ TEST(Undo, ThatIsRefusedCanBeTriedAgain) {
         commands::EditDeclaration{{commands::SetDeclared{{"gravity", "acceleration_m_s2"}, "1.6"}}, "test", false});
     const commands::Settings after = driver.state().settings;
     ASSERT_FALSE(after == before);
-    const auto refused = [&](const commands::Command& command) {
+    const auto execute_refused = [&](const commands::Command& command) {
         driver.backend->refuses_declarations = true;
         driver.workbench->execute(command);
         driver.backend->refuses_declarations = false;
     };
-    refused(commands::Undo{});
+    execute_refused(commands::Undo{});
     EXPECT_EQ(driver.state().settings, after);
     EXPECT_TRUE(driver.state().can_undo);
     EXPECT_FALSE(driver.state().can_redo);
     driver.workbench->execute(commands::Undo{});
     EXPECT_EQ(driver.state().settings, before);
-    refused(commands::Redo{});
+    execute_refused(commands::Redo{});
     EXPECT_EQ(driver.state().settings, before);
     EXPECT_FALSE(driver.state().can_undo);
     EXPECT_TRUE(driver.state().can_redo);
