@@ -115,7 +115,7 @@ def main():
                                      capture_output=True, text=True, check=False)
                 statuses.append(run.returncode)
                 outs.append(out)
-            if statuses[0] != statuses[1]:
+            if statuses != [0, 0]:
                 worst, where = math.inf, f"exit status {statuses[0]} and {statuses[1]}"
             else:
                 worst, where = compare(*outs, call.numbers)
