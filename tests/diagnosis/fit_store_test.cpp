@@ -132,17 +132,22 @@ TEST(StoreWords, DistinguishSetupsByWhatFitsDependOn) {
     };
     using S = setup::Setup;
     EXPECT_EQ(words([](S& s) { s.trials[0].options.h_s *= 0.5; }), plain) << "steps stand in the key of each fit";
-    const std::set<std::string> all{plain,
-                                    words([](S& s) { s.trials[0].measured.tracks[0](0, 0) += 1e-12; }),
-                                    words([](S& s) { s.experiment.material.poissons_ratio += 1e-12; }),
-                                    words([](S& s) { s.noise_m(0) *= 2.0; }),
-                                    words([](S& s) { s.experiment.gravity_m_s2.z() = 0.0; }),
-                                    words([](S& s) { s.experiment.name = "other"; }),
-                                    words([](S& s) { s.trials[1].model.masses.emplace_back(); }),
-                                    words([](S& s) { s.markers.bindings[0].offset.x() += 1e-12; }),
-                                    words([](S& s) { s.body = with_other_body(s, 1.0 + 1e-12, false); }),
-                                    words([](S& s) { s.body = with_other_body(s, 1.0, true); })};
-    EXPECT_EQ(all.size(), 10u);
+    const std::set<std::string> all{
+        plain,
+        words([](S& s) { s.trials[0].measured.tracks[0](0, 0) += 1e-12; }),
+        words([](S& s) { s.experiment.material.poissons_ratio += 1e-12; }),
+        words([](S& s) { s.noise_m(0) *= 2.0; }),
+        words([](S& s) { s.experiment.gravity_m_s2.z() = 0.0; }),
+        words([](S& s) { s.experiment.name = "other"; }),
+        words([](S& s) { s.trials[1].model.masses.emplace_back(); }),
+        words([](S& s) { s.markers.bindings[0].offset.x() += 1e-12; }),
+        words([](S& s) { s.body = with_other_body(s, 1.0 + 1e-12, false); }),
+        words([](S& s) { s.body = with_other_body(s, 1.0, true); }),
+        words([](S& s) { s.trials[0].role = experiment::TrialRole::validate; }),
+        words([](S& s) { s.trials[0].sensors.emplace_back(); }),
+        words([](S& s) { s.trials[0].recorded_commands = {fibre::Signal::constant(1.0)}; }),
+        words([](S& s) { s.trials[0].recorded_commands = {fibre::Signal::constant(2.0)}; })};
+    EXPECT_EQ(all.size(), 14u);
 }
 
 TEST(PhaseLog, AddsCostsByPhaseInTheirOrder) {

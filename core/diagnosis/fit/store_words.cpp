@@ -31,7 +31,9 @@ void add_body(const setup::Setup& setup, Fingerprint& print) {
     }
     for (const setup::Tendon& tendon : setup.tendons) {
         for (const model::TendonGuide& guide : tendon.route.guides) print.add_all(guide.rest_m);
-        for (const double number : {tendon.route.friction, tendon.stiffness_N_m, tendon.slack_m}) print.add(number);
+        for (const double number :
+             {tendon.route.friction, tendon.by_shortening ? 1.0 : 0.0, tendon.stiffness_N_m, tendon.slack_m})
+            print.add(number);
     }
 }
 
@@ -44,6 +46,24 @@ void add_muscles(const model::Model& model, Fingerprint& print) {
             print.add(point.volume);
             print.add_all(point.shape);
         }
+    }
+}
+
+/// Adds what was measured beside the markers, and how the trial is run.
+void add_readings(const setup::PreparedTrial& trial, Fingerprint& print) {
+    print.add(static_cast<double>(trial.role));
+    print.add(trial.hold ? 1.0 : 0.0);
+    for (const setup::SensorSeries& series : trial.sensors) {
+        print.add_text(series.column);
+        print.add(series.noise);
+        print.add_all(series.time_s);
+        print.add_all(series.values);
+    }
+    if (!trial.mount) return;
+    for (const double t : trial.measured.time_s) {
+        const model::MountPose pose = trial.mount->at(t);
+        print.add_all(pose.place_m);
+        print.add_all(pose.rotation);
     }
 }
 
@@ -78,12 +98,13 @@ std::uint64_t setup_fingerprint(const setup::Setup& setup) {
             print.add(force.course.times_s.data(), static_cast<std::ptrdiff_t>(force.course.times_s.size()));
             print.add(force.course.values.data(), static_cast<std::ptrdiff_t>(force.course.values.size()));
         }
-        for (const fibre::Signal& signal : trial.model.activation)
-            print.add(signal.values.data(), static_cast<std::ptrdiff_t>(signal.values.size()));
-        for (const fibre::Signal& signal : trial.recorded_commands) {
-            print.add(signal.times_s.data(), static_cast<std::ptrdiff_t>(signal.times_s.size()));
-            print.add(signal.values.data(), static_cast<std::ptrdiff_t>(signal.values.size()));
-        }
+        // As recorded: those of the model depend on the steps.
+        for (const std::vector<fibre::Signal>* signals : {&trial.recorded_activation, &trial.recorded_commands})
+            for (const fibre::Signal& signal : *signals) {
+                print.add(signal.times_s.data(), static_cast<std::ptrdiff_t>(signal.times_s.size()));
+                print.add(signal.values.data(), static_cast<std::ptrdiff_t>(signal.values.size()));
+            }
+        add_readings(trial, print);
     }
     return print.value();
 }
