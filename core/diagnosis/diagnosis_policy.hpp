@@ -323,6 +323,7 @@ struct VerdictPolicy {
 /// The missing force. Source: Morozov 1984 (discrepancy principle); Hansen 1998, ch. 5 (Tikhonov regularisation).
 struct MissingForcePolicy {
     int stations = 3;               // of the force fields along the body: clamp, middle, far end
+    double min_offset = 1e-6;       // of the body's centre from its support, over its size: below it all around
     double knot_spacing_s = 0.025;  // of the force courses
     int min_knots = 12, max_knots = 60;
     int path_samples = 101;      // of a signal, for its mean

@@ -17,23 +17,25 @@ using Eigen::Index;
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 
-/// Block of 2 x 1 x 1 cells of 1 m, a size without rounding, whose nodes at these x are held.
-model::BodyPointer block(const std::vector<double>& held_x) {
-    const mesh::VolumeMesh mesh = mesh::box_hex_mesh({Eigen::Vector3d::Zero(), {2.0, 1.0, 1.0}}, {2, 1, 1});
+/// Block of 2 x 1 x 1 cells of this edge length [m], whose nodes at these x [cells] are held.
+model::BodyPointer block(const std::vector<double>& held_x, double edge_m = 1.0) {
+    mesh::VolumeMesh mesh = mesh::box_hex_mesh({Eigen::Vector3d::Zero(), {2.0, 1.0, 1.0}}, {2, 1, 1});
     std::vector<int> held;
     for (Index i = 0; i < mesh.nodes.cols(); ++i)
         for (const double x : held_x)
             if (mesh.nodes(0, i) == x) held.push_back(static_cast<int>(i));
+    mesh.nodes *= edge_m;
     return model::make_body(mesh, fem::ElementKind::hex8, held);
 }
 
 TEST(ForcePlaces, RunFromTheClampToTheFarEnd) {
     for (const auto& [held, from_left] :
          {std::pair{std::vector<double>{0.0}, true}, {{2.0}, false}, {{}, true}, {{0.0, 2.0}, true}}) {
-        const model::BodyPointer body = block(held);
+        const double edge_m = 0.0213;  // coordinates of both ends do not cancel exactly
+        const model::BodyPointer body = block(held, edge_m);
         const VectorXd place = force_fields(*body, MissingForcePolicy{}).place;
         for (Index i = 0; i < place.size(); ++i) {
-            const double along = 0.5 * body->mesh.nodes(0, i);
+            const double along = 0.5 * body->mesh.nodes(0, i) / edge_m;
             EXPECT_NEAR(place(i), from_left ? along : 1.0 - along, 1e-12) << held.size();
         }
     }

@@ -20,12 +20,13 @@ using Eigen::VectorXd;
 
 /// Position of each node, 0 ... 1, from the centre of the supported nodes towards the centre of the body; along x if no
 /// node is held, or all around.
-VectorXd places(const model::Body& body) {
+VectorXd places(const model::Body& body, double min_offset) {
     const Matrix3Xd& X = body.mesh.nodes;
     const std::vector<int> held = model::support_nodes(body);
     Vector3d way = Vector3d::UnitX();
     if (!held.empty()) way = X.rowwise().mean() - Matrix3Xd(X(Eigen::all, held)).rowwise().mean();
-    if (!(way.norm() > 0.0)) way = Vector3d::UnitX();
+    const double size = (X.rowwise().maxCoeff() - X.rowwise().minCoeff()).norm();
+    if (!(way.norm() > min_offset * size)) way = Vector3d::UnitX();
     const VectorXd along = X.transpose() * way;
     const double lowest = along.minCoeff(), highest = along.maxCoeff();
     if (!(highest > lowest)) return VectorXd::Zero(X.cols());
@@ -104,7 +105,7 @@ sensitivity::SensitiveTrace unit_run(const measurement::MarkerSet& markers, effe
 
 ForceFields force_fields(const model::Body& body, const MissingForcePolicy& policy) {
     ForceFields fields;
-    fields.place = places(body);
+    fields.place = places(body, policy.min_offset);
     MatrixXd hats = MatrixXd::Zero(body.node_count(), policy.stations);
     for (Index i = 0; i < hats.rows(); ++i)
         for (Index j = 0; j < policy.stations; ++j)
