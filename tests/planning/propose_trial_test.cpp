@@ -119,6 +119,27 @@ until_s = 0.0
     }
 }
 
+/// A body whose length has three digits: rounded to two, the box of its free end would miss the face.
+TEST(TrialFamily, LoadsTheFreeEndOfABodyOfAnyLength) {
+    const test::Folder folder("family_free_end");
+    std::string text = test::planned_beam_toml();
+    const std::string size = "size_m = [0.1,";
+    folder.write("experiment.toml", text.replace(text.find(size), size.size(), "size_m = [0.112,"));
+    const setup::Setup setup = test::setup_in(folder);
+    for (const PossibleTrial& trial : trial_family(setup, {}, {})) text += trial_text(trial);
+    const Result<experiment::Experiment> read = experiment::read_experiment_text(text,
+                                                                                 folder.path() / "experiment.toml");
+    ASSERT_TRUE(read) << read.error().text();
+    int loads = 0;
+    for (const experiment::TrialDeclaration& trial : read->trials)
+        for (const experiment::LoadDeclaration& load : trial.loads) {
+            ++loads;
+            EXPECT_LT(load.box_m.lowest.x(), 0.112) << trial.name;
+            EXPECT_GT(load.box_m.highest.x(), 0.112) << trial.name;
+        }
+    EXPECT_GT(loads, 3);
+}
+
 /// Numbers of a box keep the digits of its margin: a face at 0.112 m lies in it, one at 0.11 m would not.
 TEST(TrialFamily, BoxesHoldTheirFaces) {
     for (const double face : {0.112, 0.1234, -0.0871, 0.0, 1.0}) {
