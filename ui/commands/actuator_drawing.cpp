@@ -114,7 +114,8 @@ void add_actuators(viewport::DrawnScene& drawn, const WorkbenchState& state, con
         drawn.positions.cols() != state.body->mesh.node_count())
         return;
     const MeshedBody& body = *state.body;
-    const std::vector<Index> numbers = drawn_numbers(body.boundary, *drawn.body);
+    const std::vector<Index> numbers = state.actuators.chambers.empty() ? std::vector<Index>()
+                                                                        : drawn_numbers(body.boundary, *drawn.body);
     std::size_t actuator = 0;
     for (const ShownChamber& chamber : state.actuators.chambers) {
         const viewport::Color color = actuator_color(state, theme, actuator++);

@@ -142,7 +142,7 @@ void EffectPanel::draw_added(PanelContext& context, std::size_t index) {
     };
     bool removed = false;
     if (effect_heading(context, item, effect.declaration.id, !effect.off, removed))
-        // Off, the effect keeps its values, but runs, fits and diagnoses leave it out.
+        // While it is off, the effect keeps its values, but runs, fits and diagnoses leave it out.
         emit(item + "/on", false, [&](commands::Settings& s) { s.effects[index].off = !effect.off; });
     if (removed)
         emit("effects", false,
