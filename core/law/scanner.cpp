@@ -57,8 +57,13 @@ void Scanner::advance() {
         // The longer sign wins: "<=" is not "<" and "=". A single "=" has no meaning.
         for (const std::string_view sign : long_signs)
             if (text_.substr(next_, 2) == sign) now_.text = text_.substr(next_, 2);
-        if (now_.text.size() == 1 && signs.find(c) == std::string_view::npos)
-            throw ExpressionError{next_, "\"" + std::string(1, c) + "\" has no meaning in an expression"};
+        if (now_.text.size() == 1 && signs.find(c) == std::string_view::npos) {
+            // The whole character of UTF-8: one of its bytes alone is no text.
+            std::size_t end = next_ + 1;
+            while (end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xC0u) == 0x80u) ++end;
+            throw ExpressionError{
+                next_, "\"" + std::string(text_.substr(next_, end - next_)) + "\" has no meaning in an expression"};
+        }
     }
     next_ += now_.text.size();
 }
