@@ -149,7 +149,7 @@ private:
         // A name that ends in a unit says what it should be.
         const std::string words = unit_of_name(name);
         const std::optional<Unit> named = words.empty() ? std::nullopt : unit_from_words(words);
-        if (named && quantity.unit && *named != *quantity.unit)
+        if (named && quantity.unit && *named != *quantity.unit && !is_zero(quantity, law_.expressions))
             fail(Part::definition, index,
                  "\"" + name + "\" has the unit " + to_string(*quantity.unit) + ", and its name says " +
                      to_string(*named),

@@ -244,18 +244,14 @@ std::variant<Quantity, ExpressionError> parsed_as(std::string_view text, const N
     std::variant<Quantity, ExpressionError> result = parsed(text, names, expressions);
     auto* const quantity = std::get_if<Quantity>(&result);
     if (!quantity) return result;
-    // The number 0 has every unit, and stands for the zero vector.
-    const auto is_zero = [&] {
-        // A constant by simplification counts too, such as 0 * x.
-        const Term& term = expressions.term(quantity->node());
-        return quantity->shape == Shape::number && term.operation == Operation::constant && term.value == 0.0;
-    };
-    if (shape == Shape::vector && is_zero())
+    // A constant by simplification is 0 too, such as 0 * x.
+    const bool zero = is_zero(*quantity, expressions);
+    if (shape == Shape::vector && quantity->shape == Shape::number && zero)
         *quantity = {Shape::vector, {quantity->node(), quantity->node(), quantity->node()}, unit};
     if (quantity->shape != shape)
         return ExpressionError{
             0, std::string("the expression is ") + to_string(quantity->shape) + ", and must be " + to_string(shape)};
-    if (unit && quantity->unit && *unit != *quantity->unit && !is_zero())
+    if (unit && quantity->unit && *unit != *quantity->unit && !zero)
         return ExpressionError{0, "the expression has the unit " + to_string(*quantity->unit) + ", and must have " +
                                       to_string(*unit) + "; a number with a unit is written 1000[kg/m3]"};
     return result;

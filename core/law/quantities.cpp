@@ -13,6 +13,15 @@ const char* to_string(Shape shape) {
     return "";
 }
 
+bool is_zero(const Quantity& a, const Expressions& expressions) {
+    if (a.shape == Shape::condition) return false;
+    const std::ptrdiff_t count = a.shape == Shape::vector ? 3 : 1;
+    return std::all_of(a.nodes.begin(), a.nodes.begin() + count, [&](Node node) {
+        const Term& term = expressions.term(node);
+        return term.operation == Operation::constant && term.value == 0.0;
+    });
+}
+
 namespace {
 
 /// Unit of a product or quotient; unknown if one of its units is.
@@ -34,22 +43,15 @@ void Quantities::need(const Quantity& a, Shape shape, const std::string& what, s
 }
 
 void Quantities::need_plain(const Quantity& a, const std::string& what, std::size_t column) const {
-    if (a.unit && !a.unit->is_plain() && !is_zero(a))
+    if (a.unit && !a.unit->is_plain() && !is_zero(a, e_))
         throw ExpressionError{column, what + " must be a plain number, but has the unit " + to_string(*a.unit)};
-}
-
-bool Quantities::is_zero(const Quantity& a) const {
-    const std::size_t count = a.shape == Shape::vector ? 3 : 1;
-    return std::all_of(a.nodes.begin(), a.nodes.begin() + static_cast<std::ptrdiff_t>(count), [&](Node node) {
-        return e_.term(node).operation == Operation::constant && e_.term(node).value == 0.0;
-    });
 }
 
 std::optional<Unit> Quantities::common_unit(const Quantity& a, const Quantity& b, const std::string& what,
                                             std::size_t column) const {
     // The order matters: a 0 takes the unit of the other side, and only then an unknown unit takes the known one.
-    if (is_zero(a)) return b.unit;
-    if (is_zero(b) || !b.unit) return a.unit;
+    if (is_zero(a, e_)) return b.unit;
+    if (is_zero(b, e_) || !b.unit) return a.unit;
     if (!a.unit) return b.unit;
     if (*a.unit == *b.unit) return a.unit;
     throw ExpressionError{column, "the units of the two sides of " + what + " differ: " + to_string(*a.unit) + " and " +
@@ -142,7 +144,7 @@ Quantity Quantities::vector(const std::vector<Quantity>& parts, std::size_t colu
         need(parts[i], Shape::number, "a component of a vector", column);
         result.nodes[i] = parts[i].node();
         const std::optional<Unit> common = common_unit(with_unit, parts[i], "a comma", column);
-        if (is_zero(with_unit)) with_unit = parts[i];
+        if (is_zero(with_unit, e_)) with_unit = parts[i];
         with_unit.unit = common;
     }
     result.unit = with_unit.unit;

@@ -54,7 +54,6 @@ private:
                                     std::size_t column) const;
     /// Throws if the quantity has a known unit and is not 0.
     void need_plain(const Quantity& a, const std::string& what, std::size_t column) const;
-    bool is_zero(const Quantity& a) const;
     /// max() or min() of two numbers or more; of equal ones max() returns the first, min() the last.
     Quantity extreme(bool largest, const std::vector<Quantity>& arguments, std::size_t column);
     /// if(condition, a, b); the number 0 stands for a zero vector as well.

@@ -23,4 +23,9 @@ struct Quantity {
     Node node() const { return nodes[0]; }
 };
 
+/// Whether a number or all components of a vector are the constant 0, which fits every unit.
+///
+/// @param expressions  to which the nodes belong
+bool is_zero(const Quantity& a, const Expressions& expressions);
+
 }  // namespace myo::law

@@ -131,8 +131,10 @@ Quantity Quantities::choice(const std::vector<Quantity>& arguments, std::size_t 
     need(condition, Shape::condition, "the first argument of if()", column);
     // The number 0 stands for the zero vector as well.
     const bool mixed = then.shape != other.shape;
-    const auto stands_in = [&](const Quantity& a) { return a.shape == Shape::number && is_zero(a); };
-    if (mixed && !stands_in(then) && !stands_in(other))
+    const auto stands_in = [&](const Quantity& a, const Quantity& vector_beside) {
+        return a.shape == Shape::number && is_zero(a, e_) && vector_beside.shape == Shape::vector;
+    };
+    if (mixed && !stands_in(then, other) && !stands_in(other, then))
         throw ExpressionError{column, std::string("the two values of if() are ") + to_string(then.shape) + " and " +
                                           to_string(other.shape)};
     Quantity result{mixed ? Shape::vector : then.shape, {-1, -1, -1}, common_unit(then, other, "if()", column)};
