@@ -39,6 +39,11 @@ report::Json rival_json(const std::vector<std::string>& ids) {
     return ids.size() == 1 ? report::Json(ids.front()) : report::Json(ids);
 }
 
+/// Both rivals. A plain list of two pairs of words would become an object.
+report::Json separated_json(const Proposal& proposal) {
+    return report::Json::array({rival_json(proposal.rivals[0]), rival_json(proposal.rivals[1])});
+}
+
 /// A trial with its rating, or with the reason why it could not be run.
 report::Json rated_json(const RatedTrial& rated) {
     report::Json json{{"name", rated.trial.name}, {"what", rated.trial.words}};
@@ -76,7 +81,7 @@ report::Json next_experiment_json(const Proposal& proposal) {
     const RatedTrial* const best = proposal.best();
     assert(best);
     report::Json json{{"trial", trial_text(best->trial)},
-                      {"separates", {rival_json(proposal.rivals[0]), rival_json(proposal.rivals[1])}},
+                      {"separates", separated_json(proposal)},
                       {"probability", report::json_number(best->probability)},
                       {"what", best->trial.words}};
     if (best->trial.signal) json["signal"] = signal_file;
@@ -89,7 +94,7 @@ report::Json proposal_json(const Proposal& proposal, const std::string& experime
                       {"alpha", proposal.alpha},
                       {"noise_m", report::json_number(proposal.noise_m)},
                       {"numerical_error_m", report::json_number(proposal.numerical_error_m)},
-                      {"separates", {rival_json(proposal.rivals[0]), rival_json(proposal.rivals[1])}}};
+                      {"separates", separated_json(proposal)}};
     if (proposal.best()) json["next_experiment"] = next_experiment_json(proposal);
     json["trials"] = report::Json::array();
     for (const RatedTrial& rated : proposal.trials) json["trials"].push_back(rated_json(rated));
