@@ -109,7 +109,8 @@ private:
         for (const int c : p_.children[static_cast<std::size_t>(s)]) assemble(c, L, left);
         Eigen::Ref<Matrix> top = L.topRows(columns);
         const Eigen::LLT<Eigen::Ref<Matrix>> cholesky(top);  // in place
-        if (cholesky.info() != Eigen::Success) {
+        // A pivot that is no number passes the test of its sign, and makes the last one of its block the same.
+        if (cholesky.info() != Eigen::Success || !(top(columns - 1, columns - 1) > Scalar(0))) {
             definite_ = false;
             return;
         }
