@@ -47,10 +47,10 @@ TEST(Cofactors, AreThoseOfLinearAlgebraForSingularMatricesToo) {
     for (const Matrix3d& A : all) {
         const double size = A.norm();
         EXPECT_LT((cofactor(A) * A.transpose() - A.determinant() * Matrix3d::Identity()).norm(),
-                  1e-14 * size * size * size + 1e-300);
+                  1e-13 * size * size * size + 1e-300);
         // Areas: cof A (a x b) = A a x A b.
         const Vector3d a(0.3, -1.0, 0.5), b(1.0, 0.2, -0.7);
-        EXPECT_LT((cofactor(A) * a.cross(b) - (A * a).cross(A * b)).norm(), 1e-14 * size * size + 1e-300);
+        EXPECT_LT((cofactor(A) * a.cross(b) - (A * a).cross(A * b)).norm(), 1e-13 * size * size + 1e-300);
         for (const Matrix3d& B : all)
             EXPECT_LT((cofactor(Matrix3d(A * B)) - cofactor(A) * cofactor(B)).norm(),
                       1e-13 * size * size * B.squaredNorm() + 1e-300);
@@ -75,15 +75,15 @@ TEST(TangentEntries, CountInTheOrderOfColumns) {
 TEST(SignedValues, RestoreTheMatrixByTwoRotations) {
     for (const Matrix3d& A : matrices()) {
         const SignedSvd svd = signed_svd(A);
-        EXPECT_LT((svd.U * svd.sigma.asDiagonal() * svd.V.transpose() - A).norm(), 1e-14 * (A.norm() + 1e-8));
+        EXPECT_LT((svd.U * svd.sigma.asDiagonal() * svd.V.transpose() - A).norm(), 1e-13 * (A.norm() + 1e-8));
         for (const Matrix3d& Q : {svd.U, svd.V}) {
-            EXPECT_LT((Q.transpose() * Q - Matrix3d::Identity()).norm(), 1e-14);
-            EXPECT_NEAR(Q.determinant(), 1.0, 1e-14);
+            EXPECT_LT((Q.transpose() * Q - Matrix3d::Identity()).norm(), 1e-13);
+            EXPECT_NEAR(Q.determinant(), 1.0, 1e-13);
         }
         EXPECT_GE(svd.sigma(0), svd.sigma(1));
         EXPECT_GE(svd.sigma(1), std::abs(svd.sigma(2))) << "only the smallest may be negative";
         EXPECT_GE(svd.sigma(1), 0.0);
-        EXPECT_NEAR(svd.sigma.prod(), A.determinant(), 1e-14 * std::pow(A.norm(), 3) + 1e-300);
+        EXPECT_NEAR(svd.sigma.prod(), A.determinant(), 1e-13 * std::pow(A.norm(), 3) + 1e-300);
     }
 }
 
