@@ -84,7 +84,7 @@ long count_of(const CellSurroundings& around, CellSides wanted) {
 
 TEST(CellSides, OfTetrahedraInLayers) {
     for (const ElementKind kind : {ElementKind::tet4, ElementKind::tet10}) {
-        // One layer, clamped at a side or not: every cell reaches across it.
+        // In a single layer, clamped at a side or not, every cell reaches across it.
         const mesh::VolumeMesh plate = grid(kind, {4, 4, 1});
         EXPECT_EQ(count_of(cell_surroundings(plate, nodes_at(plate, 0, -1.0)), CellSides::free), plate.cell_count());
         EXPECT_EQ(count_of(cell_surroundings(plate, nodes_at(plate, 0, 0.0)), CellSides::free), plate.cell_count());

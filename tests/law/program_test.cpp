@@ -19,7 +19,7 @@ using ::testing::ElementsAre;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 const double none = std::nan("");
 
-/// All operations on operands.
+/// Every operation on operands.
 std::vector<Operation> operations() {
     std::vector<Operation> all;
     for (int i = static_cast<int>(Operation::add); i <= static_cast<int>(Operation::choose); ++i)

@@ -162,7 +162,7 @@ TEST(StrainStiffening, AddsTheSquareOfTheEnergyToEveryLaw) {
         }
 }
 
-/// Both kinds of evaluation, and the law stays linear in its moduli.
+/// Points and lanes agree, and the law stays linear in its moduli.
 TEST(StrainStiffening, IsLinearInTheModuliAndTheSameInLanes) {
     const MaterialPointer law = strain_stiffening(neo_hookean(), 0.6);
     for (const Matrix3d& F : test::sample_deformations()) {

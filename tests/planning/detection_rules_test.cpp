@@ -24,7 +24,7 @@ using Eigen::VectorXd;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// The same difference a in n rows of each of B blocks: B n a^2 / (1 + e^2 n), however many samples there are.
+/// An equal difference a in n rows of each of B blocks: B n a^2 / (1 + e^2 n), however many samples there are.
 TEST(DetectionRules, NumericalErrorBoundsWhatSamplesCanShow) {
     const double a = 0.3, e = 0.12;
     for (const Eigen::Index n : {1, 10, 1000})
@@ -138,7 +138,7 @@ TEST_F(RivalsOfReports, AreTheHeaviestFitsThatHoldOneAndNotTheOther) {
     ASSERT_TRUE(heaviest) << heaviest.error().text();
     EXPECT_TRUE((*heaviest)[0].ids.empty());
     EXPECT_THAT((*heaviest)[1].ids, ElementsAre("linear_drag"));
-    // Of equal weights, the order of the report.
+    // Where weights are equal, the order of the report counts.
     const auto equal = rivals("[]", lone + ", " + candidate("point_mass", R"({"weight": 0.1})"), "", "0.1");
     ASSERT_TRUE(equal);
     EXPECT_TRUE((*equal)[0].ids.empty());

@@ -70,7 +70,7 @@ TEST(Iterations, GuessesCountAndExactOnesCostNothing) {
     EXPECT_TRUE(mixed.converged);
     EXPECT_EQ(mixed.solution.col(1), exact.col(1));
     EXPECT_LT((mixed.solution - exact).norm(), 1e-9);
-    // Of a zero right-hand side the solution is 0, whatever was guessed.
+    // A zero right-hand side has the solution 0, whatever was guessed.
     MatrixXd with_zero = B;
     with_zero.col(0).setZero();
     const ConjugateGradientReport zero = conjugate_gradient(times(A), same, with_zero, 1e-10, 50, exact);

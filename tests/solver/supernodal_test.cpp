@@ -124,7 +124,7 @@ TEST(SupernodalFactor, ScalesOfUnknownsChangeNoDigit) {
     EXPECT_EQ(MatrixXd(scale.asDiagonal() * other.solve(scale.asDiagonal() * B)), plain.solve(B));
 }
 
-/// Each with one entry that spoils it; the factor is empty then, and the next matrix finds it usable.
+/// One entry spoils each of these; the factor is empty then, and the next matrix finds it usable.
 TEST(SupernodalFactor, RefusesWhatIsNotPositiveDefinite) {
     const double none = std::nan(""), infinite = std::numeric_limits<double>::infinity();
     for (const SymmetricSparse& good : {dense_matrix(20), test::laplacian(6, 5, 4, 0.1)}) {
