@@ -85,7 +85,10 @@ public:
         return std::make_shared<CavityPressure>(walls_, pressure_Pa, words_, factor_);
     }
     std::string command_words(double time_s, bool before) const override {
-        return format_number(before ? pressure_.value_before(time_s) : pressure_.value(time_s), 4) + " Pa in " + words_;
+        const double p = before ? pressure_.value_before(time_s) : pressure_.value(time_s);
+        // Four digits, and whole pascals beyond: the pressures of chambers have no exponent.
+        const bool is_large = std::abs(p) >= 1e3;
+        return format_number(is_large ? std::round(p) : p, is_large ? 9 : 4) + " Pa in " + words_;
     }
 
     std::vector<ForceParameter> parameters() const override {
