@@ -71,6 +71,7 @@ TEST(ProbesOfTheCatalogue, AreDeclarationsWithinTheirRanges) {
 
 /// What an experiment cannot show is not sought.
 TEST(ProbesOfTheCatalogue, AreEmptyWhereNothingCanShow) {
+    const EffectSearch whole = full_search();
     using Change = std::function<void(EffectSearch&)>;
     const Change no_signals = [](EffectSearch& search) {
         for (model::Model& model : search.models) model.activation = {fibre::Signal::constant(1.0)};
@@ -109,7 +110,7 @@ TEST(ProbesOfTheCatalogue, AreEmptyWhereNothingCanShow) {
              {"actuation_gain", held, true},
              {"actuation_leak", held, true},
              {"actuation_hysteresis", held, true}}) {
-        EffectSearch search = full_search();
+        EffectSearch search = whole;
         EXPECT_TRUE(!probes_of(c.id, search).empty() || c.id == "tendon_friction") << c.id;
         c.change(search);
         EXPECT_EQ(!probes_of(c.id, search).empty(), c.found) << c.id;

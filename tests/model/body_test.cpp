@@ -79,7 +79,8 @@ TEST(BlockPattern, GathersAndScattersWhatIsFree) {
 TEST(BlockPattern, AddsBlocksOfCellsAndCouplings) {
     for (const fem::ElementKind kind : {fem::ElementKind::hex8, fem::ElementKind::tet10}) {
         const std::vector<int> far{15, 0, 8, 1};
-        const BodyPointer body = bar({1, 4}, {}, {{}, far}, kind);
+        const bool is_hex = kind == fem::ElementKind::hex8;
+        const BodyPointer body = bar({1, 4}, {}, {{}, far}, kind, {is_hex ? 3 : 1, 1, 1});
         const auto& cells = body->mesh.cells;
         const auto per_cell = static_cast<std::size_t>(cells.rows());
         MatrixXd dense = MatrixXd::Zero(body->dofs(), body->dofs());

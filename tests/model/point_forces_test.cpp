@@ -98,7 +98,7 @@ TEST(TiedSpring, HasTheStiffnessOfItsEnergyAndNoNegativeOneWhereNoneIsAllowed) {
     }
 }
 
-/// Its force is proportional to its only parameter; a spring of none has a scale for its changes all the same.
+/// The force is proportional to the only parameter; a spring of none has a scale for its changes all the same.
 TEST(TiedSpring, IsLinearInItsStiffness) {
     const Pointed p;
     const Vector3d anchor = p.point + Vector3d(0.0, 0.0, 0.1);

@@ -126,7 +126,7 @@ TEST(StepCoefficients, ChangeWithTheVelocityForceAsTheirDifferences) {
             EXPECT_EQ(by.rate_factor_1_s[k], 0.0);
         }
     }
-    // It drives a free mass on: with implicit Euler by Lambda h in a step.
+    // A free mass is driven on: with implicit Euler by Lambda h in a step.
     const VectorXd end = stepped(step_coefficients(Integrator::implicit_euler, h, h, lambda),
                                  fields_of(0.0, 1.0, 0.0, 0.0), 0.0);
     EXPECT_NEAR(end(v_field), 1.0 + lambda * h, 1e-12);
