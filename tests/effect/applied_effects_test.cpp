@@ -2,12 +2,13 @@
 
 #include <Eigen/Core>
 
-#include <cmath>
 #include <limits>
-#include <map>
 #include <string>
 #include <vector>
 
+#include "measurement/marker_binding.hpp"
+#include "mesh/closest_point.hpp"
+#include "model/directional_mass.hpp"
 #include "model/elastic_bed.hpp"
 #include "trial_context.hpp"
 

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/block_pattern.hpp"
 #include "model/held_nodes.hpp"
 #include "model/rest_points.hpp"
 #include "support/dense.hpp"

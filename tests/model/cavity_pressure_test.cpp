@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "fibre/signal.hpp"
+#include "mesh/box_mesh.hpp"
+#include "model/body.hpp"
 #include "model/force_of.hpp"
 #include "support/hollow.hpp"
 #include "support/meshes.hpp"

@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 
-#include <string>
 #include <vector>
 
 #include "fibre/signal.hpp"
@@ -17,7 +16,6 @@
 namespace myo::model::command_tests {
 namespace {
 
-using Eigen::Index;
 using Eigen::Matrix3Xd;
 using Eigen::VectorXd;
 using fibre::Signal;

@@ -21,7 +21,6 @@ namespace {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
-using Eigen::VectorXd;
 using fibre::Signal;
 using test::force_of;
 using test::moved_by;
