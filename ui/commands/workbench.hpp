@@ -288,7 +288,11 @@ private:
     /// Says why an edit of the declaration was refused.
     void refuse(const Error& error);  // workbench_declaration.cpp
     /// Shows the scene with another declaration. Returns false, with a message, if that is not possible.
-    bool redeclare(const Declaration& declaration);  // workbench_declaration.cpp
+    ///
+    /// @param body  that is shown with it; null: none
+    bool redeclare(const Declaration& declaration, const MeshedBody* body);  // workbench_declaration.cpp
+    /// As redeclare(), and takes the declaration into the settings. Does nothing if they have it.
+    bool take_declaration(const Declaration& declaration, const MeshedBody* body);
     /// Computes the critical velocity force for the present settings.
     void check_stability();
     /// Shows a trial from its start. An index out of range is limited.

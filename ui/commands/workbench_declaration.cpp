@@ -58,9 +58,9 @@ void Workbench::refuse(const Error& error) {
     log_failure(error, "Not changed");
 }
 
-bool Workbench::redeclare(const Declaration& declaration) {
+bool Workbench::redeclare(const Declaration& declaration, const MeshedBody* body) {
     if (!state_.scene) return true;
-    Result<Scene> scene = backend_->redeclared(*state_.scene, declaration, state_.body.get());
+    Result<Scene> scene = backend_->redeclared(*state_.scene, declaration, body);
     if (!scene) {
         refuse(scene.error());
         return false;

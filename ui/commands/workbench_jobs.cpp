@@ -129,9 +129,12 @@ void Workbench::on(const RestoreRecord& command) {
     const JobRecord* const found = state_.record(command.id);
     if (!found || !found->can_be_restored()) return;
     const JobRecord record = *found;
+    // The declaration alone can be refused, so it comes before anything else is changed.
+    const Settings before = state_.settings;
+    if (!take_declaration(record.settings.declaration, record.on.body.get())) return;
     // An undo entry, so that the user can return to the settings before the restore.
-    if (!(record.settings == state_.settings)) undo_.record(state_.settings, "restore", false);
-    // The body first: muscles are placed on it, and the frames of the run have its nodes.
+    if (!(record.settings == before)) undo_.record(before, "restore", false);
+    // Then the body: muscles are placed on it, and the frames of the run have its nodes.
     show_body(record.on);
     state_.run.reset();
     state_.found.reset();

@@ -217,7 +217,9 @@ void Workbench::show_body(const PlacedBody& on) {
     if (on.body == state_.body) return;
     stop_live();
     state_.body = on.body;
-    state_.actuators = on.body->actuators;
+    // The mesh has the actuators of its time; edits since then may have moved them on it.
+    const bool as_meshed = on.settings.declaration == state_.settings.declaration;
+    state_.actuators = as_meshed ? on.body->actuators : backend_->actuators(*state_.scene, *on.body);
     state_.ground = on.ground;
     state_.body_settings = on.settings;
     place_muscles();

@@ -172,11 +172,12 @@ void Workbench::show_found(const std::string& verb, SearchResult result) {
     const SearchResult& found = *state_.found;
     // Settings that were edited during the search are not overwritten.
     const bool untouched = state_.settings == request_->settings;
-    if (untouched) {
-        undo_.record(state_.settings, verb, false);
+    const Settings before = state_.settings;
+    // A refusal leaves the settings as they are, and says why.
+    if (untouched && set_settings(found.settings)) {
+        undo_.record(before, verb, false);
         state_.can_undo = true;
         state_.can_redo = false;
-        set_settings(found.settings);
     }
     // Shares the ownership of the result instead of copying its run.
     show_run(std::shared_ptr<const RunResult>(state_.found, &found.run), found.settings);

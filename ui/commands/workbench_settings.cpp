@@ -39,7 +39,7 @@ void Workbench::change_settings(const ChangeSettings& change) {
 bool Workbench::set_settings(const Settings& settings) {
     // All changes of the settings pass here: commands, undo, restored jobs and results of searches.
     // The declaration first, as it alone can be refused; the preview last, as it runs with all that was set before.
-    if (!(settings.declaration == state_.settings.declaration) && !redeclare(settings.declaration)) return false;
+    if (!take_declaration(settings.declaration, state_.body.get())) return false;
     state_.settings = settings;
     state_.muscle = std::clamp(state_.muscle, 0, std::max(0, static_cast<int>(settings.muscles.size()) - 1));
     place_muscles();
@@ -48,6 +48,13 @@ bool Workbench::set_settings(const Settings& settings) {
     if (state_.scene)
         state_.prediction = no_smaller_than_coarser(backend_->predict(*state_.scene, settings), state_, settings);
     want_preview();
+    return true;
+}
+
+bool Workbench::take_declaration(const Declaration& declaration, const MeshedBody* body) {
+    if (declaration == state_.settings.declaration) return true;
+    if (!redeclare(declaration, body)) return false;
+    state_.settings.declaration = declaration;
     return true;
 }
 
