@@ -59,7 +59,7 @@ void add_obstacles(viewport::DrawnScene& drawn, const WorkbenchState& state, con
 
 /// Colours of parts follow those of muscles, chambers and tendons.
 const ImVec4& part_color(const WorkbenchState& state, const platform::Theme& theme, std::size_t part) {
-    const std::size_t before = state.settings.muscles.size() + (state.body ? state.body->actuators.count() : 0);
+    const std::size_t before = state.settings.muscles.size() + state.actuators.count();
     return theme.muscle(static_cast<int>(before + part));
 }
 
