@@ -123,7 +123,8 @@ std::vector<double> sides(const commands::ClipPlane& plane) {
         EXPECT_TRUE(Box({Vector3d::Constant(-1e-12), Vector3d::Constant(1.0 + 1e-12)}).contains(points.col(i)));
         lengths.push_back((points.col(i + 1) - points.col(i)).norm());
     }
-    if (points.cols() > 0) EXPECT_EQ(points.col(0), points.col(points.cols() - 1)) << "closed";
+    const bool closed = points.cols() == 0 || points.col(0) == points.col(points.cols() - 1);
+    EXPECT_TRUE(closed);
     return lengths;
 }
 

@@ -17,7 +17,6 @@ using Eigen::Vector3d;
 using viewport::Camera;
 using viewport::DrawnSurface;
 using viewport::Ray;
-using viewport::SurfaceHit;
 using viewport::ViewSize;
 
 const ViewSize size{400, 300};

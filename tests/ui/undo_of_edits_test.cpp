@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "fibre/cell_paint.hpp"
@@ -60,7 +61,7 @@ TEST(UndoOfEdits, EveryNumberAndChoiceOfTheSettings) {
                                    [](Settings& s) {
                                        s.off = {{0, "linear_drag"}};
                                    }},
-                                  {"muscle", [](Settings& s) { s.muscles = {{.name = "left", .declared = ""}}; }},
+                                  {"muscle", [](Settings& s) { s.muscles.resize(1); }},
                                   {"mesh words", [](Settings& s) { s.declaration.mesh_words = "another clamp"; }}};
     BareWorkbench bench;
     bench.open_beam();
