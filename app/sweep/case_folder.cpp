@@ -177,7 +177,9 @@ Result<CaseMarker> run_case(const CaseRunner& runner, const SweepCase& sweep_cas
     CaseMarker marker{.fingerprint = fingerprint_text(sweep_case), .state = CaseState::running};
     std::error_code code;
     // A command whose sweep was killed may still work here; it holds the lock of its folder.
-    if (fs::exists(folder, code) && !FolderLock::take(folder)) return marker;
+    const Result<bool> used = fs::is_directory(folder, code) ? FolderLock::is_taken(folder) : Result<bool>(false);
+    if (!used) return used.error();
+    if (*used) return marker;
     if (const Result<void> cleared = clear(folder); !cleared) return cleared.error();
     // Before anything else is written: the folder is then known as one of a sweep.
     if (const Result<void> begun = write_marker(folder, sweep_case.number, marker); !begun) return begun.error();

@@ -33,6 +33,8 @@ std::string owner_words(const fs::path& file) {
     return known ? ", process " + id->substr(0, id->find('\n')) : "";
 }
 
+fs::path lock_file_in(const fs::path& folder) { return folder / ".myoloop.lock"; }
+
 /// Hidden lock file beside a file.
 fs::path lock_file_of(const fs::path& file) { return file.parent_path() / ("." + file.filename().string() + ".lock"); }
 
@@ -46,10 +48,16 @@ void write_owner(int descriptor) {
 }  // namespace
 
 Result<FolderLock> FolderLock::take(const fs::path& folder) {
-    return take(folder / ".myoloop.lock", [&](const std::string& owner) {
+    return take(lock_file_in(folder), [&](const std::string& owner) {
         return folder.string() + " is used by another run of myoloop" + owner +
                "; wait for it or choose another folder";
     });
+}
+
+Result<bool> FolderLock::is_taken(const fs::path& folder) {
+    const Result<std::optional<FolderLock>> lock = take_if_free(lock_file_in(folder));
+    if (!lock) return lock.error();
+    return !lock->has_value();
 }
 
 Result<FolderLock> FolderLock::take_file(const fs::path& file) {

@@ -19,6 +19,9 @@ public:
     /// Errors: "DIR is used by another run of myoloop, process 1234; wait for it or choose another folder"; or the lock
     /// file cannot be created.
     static Result<FolderLock> take(const std::filesystem::path& folder);
+    /// Whether another process has the lock of a folder now.
+    /// Errors: the lock file cannot be created.
+    static Result<bool> is_taken(const std::filesystem::path& folder);
     /// Takes the lock of one file without waiting, by a hidden lock file beside it: `.NAME.lock`.
     /// Errors: "FILE is open in another window of Myoloop, process 1234"; or the lock file cannot be created.
     static Result<FolderLock> take_file(const std::filesystem::path& file);
