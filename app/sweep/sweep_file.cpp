@@ -124,6 +124,7 @@ Varied read_seeds(const TomlReader& reader, const TomlValue& seeds, const Sweep&
         varied.values = seeds.items;
     } else {
         const double count = reader.number("seeds", toml::between(1.0, static_cast<double>(policy.most_cases)));
+        if (count != std::floor(count)) reader.fail("seeds", "must be a whole number");
         for (double seed = 1.0; seed <= count; ++seed) varied.values.push_back(number_value(seed, seeds.where));
     }
     if (varied.values.empty()) reader.fail("seeds", "holds no value");
