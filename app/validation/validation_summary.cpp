@@ -23,7 +23,8 @@ std::vector<ConfidenceBin> reliability_of(const std::vector<CaseRecord>& records
         double sum = 0.0;
         for (const CaseRecord& record : records) {
             const bool last = i + 2 == std::size(bin_edges);
-            if (!record.answered() || record.confidence < bin.from ||
+            // A confidence that is not stated falls into no bin.
+            if (!record.answered() || !(record.confidence >= bin.from) ||
                 (last ? record.confidence > bin.to : record.confidence >= bin.to))
                 continue;
             bin.right.add(record.right());
