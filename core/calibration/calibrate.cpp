@@ -249,9 +249,7 @@ std::vector<std::string> calibration_warnings(const setup::Setup& setup, const C
     // 1 % in cost separates distinct minima from different ends of the same one.
     for (const CalibrationStart& start : calibration.starts)
         if (start.status == inverse::FitStatus::converged && start.cost_after > 1.01 * fit.cost_after) {
-            warnings.push_back(
-                "starts converged to different values: there are several minima, of which the one with the least cost "
-                "is given");
+            warnings.emplace_back(several_minima);
             break;
         }
     if (calibration.stopped) return warnings;  // missing runs are due to the user's cancellation

@@ -77,6 +77,10 @@ struct Calibration {
     std::string undetermined_reason(std::size_t parameter) const;
 };
 
+/// Among Calibration::warnings where starts ended apart.
+inline constexpr const char* several_minima =
+    "starts converged to different values: there are several minima, of which the one with the least cost is given";
+
 /// Fits the unknowns to the fit trials (weighted least squares), then predicts the validation trials with declared
 /// and with fitted values.
 ///
@@ -89,7 +93,8 @@ Calibration calibrate(const setup::Setup& setup, const CalibrationSettings& sett
 
 /// calibrate() with time steps suited to the fitted values. If the steps chosen for the declared values are too long
 /// for the fitted ones, shorter steps are set in the setup and the fit continues. Steps that are not choosable() are
-/// kept. Evaluations of all fits but the last count as earlier ones. Also sets Calibration::numerical.
+/// kept. Evaluations of all fits but the last count as earlier ones, unless there were several starts: then the ends of
+/// these and of each fit after them are listed. Also sets Calibration::numerical.
 ///
 /// @param setup  receives the final time steps
 Calibration calibrate_with_chosen_steps(setup::Setup& setup, CalibrationSettings settings = {},

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <string>
 #include <utility>
 
 #include "base/stopwatch.hpp"
@@ -12,6 +14,22 @@ namespace {
 // Evaluations of this fit and of those that it continues.
 int all_evaluations(const Calibration& calibration) {
     return calibration.evaluations() + calibration.earlier_evaluations;
+}
+
+/// Makes a fit the continuation of one before it. Where that had several starts, their ends and what they tell of other
+/// minima stay in the result; otherwise only its evaluations count.
+void continue_from(const Calibration& before, Calibration& next) {
+    if (before.settings.starts < 2) {
+        next.earlier_evaluations += all_evaluations(before);
+        return;
+    }
+    next.settings.starts = before.settings.starts;
+    next.starts.insert(next.starts.begin(), before.starts.begin(), before.starts.end());
+    next.earlier_evaluations += before.earlier_evaluations;
+    const auto told = [](const Calibration& calibration) {
+        return std::count(calibration.warnings.begin(), calibration.warnings.end(), several_minima) > 0;
+    };
+    if (told(before) && !told(next)) next.warnings.emplace_back(several_minima);
 }
 
 /// Fit, repeated with shorter steps as long as the fitted values require them.
@@ -29,10 +47,9 @@ Calibration fit_with_chosen_steps(setup::Setup& setup, CalibrationSettings setti
             settings.from[calibration.parameters[i].parameter.name] = calibration.fit.values(
                 static_cast<Eigen::Index>(i));
         settings.starts = 1;
-        const int evaluations = all_evaluations(calibration);
         Calibration next = calibrate(setup, settings, progress);
         if (!next.usable()) break;  // cancelled at once: keep the values found with longer steps
-        next.earlier_evaluations = evaluations;
+        continue_from(calibration, next);
         next.seconds += calibration.seconds;
         calibration = std::move(next);
     }
@@ -57,8 +74,10 @@ Calibration fit_of_all_periods(setup::Setup& setup, CalibrationSettings settings
     if (again.fit.converged() && again.fit.cost_after < calibration.fit.cost_after) {
         std::swap(calibration, again);
         std::swap(setup, other);
+        continue_from(again, calibration);
+    } else {
+        calibration.earlier_evaluations += all_evaluations(again);
     }
-    calibration.earlier_evaluations += all_evaluations(again);
     calibration.seconds = first_s + watch.seconds();
     return calibration;
 }
