@@ -183,7 +183,9 @@ int diagnose_command(const DiagnoseCall& call) {
         return status_failed;
     }
     // Not an essential part: without a proposal the diagnosis is complete.
-    const std::optional<planning::Proposal> next = next_experiment(setup, d, declaration_of(call), progress);
+    const Result<std::optional<planning::Proposal>> found = next_experiment(setup, d, declaration_of(call), progress);
+    if (!found) console.warn("no further trial is proposed: " + found.error().text());
+    const std::optional<planning::Proposal> next = found ? *found : std::nullopt;
     results::RunFacts facts = run_facts(call, setup_s);
     facts.findings = check::check_after({diagnosis::as_diagnosed(d, setup), &d.after}, before);
     tell_findings(facts.findings, before, console);

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "base/progress.hpp"
+#include "base/result.hpp"
 #include "diagnosis/diagnosis.hpp"
 #include "planning/propose_trial.hpp"
 
@@ -14,8 +15,11 @@ namespace myo::app {
 ///
 /// @param setup        as given to the diagnosis
 /// @param declaration  file of the experiment
-std::optional<planning::Proposal> next_experiment(const setup::Setup& setup, const diagnosis::Diagnosis& diagnosis,
-                                                  const std::filesystem::path& declaration, const Progress& progress);
+/// Errors: the declaration cannot be read, as it is or with a further trial.
+Result<std::optional<planning::Proposal>> next_experiment(const setup::Setup& setup,
+                                                          const diagnosis::Diagnosis& diagnosis,
+                                                          const std::filesystem::path& declaration,
+                                                          const Progress& progress);
 
 /// Writes the signal of the best trial into a folder, if it has one; its name is planning::signal_file. Errors: the
 /// file cannot be written.
