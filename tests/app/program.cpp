@@ -47,7 +47,8 @@ std::string content_of(const fs::path& path) {
 
 int count_lines(const std::string& text) { return static_cast<int>(std::count(text.begin(), text.end(), '\n')); }
 
-ProgramRun run_program(const std::vector<std::string>& arguments, const std::string& interrupt_when, double limit_s) {
+ProgramRun run_program(const std::vector<std::string>& arguments, const std::string& interrupt_when, double limit_s,
+                       int signal) {
     const fs::path program = fs::path(MYOLOOP_BINARY_DIR) / "myoloop";
     static int calls = 0;
     const std::string stem = "myoloop_call_" + std::to_string(::getpid()) + "_" + std::to_string(calls++);
@@ -65,7 +66,7 @@ ProgramRun run_program(const std::vector<std::string>& arguments, const std::str
         if (waiting_for_text && content_of(err).find(interrupt_when) != std::string::npos) {
             waiting_for_text = false;
             signalled = Clock::now();
-            ::kill(child, SIGINT);
+            ::kill(child, signal);
         }
         if (seconds_since(start) > limit_s) {
             ::kill(child, SIGKILL);

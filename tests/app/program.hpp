@@ -1,5 +1,6 @@
 #pragma once
 
+#include <csignal>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -16,9 +17,9 @@ struct ProgramRun {
 
 /// Runs `myoloop` with these arguments and no display. The test fails when it does not end within `limit_s`.
 ///
-/// @param interrupt_when  sends SIGINT as soon as this text stands in its standard error; empty: never
+/// @param interrupt_when  sends `signal` as soon as this text stands in its standard error; empty: never
 ProgramRun run_program(const std::vector<std::string>& arguments, const std::string& interrupt_when = {},
-                       double limit_s = 240.0);
+                       double limit_s = 240.0, int signal = SIGINT);
 
 int count_lines(const std::string& text);
 std::string content_of(const std::filesystem::path& path);
