@@ -27,26 +27,32 @@ std::vector<TomlPath> places_of(const TomlValue& document, const TomlPath& path,
 }
 
 /// Number of elements of an array of tables; 0 if there is none.
-std::size_t count_of(const TomlValue& document, const char* table) {
-    const TomlValue* const found = document.find(table);
+std::size_t count_of(const TomlValue& document, const TomlPath& array) {
+    const TomlValue* const found = toml::find_at(document, array);
     return found ? found->items.size() : 0;
 }
 
-/// Where effects, and the columns of recordings, name a marker.
+/// Where effects, columns of recordings, goals and repairs name a marker.
 std::vector<TomlPath> references_to(const TomlValue& document, const std::string& name) {
     std::vector<TomlPath> all;
     const auto add = [&](const TomlPath& path) {
         for (TomlPath& place : places_of(document, path, name)) all.push_back(std::move(place));
     };
-    for (std::size_t i = 0; i < count_of(document, "effect"); ++i)
+    for (std::size_t i = 0; i < count_of(document, {"effect"}); ++i)
         for (const char* key : {"marker", "markers"}) add({"effect", i, key});
-    for (std::size_t i = 0; i < count_of(document, "trial"); ++i) add({"trial", i, "columns", "markers"});
+    for (std::size_t i = 0; i < count_of(document, {"trial"}); ++i) {
+        add({"trial", i, "columns", "markers"});
+        for (std::size_t k = 0; k < count_of(document, {"trial", i, "goal"}); ++k)
+            add({"trial", i, "goal", k, "marker"});
+        for (std::size_t k = 0; k < count_of(document, {"trial", i, "repair"}); ++k)
+            for (const char* key : {"marker", "with"}) add({"trial", i, "repair", k, key});
+    }
     return all;
 }
 
 /// Whether a trial of the declaration has a recording.
 bool is_recorded(const TomlValue& document) {
-    for (std::size_t i = 0; i < count_of(document, "trial"); ++i)
+    for (std::size_t i = 0; i < count_of(document, {"trial"}); ++i)
         if (toml::find_at(document, {"trial", i, "trace"})) return true;
     return false;
 }

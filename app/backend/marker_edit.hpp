@@ -6,7 +6,8 @@
 
 namespace myo::backend {
 
-/// Renames a marker or probe in the text of experiment.toml, in effects and columns too. Recordings keep their label.
+/// Renames a marker or probe in the text of experiment.toml, in effects, columns, goals and repairs too. Recordings
+/// keep their label.
 ///
 /// @param name, wanted  present and new name; markers on the mount (`fixed_m`) are not renamed
 /// Errors: no marker or probe of that name; the new name is taken; the text is no TOML.
