@@ -42,11 +42,13 @@ std::string quoted(const std::string& text) {
     return result + "'";  // TOML literal string; paths with an apostrophe are not stored
 }
 
-/// Paths as a TOML array; those that a literal string cannot hold are left out.
+/// Paths as a TOML array; those that a literal string cannot hold, or that are no text in UTF-8, are left out: they
+/// would make the whole file unreadable.
 std::string list(const std::vector<fs::path>& paths) {
     std::string text;
     for (const fs::path& path : paths)
-        if (path.string().find_first_of("'\n") == std::string::npos) text += "\n    " + quoted(path.string()) + ",";
+        if (path.string().find('\'') == std::string::npos && toml::parse_toml("path = " + quoted(path.string()), ""))
+            text += "\n    " + quoted(path.string()) + ",";
     return "[" + text + (text.empty() ? "]" : "\n]");
 }
 
