@@ -56,7 +56,7 @@ TEST_P(StoppedRuns, EndWithTheirStatusAndKeepTheResultsBeforeThem) {
                                         "--resolution",   resolution,        "--dt",  step,
                                         "--json-progress"};
     };
-    // Whatever became of the short run, its files are those before the next one.
+    // The short run may end in any way: its files are those before the next one.
     run_program(words("0.01", "0.005"));
     const std::map<std::string, std::string> before = files_in(folder.path() / "out");
     ASSERT_TRUE(before.contains(command + ".json"));

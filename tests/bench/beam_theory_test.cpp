@@ -63,7 +63,7 @@ TEST(BeamTheory, TheFirstFrequencyFallsFromThatOfASlenderBar) {
         EXPECT_LT(share, before) << height;
         before = share;
     }
-    // Of second order in the slenderness.
+    // The difference is of second order in the slenderness.
     const auto missing = [&](double height) {
         const BarShape bar = bar_of(0.1, 0.01, height);
         return 1.0 - first_bending_rad_s(bar) / slender(bar);
@@ -152,7 +152,7 @@ TEST(BeamTheory, HalfAMuscleBendsLikeItsForceOffTheAxis) {
     EXPECT_NEAR(deflection_by_half_muscle(bar, weak, contraction) / linear, 1.0, 2e-3);
     EXPECT_NEAR(deflection_by_half_muscle(bar, weak, -contraction), -deflection_by_half_muscle(bar, weak, contraction),
                 1e-15);
-    // Its own stiffness counts for a strong one: less than in proportion.
+    // A strong one also stiffens the bar, which bends less than in proportion.
     EXPECT_LT(deflection_by_half_muscle(bar, bar.youngs_modulus_Pa, contraction),
               1000.0 * deflection_by_half_muscle(bar, weak, contraction));
 }

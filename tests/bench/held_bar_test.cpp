@@ -126,7 +126,7 @@ TEST(HeldBar, LoadsOfTheFreeEndAreAForceAndATorque) {
         Vector3d moment = Vector3d::Zero();
         for (Eigen::Index i = 0; i < X.cols(); ++i) moment += X.col(i).head<3>().cross(torque.col(i).head<3>());
         EXPECT_LT((moment - Vector3d::UnitX()).norm(), 1e-9);
-        // Its work on a small turn of the whole body is the angle, wherever the axis is.
+        // The work on a small turn of the whole body is the angle, wherever the axis is.
         Matrix3Xd turned = X;
         for (auto x : turned.colwise()) x = Vector3d::UnitX().cross(Vector3d(x) - Vector3d(0.0, 0.3, -0.2));
         EXPECT_NEAR(torque.cwiseProduct(turned).sum(), 1.0, 1e-9);

@@ -5,7 +5,7 @@
 #include "support/recorded_motion.hpp"
 #include "support/swung_beam.hpp"
 
-// All ends of several starts are listed, also where a fit with shorter steps goes on from the best of them.
+// Ends of several starts are listed, also where a fit with shorter steps goes on from the best of them.
 
 namespace myo::calibration::listed_starts_test {
 namespace {

@@ -103,7 +103,7 @@ TEST(BlockRobot, BendsAwayFromTheLongerHalfAndMirrored) {
     EXPECT_NEAR(one.tracked_m()(0), -other.tracked_m()(0), 1e-7);
     EXPECT_NEAR(one.tracked_m()(2), other.tracked_m()(2), 1e-7);
     EXPECT_NEAR(one.tracked_m()(1), 0.0, 1e-7);
-    // Both together lengthen it, downwards.
+    // Equal signals lengthen the block, downwards.
     EXPECT_NEAR(both.tracked_m()(0), 0.0, 1e-7);
     EXPECT_LT(both.tracked_m()(2), -1e-4);
 }
@@ -124,7 +124,7 @@ TEST(BlockRobot, SlopesOfItsPosesAreThoseOfDifferences) {
     }
 }
 
-/// One signal for both, of which the second takes half the opposite change.
+/// The second muscle takes half the opposite change of the signal.
 TEST(BlockRobot, TiedMusclesAreTwoThatMoveTogether) {
     const TipResponse tied(*body_of(block()), tied_muscles());
     const TipPose pose = tied.at(Eigen::VectorXd::Constant(1, 1.08)), same = free_block().at(Vector2d(1.08, 0.96));

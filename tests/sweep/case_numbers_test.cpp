@@ -9,7 +9,7 @@
 
 #include "support/folder.hpp"
 
-// Which numbers a table takes from the report of a command, and what it does where the report holds less.
+// Numbers that a table takes from the report of a command, and what becomes of those that it lacks.
 
 namespace myo::sweep::case_numbers_test {
 namespace {

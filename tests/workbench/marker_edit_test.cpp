@@ -89,7 +89,7 @@ TEST(MarkerEdit, EveryPlaceThatNamesAMarkerFollows) {
     EXPECT_EQ(text_at(text, {"effect", 0u, "markers", 0u}), "middle");
     EXPECT_EQ(text_at(text, {"effect", 0u, "markers", 1u}), "end");
     EXPECT_EQ(text_at(text, {"effect", 1u, "marker"}), "end");
-    // Other things of this name, the kinds of repairs and the comment stay.
+    // The trial and the note of this name, the kinds of repairs and the comment stay.
     EXPECT_EQ(text_at(text, {"trial", 0u, "name"}), "tip");
     EXPECT_EQ(text_at(text, {"trial", 0u, "trace"}), "tip.csv");
     EXPECT_EQ(text_at(text, {"effect", 1u, "note"}), "tip");
