@@ -45,15 +45,15 @@ private:
 
 TEST(UserFiles, StandInTheFoldersThatTheSystemNames) {
     {
-        const Variable config("XDG_CONFIG_HOME", "/conf"), state("XDG_STATE_HOME", "/state"), home("HOME", "/home/x");
+        const Variable config("XDG_CONFIG_HOME", "/conf"), state("XDG_STATE_HOME", "/state"), home("HOME", "/user");
         EXPECT_EQ(preferences_file(), fs::path("/conf/myoloop/preferences.toml"));
         EXPECT_EQ(recovery_file().parent_path(), fs::path("/state/myoloop"));
     }
     // A variable that is set to nothing counts as unset.
     for (const char* const unset : {static_cast<const char*>(nullptr), ""}) {
-        const Variable config("XDG_CONFIG_HOME", unset), state("XDG_STATE_HOME", unset), home("HOME", "/home/x");
-        EXPECT_EQ(preferences_file(), fs::path("/home/x/.config/myoloop/preferences.toml"));
-        EXPECT_EQ(recovery_file().parent_path(), fs::path("/home/x/.local/state/myoloop"));
+        const Variable config("XDG_CONFIG_HOME", unset), state("XDG_STATE_HOME", unset), home("HOME", "/user");
+        EXPECT_EQ(preferences_file(), fs::path("/user/.config/myoloop/preferences.toml"));
+        EXPECT_EQ(recovery_file().parent_path(), fs::path("/user/.local/state/myoloop"));
         const Variable homeless("HOME", unset);
         EXPECT_TRUE(preferences_file().empty());
         EXPECT_TRUE(recovery_file().empty());
@@ -121,7 +121,7 @@ TEST(UserFiles, UnsavedWorkIsNamedByWhatItBelongsTo) {
         set_time(folder.path() / "unsaved-1.myoloop", 2025, 11, 29, 14, 5);
         return unsaved_work_words(folder.path() / "unsaved-1.myoloop");
     };
-    EXPECT_EQ(words("copy_of = '/home/x/finger.myoloop'\nsource = '/data/beam/experiment.toml'\n"),
+    EXPECT_EQ(words("copy_of = '/user/finger.myoloop'\nsource = '/data/beam/experiment.toml'\n"),
               "finger.myoloop, 29 Nov 2025, 14:05");
     EXPECT_EQ(words("source = '/data/beam/experiment.toml'\n"), "beam, 29 Nov 2025, 14:05");
     EXPECT_EQ(words("source = '/data/body.stl'\n"), "body.stl, 29 Nov 2025, 14:05");
