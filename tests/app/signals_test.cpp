@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "app/program.hpp"
 #include "app/small_experiment.hpp"
@@ -14,9 +15,17 @@
 // A signal that asks to stop, from the keyboard or from a queue, ends a command with the documented status and leaves
 // every file as it was or whole.
 
-namespace myo::test::signals {
+namespace myo::app::signals_test {
 namespace {
 
+using test::axis;
+using test::content_of;
+using test::Folder;
+using test::ProgramRun;
+using test::run_program;
+using test::small_trace;
+using test::write_small_experiment;
+using test::write_sweep;
 using ::testing::HasSubstr;
 namespace fs = std::filesystem;
 
@@ -130,4 +139,4 @@ TEST(Signals, ASweepEndsItsCasesWithIt) {
 }
 
 }  // namespace
-}  // namespace myo::test::signals
+}  // namespace myo::app::signals_test

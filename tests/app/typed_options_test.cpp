@@ -11,9 +11,15 @@
 
 // Words of the command line as people type them: which are refused, with which sentence, and which are understood.
 
-namespace myo::test::typed_options {
+namespace myo::app::typed_options_test {
 namespace {
 
+using test::box_stl;
+using test::count_lines;
+using test::Folder;
+using test::ProgramRun;
+using test::run_program;
+using test::write_small_experiment;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
@@ -135,8 +141,7 @@ TEST(TypedOptions, WhatIsUnderstoodIsShown) {
 /// --quiet leaves errors only; the bar of progress is for terminals.
 TEST(TypedOptions, QuietRunsSayNothing) {
     const TypedFolder folder;
-    const std::vector<std::string> coarse{"--resolution", "0.01", "--dt", "0.005"};
-    std::vector<std::string> words = simulate(coarse);
+    std::vector<std::string> words = simulate({"--resolution", "0.01", "--dt", "0.005"});
     const ProgramRun loud = folder.run(words);
     EXPECT_NE(loud.out, "");
     EXPECT_THAT(loud.err, Not(HasSubstr("\r")));
@@ -165,4 +170,4 @@ TEST(TypedOptions, AUnitScalesTheMesh) {
 }
 
 }  // namespace
-}  // namespace myo::test::typed_options
+}  // namespace myo::app::typed_options_test
