@@ -83,6 +83,16 @@ Polyline lonely_samples(const Polyline& curve) {
     return lonely;
 }
 
+/// Samples in the area and its rim. Cutting adds points at the edges, which are no samples.
+Polyline samples_within(const Polyline& samples, const Rectangle& area, double rim) {
+    Polyline within;
+    for (std::size_t i = 0; i < samples.x.size(); ++i)
+        if (samples.has_point(i) && samples.x[i] >= area.left - 0.5 && samples.x[i] <= area.right() + 0.5 &&
+            samples.y[i] >= area.top - rim && samples.y[i] <= area.bottom() + rim)
+            append(within, samples.x[i], samples.y[i]);
+    return within;
+}
+
 /// Curve with the dashes of its look.
 Stroke curve_stroke(Polyline points, const LegendEntry& look, double width) {
     Stroke stroke{std::move(points), look.colour, width};
@@ -158,23 +168,18 @@ void draw_series(const Series& series, const LegendEntry& look, const PlacedPane
             draw_interval(std::clamp(from, area.left, area.right()), std::clamp(to, area.left, area.right()),
                           samples.y[i], look.colour, drawing);
     }
-    // Cut before decimating: pixel columns outside the area would be kept in vain.
-    const Polyline seen = decimate(cut(samples, area.left, area.right()));
     if (series.style == SeriesStyle::diamonds) {
-        for (std::size_t i = 0; i < seen.x.size(); ++i)
-            if (seen.has_point(i)) draw_diamond(seen.x[i], seen.y[i], look.colour, palette, drawing);
+        const Polyline centres = samples_within(samples, area, series_look.diamond_height);
+        for (std::size_t i = 0; i < centres.x.size(); ++i)
+            draw_diamond(centres.x[i], centres.y[i], look.colour, palette, drawing);
         return;
     }
-    if (series.style != SeriesStyle::dots) drawing.marks.push_back(curve_stroke(seen, look, layout.style.line));
+    // Cut before decimating: pixel columns outside the area would be kept in vain.
+    if (series.style != SeriesStyle::dots)
+        drawing.marks.push_back(curve_stroke(decimate(cut(samples, area.left, area.right())), look, layout.style.line));
     if (series.style == SeriesStyle::dots || series.style == SeriesStyle::line_and_dots) {
-        // Cutting adds points at the edges, which are no samples.
-        Polyline dots;
-        for (std::size_t i = 0; i < samples.x.size(); ++i)
-            if (samples.has_point(i) && samples.x[i] >= area.left - 0.5 && samples.x[i] <= area.right() + 0.5 &&
-                samples.y[i] >= area.top - layout.style.dot && samples.y[i] <= area.bottom() + layout.style.dot)
-                append(dots, samples.x[i], samples.y[i]);
-        drawing.marks.push_back(
-            Dots{decimate(dots), look.colour, layout.style.dot * (series.ends.empty() ? 1.0 : series_look.estimate)});
+        drawing.marks.push_back(Dots{decimate(samples_within(samples, area, layout.style.dot)), look.colour,
+                                     layout.style.dot * (series.ends.empty() ? 1.0 : series_look.estimate)});
     } else if (Polyline lonely = lonely_samples(samples); !lonely.x.empty()) {
         drawing.marks.push_back(Dots{std::move(lonely), look.colour, layout.style.dot * series_look.lonely});
     }
