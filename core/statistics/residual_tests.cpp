@@ -15,9 +15,21 @@ struct MeanSquare {
     double entries = 0.0;  // of the residual, on which it rests
 };
 
+/// Autocovariance up to lag 2, summed over the series of more than one sample.
+Autocovariance pooled_in_time(const Eigen::VectorXd& r, const ResidualLayout& layout) {
+    Autocovariance pooled{Eigen::VectorXd::Zero(3), Eigen::VectorXd::Zero(3)};
+    for (const ResidualSeries& series : layout.series) {
+        if (series.size() < 2) continue;
+        const Autocovariance own = autocovariance(gridded(r, layout, series), 2);
+        pooled.sums.head(own.sums.size()) += own.sums;
+        pooled.pairs.head(own.pairs.size()) += own.pairs;
+    }
+    return pooled;
+}
+
 /// From the autocovariance of series in time: white noise drops out regardless of its variance.
 MeanSquare systematic_in_time(const Eigen::VectorXd& r, const ResidualLayout& layout) {
-    const Autocovariance pooled = pooled_autocovariance(r, layout, 2);
+    const Autocovariance pooled = pooled_in_time(r, layout);
     if (!(pooled.pairs(1) > 0.0 && pooled.pairs(2) > 0.0)) return {};
     MeanSquare result;
     // The parabola c(k) = a - b k^2 through k = 1 and 2 has a = (4 c1 - c2) / 3.
