@@ -40,19 +40,14 @@ std::vector<Finding> all_levels() {
     return findings;
 }
 
-TEST(FindingWords, CountLevelsAndNameWhatNeedsAttentionOnce) {
-    EXPECT_EQ(findings_line(all_levels()), "checks: 2 green, 3 amber (step, bounds), 1 red (start)");
-    EXPECT_EQ(findings_line({finding(CheckLevel::wrong, "pose", "x")}), "checks: 1 red (pose)");
-}
-
-TEST(FindingWords, AreReportedWorstFirstUnlessAWarningStatesThem) {
-    EXPECT_THAT(sentences_to_report(all_levels()), ElementsAre("third", "first", "fourth; do this"));
-    EXPECT_TRUE(sentences_to_report({finding(CheckLevel::passed, "mesh", "x")}).empty());
+TEST(FindingWords, StandInTheTableByLevelAndThenInTheirOrder) {
     const report::Section section = findings_section(all_levels());
     std::vector<std::string> order;
     for (const std::vector<report::Cell>& row : std::get<report::Table>(section.blocks.at(0).content).rows)
         order.push_back(std::get<std::string>(row.at(2).content));
     EXPECT_THAT(order, ElementsAre("third", "first", "fourth; do this", "sixth", "second", "fifth"));
+    EXPECT_EQ(findings_line({finding(CheckLevel::wrong, "pose", "x")}), "checks: 1 red (pose)");
+    EXPECT_TRUE(sentences_to_report({finding(CheckLevel::passed, "mesh", "x")}).empty());
 }
 
 TEST(FindingWords, HaveKeysForTheNumbersThatAreThere) {
@@ -136,7 +131,6 @@ TEST(EstimateWords, TurnToPowersOfTenWhereDecimalsEnd) {
                              {3.0e-8, 1.2e-8, "3.0000 × 10⁻⁸", "1.2 × 10⁻⁸"},
                              {9.96, 0.096, "9.960", "0.096"},
                              {123456.7, 1234.4, "123457", "1234"},
-
                              {test::nan, 1.0, "–", ""},
                              {test::infinity, 1.0, "–", ""}}) {
         const ReadableEstimate estimate = readable_estimate(one.value, one.deviation);
