@@ -75,7 +75,9 @@ MarkerPlacement best_placement(const MarkerTarget& target, const sensitivity::No
 }
 
 bool at_bound(const MarkerPlacement& placement, const PlacementBounds& bounds) {
-    return (as_vector(placement).cwiseAbs().array() >= (1.0 - 1e-9) * as_vector(bounds).array()).any();
+    const Vector6d most = as_vector(bounds);
+    // A zero bound fixes its component, which is no outcome of the search.
+    return (most.array() > 0.0 && as_vector(placement).cwiseAbs().array() >= (1.0 - 1e-9) * most.array()).any();
 }
 
 }  // namespace myo::inverse

@@ -19,7 +19,7 @@ struct PlacementBounds {
 MarkerPlacement best_placement(const MarkerTarget& target, const sensitivity::NodeMotion& motion,
                                const PlacementBounds& bounds);
 
-/// Whether a component of the placement is at its bound.
+/// Whether a component of the placement that has room is at its bound.
 bool at_bound(const MarkerPlacement& placement, const PlacementBounds& bounds);
 
 /// Derivative of a placed marker with respect to translation and rotation, 3 x 6. `x`: marker position in the model

@@ -95,6 +95,8 @@ TEST(PlacementBound, IsReachedWithinRounding) {
         EXPECT_EQ(at_bound(placement, bounds), share > 0.9999) << share;
         placement.rotation_rad.setZero();
     }
+    EXPECT_FALSE(at_bound(placement, {1e-3, 0.0})) << "what has no room does not end at its bound";
+    EXPECT_FALSE(at_bound(placement, {0.0, 0.0}));
 }
 
 TEST(PlacementTangents, AreDerivativesOfThePlacedMarker) {
