@@ -30,7 +30,8 @@ Eigen::Vector3d nearest_in_triangle(const Eigen::Vector3d& a, const Eigen::Vecto
     if (d3 >= 0.0 && d4 <= d3) return b;
     if (d6 >= 0.0 && d5 <= d6) return c;
     const double of_c = d1 * d4 - d3 * d2, of_b = d5 * d2 - d1 * d6, of_a = d3 * d6 - d5 * d4;
-    if (of_c <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return a + d1 / (d1 - d3) * ab;
+    // Without length, the side from a to b has no foot of a perpendicular; the others then hold the nearest point.
+    if (of_c <= 0.0 && d1 >= 0.0 && d3 <= 0.0 && d1 > d3) return a + d1 / (d1 - d3) * ab;
     if (of_b <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return a + d2 / (d2 - d6) * ac;
     if (of_a <= 0.0 && d4 >= d3 && d5 >= d6) return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
     return a + (of_b * ab + of_c * ac) / (of_a + of_b + of_c);

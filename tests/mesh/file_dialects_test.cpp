@@ -17,7 +17,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// What a reader says of a file with this content; "read" if it reads it.
+/// Messages of readers on files with a given content; "read" where there is none.
 class Mistakes {
 public:
     std::string of_volume(const std::string& file, const std::string& content) const {

@@ -150,7 +150,7 @@ TEST(IsotropicRemesh, KeepsLinesCornersAndFlatFaces) {
     EXPECT_NEAR(sum / static_cast<double>(3 * remeshed->surface.triangles.cols()), 0.3, 0.1);
 }
 
-/// Nothing holds the edges of a body whose lines are not named: triangles cut them off.
+/// Edges of a body whose lines are not named are cut off by triangles.
 TEST(IsotropicRemesh, WithoutLinesRoundsEdgesOff) {
     const SurfaceMesh body = box_surface({{0, 0, 0}, {1, 1, 1}});
     const auto remeshed = isotropic_remesh(body, {}, 0.3, 5);
