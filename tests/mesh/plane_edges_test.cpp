@@ -45,7 +45,7 @@ TEST(SnappedToPlane, IsLimitedByTheShortestEdge) {
     EXPECT_EQ(snapped_to_plane(flat, {0, 1.0 + 0.021}, 1.0).vertices, flat.vertices);
 }
 
-/// A bar cut 1 mm behind its end: the slice has edges of 1 mm beside cells of 20 mm.
+/// A bar cut in the middle: the diagonals of its faces cross the plane 10 mm from its edges.
 TEST(ShortEdges, OfACutAreCollapsedOntoIt) {
     const SurfaceMesh bar_surface = box_surface({{0, 0, 0}, {0.1, 0.02, 0.02}});
     const SurfaceMesh cut = cut_by_plane(bar_surface, {0, 0.05}, all_space);
