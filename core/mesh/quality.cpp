@@ -172,7 +172,7 @@ QualityReport mesh_quality(const VolumeMesh& mesh, const SurfaceMesh* surface) {
     }
     if (held.weak_edges + held.weak_nodes > 0) {
         report.messages.push_back("cells hang together by an edge or a corner only at " +
-                                  std::to_string(held.weak_nodes).append(" nodes"));
+                                  std::to_string(held.weak_nodes).append(held.weak_nodes == 1 ? " node" : " nodes"));
     }
     if (report.least <= 0.0) {
         report.messages.push_back("cell " + std::to_string(report.worst_cell).append(" is turned inside out"));
