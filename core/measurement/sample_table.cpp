@@ -131,14 +131,14 @@ Result<void> set_rate(Recording& recording, const std::string& field, double sta
     };
     if (agree(own_Hz)) return {};
     const std::string differ = field + " says " + format_number(stated_Hz) + " Hz, but the times are " +
-                               format_number(1.0 / own_Hz) + " apart";
+                               format_number(1.0 / own_Hz);
     for (const auto& [unit, seconds] : time_units)
         if (!time_unit_is_declared && seconds != 1.0 && agree(own_Hz / seconds))
-            return Error{differ + ", as if they were in " + unit + "; state the trial's key time_unit = \"" + unit +
-                             "\", or \"s\" if they are seconds",
+            return Error{differ + " apart, as if they were in " + unit + "; state the trial's key time_unit = \"" +
+                             unit + "\", or \"s\" if they are seconds",
                          where};
     recording.rate_Hz = own_Hz;
-    recording.warnings.push_back(differ + " s, which is used");
+    recording.warnings.push_back(differ + " s apart, which is used");
     return {};
 }
 
