@@ -23,7 +23,7 @@ std::string toml_text(const std::string& text) {
         char escaped[8];
         if (c == '"' || c == '\\')
             result += std::string("\\") + c;
-        else if (static_cast<unsigned char>(c) < 0x20)
+        else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
             std::snprintf(escaped, sizeof escaped, "\\u%04x", static_cast<unsigned>(c)), result += escaped;
         else
             result += c;

@@ -61,7 +61,7 @@ TEST(TomlText, EscapesWhatWouldEndTheString) {
 
 TEST(TomlText, SurvivesAnyCharacter) {
     std::string every;
-    for (int c = 1; c < 127; ++c) every += static_cast<char>(c);
+    for (int c = 1; c < 128; ++c) every += static_cast<char>(c);
     for (const std::string& text : {every, std::string("\\\\\"\\u0041"), std::string("ends with \\"),
                                     std::string("Ångström, 長さ"), std::string("# no comment"), std::string("'''")}) {
         const Result<TomlValue> parsed = parse_toml_value(toml_text(text), "here");
