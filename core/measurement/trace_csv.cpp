@@ -78,10 +78,10 @@ Result<std::vector<MarkerColumns>> marker_columns(const std::vector<std::string_
     return markers;
 }
 
-/// Column name, quoted if the label contains the separator.
+/// Column name, quoted if the label contains the separator, or begins with blanks, which a reader would drop.
 std::string header_name(const std::string& label, std::string_view suffix) {
     const std::string name = label + std::string(suffix);
-    return name.find(',') == std::string::npos ? name : "\"" + name + "\"";
+    return name.find(',') == std::string::npos && trimmed(name) == name ? name : "\"" + name + "\"";
 }
 
 /// Separator of a header: the character behind the first column, if it is one of those in use.

@@ -22,6 +22,7 @@ TEST(TraceCsv, WrittenTracesReadBackExactly) {
     Recording original = test::random_recording(3, 50, 1, true);
     original.time_s = original.time_s.array().square() + original.time_s.array() / 3.0;
     original.labels[1] = "with, comma";
+    original.labels[2] = " \tbehind; blanks ";
     const TemporaryFile file("", "trace.csv");
     ASSERT_TRUE(write_trace_csv(file.path(), original));
     const Result<Recording> read = read_trace_csv(file.path());
