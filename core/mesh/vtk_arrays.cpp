@@ -2,9 +2,11 @@
 
 #include <vtkCellType.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
+#include <limits>
 #include <optional>
 
 #include "base/text.hpp"
@@ -143,6 +145,12 @@ Result<void> add_vtk_cells(const VtkArray& connectivity, const VtkArray& offsets
                            const VtkArray& regions) {
     if (types.size() != offsets.size())
         return Error{"has not one type per cell: it is truncated or garbled", path.string()};
+    // Only an array with one number per cell can be the regions. Written so that NaN is none.
+    const bool numbered = regions.size() == offsets.size() &&
+                          std::all_of(regions.begin(), regions.end(), [](double region) {
+                              return region >= std::numeric_limits<int>::min() &&
+                                     region <= std::numeric_limits<int>::max();
+                          });
     for (std::size_t c = 0; c < offsets.size(); ++c) {
         // Values outside of the range of VTK types are mapped to an unsupported type.
         const int vtk_type = types[c] >= 0.0 && types[c] < 256.0 ? static_cast<int>(types[c]) : 255;
@@ -170,8 +178,7 @@ Result<void> add_vtk_cells(const VtkArray& connectivity, const VtkArray& offsets
             std::swap((*nodes)[6], (*nodes)[7]);
         }
         soup.type = type;
-        // Only an array with one number per cell can be the regions.
-        if (regions.size() == offsets.size()) soup.regions.push_back(static_cast<int>(regions[c]));
+        if (numbered) soup.regions.push_back(static_cast<int>(regions[c]));
         soup.cells.insert(soup.cells.end(), nodes->begin(), nodes->end());
     }
     return {};

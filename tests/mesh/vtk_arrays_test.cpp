@@ -116,6 +116,13 @@ TEST(VtkCells, OfLowerDimensionAreLeftOutWithTheirRegions) {
     CellSoup other = lattice();
     ASSERT_TRUE(add_vtk_cells({0, 1, 2, 4}, {4}, {vtk_tetra}, 0, "", other, {9, 8}));
     EXPECT_TRUE(other.regions.empty());
+    // Numbers that no integer can hold are no regions.
+    for (const double region : {no_number, 1e300, -1e300, 2147483648.0}) {
+        ASSERT_TRUE(add_vtk_cells({0, 1, 2, 4}, {4}, {vtk_tetra}, 0, "", other, {region}));
+        EXPECT_TRUE(other.regions.empty()) << region;
+    }
+    ASSERT_TRUE(add_vtk_cells({0, 1, 2, 4}, {4}, {vtk_tetra}, 0, "", other, {2147483647.0}));
+    EXPECT_EQ(other.regions, std::vector<int>{2147483647});
 }
 
 TEST(VtkCells, OfASecondPieceCountFromItsFirstNode) {
