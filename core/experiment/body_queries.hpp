@@ -11,7 +11,8 @@ public:
     /// @param body  closed, outward; must outlive the queries
     explicit BodyQueries(const mesh::SurfaceMesh& body);
 
-    /// True if the box and the body have a point in common, up to the tolerance.
+    /// True if the box and the body have a point in common, up to the tolerance; contact along an edge or at a corner
+    /// alone does not count.
     bool holds_material(const Box& box) const;
     /// True if the box and the body have a common volume, not only touching faces.
     bool holds_volume(Box box) const;
