@@ -121,9 +121,9 @@ TEST(SmoothingSpline, LeavesQuadraticsAsTheyAre) {
     EXPECT_EQ(spline.first_s, 1.0);
     EXPECT_NEAR(spline.last_s(), 3.4, 1e-12);
     for (double t = 1.0; t < 3.4; t += 0.037) {
-        EXPECT_LT((spline.at(t) - value(t)).norm(), 1e-5);
-        EXPECT_LT((spline.at(t, 1) - Eigen::Vector2d(1.0 - t, 6.0 * t)).norm(), 1e-3);
-        EXPECT_LT((spline.at(t, 2) - Eigen::Vector2d(-1.0, 6.0)).norm(), 0.05);
+        EXPECT_LT((spline.at(t) - value(t)).norm(), 1e-7);
+        EXPECT_LT((spline.at(t, 1) - Eigen::Vector2d(1.0 - t, 6.0 * t)).norm(), 1e-6);
+        EXPECT_LT((spline.at(t, 2) - Eigen::Vector2d(-1.0, 6.0)).norm(), 1e-4);
     }
 }
 

@@ -61,7 +61,7 @@ TEST(Lines, AreBlankIfTheyHoldNothing) {
     EXPECT_FALSE(follows_blank_line(text, layout, 11));
 }
 
-/// What belongs to a statement, comments included.
+/// Text of a statement with its comments.
 std::string with_comments(const std::string& text, std::size_t statement) {
     const TomlLayout layout = layout_of(text);
     const std::size_t begin = begin_with_comments(text, layout, statement);
