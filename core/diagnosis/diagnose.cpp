@@ -53,9 +53,13 @@ DiagnosisContext context_of(DeclaredFit declared, CorrectedDeclaredFit corrected
     NumericalError numerics = *corrected.fit.numerics;
     declared.data.shift = numerics.shift;
     declared.setup.modulus_factor = corrected.modulus_factor;
-    return {std::move(declared.setup), settings,
-            std::move(declared.data),  std::move(corrected.fit),
-            std::move(numerics),       std::move(corrected.refinement)};
+    return {std::move(declared.setup),
+            settings,
+            std::move(declared.data),
+            std::move(corrected.fit),
+            std::move(numerics),
+            std::move(corrected.refinement),
+            std::move(declared.step_factors)};
 }
 
 /// The fit without its predictions, which need the memory of many runs.

@@ -7,6 +7,7 @@
 #include "effect/catalogue.hpp"
 #include "measurement/marker_places.hpp"
 #include "measurement/rigid_motion.hpp"
+#include "mesh/surface_mesh.hpp"
 #include "prediction/marker_places.hpp"
 #include "prediction/parameter_tangent.hpp"
 #include "prediction/place_registration.hpp"
@@ -42,13 +43,25 @@ ParameterValues declared_values(const setup::Setup& setup) {
     return values;
 }
 
+namespace {
+
+/// Whether a parameter of an effect is a place on or in the body.
+bool is_place(const std::string& parameter) { return parameter == "position_m" || parameter == "centre_m"; }
+
+}  // namespace
+
 std::vector<ModelParameter> effect_parameters(const setup::Setup& setup, const effect::EffectDeclaration& effect,
                                               std::size_t index) {
+    const Box body = mesh::bounding_box(setup.surface.vertices);
     std::vector<ModelParameter> list;
     for (const setup::EffectNumber& n : setup::effect_numbers(effect, setup::signal_size(setup, effect))) {
         inverse::Parameter parameter{n.name,  setup::effect_number(effect, n.parameter, n.component, n.base),
                                      n.lower, n.upper,
                                      n.scale, n.over_decades};
+        if (is_place(n.parameter)) {
+            parameter.lower = std::min(body.lowest(n.component), parameter.value);
+            parameter.upper = std::max(body.highest(n.component), parameter.value);
+        }
         list.push_back({Kind::effect, 0, index, std::move(parameter), n.base.isZero(0.0) ? "" : "rad", n.parameter,
                         n.component, n.base});
     }

@@ -58,6 +58,8 @@ struct ModelParameter {
 
 /// Parameters of one effect for a fit.
 ///
+/// Places (position_m, centre_m) are bounded by the bounding box of the body, beyond which nothing changes, widened to
+/// their start where that is declared outside.
 /// @param index  position of the effect in ParameterValues::effects
 std::vector<ModelParameter> effect_parameters(const setup::Setup& setup, const effect::EffectDeclaration& effect,
                                               std::size_t index);

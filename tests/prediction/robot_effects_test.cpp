@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "mesh/surface_mesh.hpp"
 #include "prediction/parameter_tangent.hpp"
 #include "prediction/prediction.hpp"
 #include "support/chambered_beam.hpp"
@@ -75,6 +78,28 @@ TEST(TendonFriction, AddsToWhatIsDeclared) {
     EXPECT_LT((added - declared_tip).norm(), 1e-9);
     EXPECT_LT((named - declared_tip).norm(), 1e-9);
     EXPECT_GT((tip(tendon_beam(folder, 0.1, {})) - declared_tip).norm(), 1e-5) << "it matters";
+}
+
+/// Beyond the body the nearest point of its surface stays where it is, so that a fit would wander there.
+TEST(PlacesOfEffects, AreBoundedByTheBody) {
+    const test::Folder folder("bounded_places");
+    for (const double x : {0.05, 0.25}) {
+        const effect::EffectDeclaration friction = declared(
+            "dry_friction",
+            {{"friction_force_N", 0.01}, {"position_m", Eigen::VectorXd(Eigen::Vector3d(x, 0.01, -0.02))}});
+        const setup::Setup setup = beam(folder, {friction});
+        const Box body = mesh::bounding_box(setup.surface.vertices);
+        int places = 0;
+        for (const ModelParameter& p : effect_parameters(setup, friction, 0)) {
+            if (p.of_effect != "position_m") continue;
+            ++places;
+            EXPECT_LE(p.parameter.lower, p.parameter.value);
+            EXPECT_GE(p.parameter.upper, p.parameter.value);
+            EXPECT_EQ(p.parameter.lower, std::min(body.lowest(p.component), p.parameter.value));
+            EXPECT_EQ(p.parameter.upper, std::max(body.highest(p.component), p.parameter.value));
+        }
+        EXPECT_EQ(places, 3);
+    }
 }
 
 }  // namespace

@@ -51,19 +51,12 @@ struct Priors {
     }
 };
 
-/// Bounds places to the bounding box of the body, and masses to a multiple of its mass.
-void bound_by_body(const setup::Setup& setup, double max_mass_ratio,
-                   std::vector<prediction::ModelParameter>& parameters) {
-    const Box body = mesh::bounding_box(setup.surface.vertices);
+/// Bounds masses to a multiple of the body's.
+void bound_masses(const setup::Setup& setup, double max_mass_ratio,
+                  std::vector<prediction::ModelParameter>& parameters) {
     const double body_kg = setup.experiment.material.density_kg_m3 * setup.body->volume_m3;
-    for (prediction::ModelParameter& p : parameters) {
-        if (p.of_effect == "position_m" || p.of_effect == "centre_m") {
-            p.parameter.lower = body.lowest(p.component);
-            p.parameter.upper = body.highest(p.component);
-        } else if (p.of_effect == "mass_kg") {
-            p.parameter.upper = max_mass_ratio * body_kg;
-        }
-    }
+    for (prediction::ModelParameter& p : parameters)
+        if (p.of_effect == "mass_kg") p.parameter.upper = max_mass_ratio * body_kg;
 }
 
 /// Residuals and derivatives of all trials. Keeps the last predictions, which the derivatives need.
@@ -212,7 +205,7 @@ std::vector<prediction::ModelParameter> joint_parameters(const setup::Setup& set
             });
         for (prediction::ModelParameter& parameter : own) parameters.push_back(std::move(parameter));
     }
-    bound_by_body(setup, policy.max_mass_ratio, parameters);
+    bound_masses(setup, policy.max_mass_ratio, parameters);
     for (prediction::ModelParameter& p : parameters)
         p.parameter.value = std::clamp(prediction::value_of(p, start), p.parameter.lower, p.parameter.upper);
     return parameters;
@@ -227,8 +220,10 @@ MatrixXd all_slopes(const JointFit& fit) {
 
 WarmStart warm_start_of(const JointFit& fit) {
     WarmStart warm;
-    for (const prediction::ModelParameter& p : fit.parameters) warm.names.push_back(p.parameter.name);
-    warm.columns = all_slopes(fit);
+    if (fit.jacobian.cols() > 0) {
+        for (const prediction::ModelParameter& p : fit.parameters) warm.names.push_back(p.parameter.name);
+        warm.columns = all_slopes(fit);
+    }
     for (const prediction::TrialPrediction& prediction : fit.predictions) warm.paths.push_back(prediction.trace.path);
     return warm;
 }
