@@ -1,6 +1,8 @@
 #include "mesh/surface_distance.hpp"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -21,17 +23,31 @@ std::vector<Box> boxes_of_triangles(const SurfaceMesh& surface) {
 
 }  // namespace
 
+Eigen::Vector3d nearest_in_segment(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& point) {
+    const Eigen::Vector3d ab = b - a;
+    const double squared_length = ab.squaredNorm();
+    return squared_length > 0.0 ? a + std::clamp(ab.dot(point - a) / squared_length, 0.0, 1.0) * ab : a;
+}
+
 Eigen::Vector3d nearest_in_triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                                     const Eigen::Vector3d& point) {
     const Eigen::Vector3d ab = b - a, ac = c - a, ap = point - a, bp = point - b, cp = point - c;
+    // Below the rounding of its normal a triangle has no inside, and the signs of the regions below mean nothing.
+    constexpr double rounding = 4.0 * std::numeric_limits<double>::epsilon();
+    if (ab.cross(ac).squaredNorm() <= rounding * rounding * ab.squaredNorm() * ac.squaredNorm()) {
+        const std::array sides{nearest_in_segment(a, b, point), nearest_in_segment(b, c, point),
+                               nearest_in_segment(c, a, point)};
+        return *std::min_element(sides.begin(), sides.end(), [&](const auto& x, const auto& y) {
+            return (x - point).squaredNorm() < (y - point).squaredNorm();
+        });
+    }
     const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp), d6 = ac.dot(cp);
     // Voronoi regions of the corners, then of the sides; what remains projects into the triangle.
     if (d1 <= 0.0 && d2 <= 0.0) return a;
     if (d3 >= 0.0 && d4 <= d3) return b;
     if (d6 >= 0.0 && d5 <= d6) return c;
     const double of_c = d1 * d4 - d3 * d2, of_b = d5 * d2 - d1 * d6, of_a = d3 * d6 - d5 * d4;
-    // Without length, the side from a to b has no foot of a perpendicular; the others then hold the nearest point.
-    if (of_c <= 0.0 && d1 >= 0.0 && d3 <= 0.0 && d1 > d3) return a + d1 / (d1 - d3) * ab;
+    if (of_c <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return a + d1 / (d1 - d3) * ab;
     if (of_b <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return a + d2 / (d2 - d6) * ac;
     if (of_a <= 0.0 && d4 >= d3 && d5 >= d6) return b + (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b);
     return a + (of_b * ab + of_c * ac) / (of_a + of_b + of_c);

@@ -29,7 +29,10 @@ private:
     BoxTree tree_;
 };
 
-/// Point of a triangle nearest to a point.
+/// Point of the segment from a to b nearest to a point; a segment without length is its end a.
+Eigen::Vector3d nearest_in_segment(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& point);
+
+/// Point of a triangle nearest to a point. Triangles without area are allowed.
 /// Source: Ericson, Real-Time Collision Detection, 2005, 5.1.5.
 Eigen::Vector3d nearest_in_triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
                                     const Eigen::Vector3d& point);

@@ -98,7 +98,7 @@ void add_knots(const SurfaceMesh& surface, const std::vector<int>& chain, std::s
     double most = deviation;
     for (std::size_t i = first + 1; i < last; ++i) {
         const Eigen::Vector3d x = surface.vertices.col(chain[i]);
-        const double distance = (x - nearest_in_triangle(start, end, end, x)).norm();
+        const double distance = (x - nearest_in_segment(start, end, x)).norm();
         if (distance > most) most = distance, farthest = i;
     }
     if (farthest == first) return;

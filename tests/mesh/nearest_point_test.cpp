@@ -158,5 +158,25 @@ TEST(FaceParameters, StayInTheirDomainOnCollapsedFaces) {
         }
 }
 
+/// Rounding decides the signs of the regions there, so that the nearest point is sought on the sides.
+TEST(NearestInTriangle, WithoutAreaLiesOnTheLongestSide) {
+    const Vector3d a(0.3, -0.1, 0.7), b(1.4, 0.9, -0.2);
+    for (int k = 0; k <= 50; ++k) {
+        // Along the line and off it; beyond its ends, too.
+        const double along = -0.3 + 0.032 * k;
+        const Vector3d p = a + along * (b - a) + Vector3d(0.02 * k, 0.3, -0.01 * k);
+        const Vector3d there = nearest_in_segment(a, b, p);
+        const double at = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+        EXPECT_LT((there - (a + at * (b - a))).norm(), 1e-15);
+        for (const double inside : {0.0, 0.3, 0.77, 1.0}) {
+            const Vector3d c = a + inside * (b - a);
+            for (const Vector3d& x : {nearest_in_triangle(a, b, c, p), nearest_in_triangle(c, a, b, p),
+                                      nearest_in_triangle(b, c, a, p), nearest_in_triangle(c, b, a, p)})
+                EXPECT_LT((x - there).norm(), 1e-14) << k << " " << inside;
+        }
+        EXPECT_EQ(nearest_in_triangle(a, a, a, p), a);
+    }
+}
+
 }  // namespace
 }  // namespace myo::mesh::nearest_point_test

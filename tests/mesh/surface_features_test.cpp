@@ -92,7 +92,7 @@ TEST(FeatureLines, FacetsOfARoundAreNoFaces) {
 
 /// Distance of a point from the straight line between two others.
 double off_line(const Eigen::Vector3d& x, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    return (x - nearest_in_triangle(a, b, b, x)).norm();
+    return (x - nearest_in_segment(a, b, x)).norm();
 }
 
 TEST(FeatureLines, BentOnesKeepWhatTheDeviationAsksFor) {

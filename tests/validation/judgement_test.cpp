@@ -120,7 +120,7 @@ TEST(Judgement, ANumberIsRightUpToItsTolerance) {
     EXPECT_TRUE(is_right({"x", 1000.0, 1000.0, std::numeric_limits<double>::infinity()}));
     EXPECT_FALSE(is_right({"x", 1000.0, 1100.0, std::numeric_limits<double>::infinity()}));
     const FittedNumber number{"x", 200.0, 190.0, 4.0};
-    EXPECT_DOUBLE_EQ(number.error(), -0.05);
+    EXPECT_NEAR(number.error(), -0.05, 1e-15);
     EXPECT_DOUBLE_EQ(number.normalised(), -2.5);
 }
 
