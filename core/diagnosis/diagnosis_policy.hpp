@@ -186,6 +186,18 @@ struct SearchPolicy {
     Effort unexplained{4, 1e-3};  // of the best attempt if nothing explains the residual
 };
 
+/// Fits of the named effects from places in neighbouring cells.
+struct PlacePolicy {
+    /// Only along directions in which a cell is at most this many standard deviations of the place: a force on the
+    /// nodes of one cell moves them more or less, depending on where in the cell it acts, which raises the squares
+    /// between cells by some tens (by 15 in example_dry_friction, of 8,700).
+    double max_deviations = 10.0;
+    double min_deviations = 0.1;  // below, the place along this direction changes nothing, as across the surface
+    double min_step = 0.5;        // of a cell, after the bounds: a smaller step leads to the same cell
+    int max_steps = 3;            // from cell to cell
+    Effort effort{12};
+};
+
 /// Search for sets of effects.
 struct SetPolicy {
     /// Only if the best effect leaves at most this share of the declared excess: where two act, each alone may take
@@ -371,6 +383,7 @@ struct DiagnosisPolicy {
     BeginningPolicy beginnings;
     ConfusionPolicy confusion;
     JudgementPolicy judgement;
+    PlacePolicy places;
     VerdictPolicy verdict;
     MissingForcePolicy force;
 };

@@ -7,6 +7,7 @@
 #include "diagnosis/discretisation/correct_discretisation.hpp"
 #include "diagnosis/discretisation/longer_steps.hpp"
 #include "diagnosis/verdict/given_steps.hpp"
+#include "diagnosis/verdict/neighbouring_places.hpp"
 #include "prediction/marker_places.hpp"
 
 namespace myo::diagnosis {
@@ -41,20 +42,25 @@ FinalFit final_fit(const FinalFitInput& in, FitStore& store, PhaseLog& log) {
     // Also trials that were not fitted: both models predict them without any refit.
     result.before = log.timed("prediction", 2 * static_cast<int>(all.size()),
                               [&] { return predicted(in.context, in.context.declared, in.declared_error); });
+    result.fit = in.decision.fit;
+    // The fit of the decision was made with this shift.
+    FitData data = in.context.data;
+    data.shift = result.fit.numerics ? result.fit.numerics->shift : in.shift;
     std::optional<FitWithSteps> shorter;
-    if (in.decision.verdict.kind == VerdictKind::effects && needs_given_steps(in.context, in.decision.fit))
-        shorter = with_given_steps(in.context, in.decision.fit);
+    if (in.decision.verdict.kind == VerdictKind::effects) {
+        result.fit = with_best_place(in.context, data, std::move(result.fit), store, log);
+        if (needs_given_steps(in.context, result.fit)) shorter = with_given_steps(in.context, std::move(result.fit));
+    }
     const DiagnosisContext& context = shorter ? shorter->context : in.context;
     const setup::Setup& setup = context.setup;
-    result.fit = shorter ? std::move(shorter->fit) : in.decision.fit;
-    if (shorter)
+    if (shorter) {
+        result.fit = std::move(shorter->fit);
         result.notes.push_back("the last fit has steps of " + steps_in_words(setup) +
                                ", since the force of its effect has a corner, across which the error of longer steps "
                                "cannot be taken off");
+    }
+    if (log.cancelled()) return result;
     if (!result.fit.numerics) {
-        // The fit of the decision was made with this shift.
-        FitData data = context.data;
-        data.shift = in.shift;
         std::optional<JudgedFit> corrected = correct_discretisation(
             {setup, data, context.settings, context.refinement, "last fit",
              correction_of(in.decision.verdict.kind, context.policy().search)},
