@@ -22,11 +22,13 @@ std::string one_line(std::string text) {
     return text;
 }
 
-/// Duration rounded to the unit that matters: seconds, minutes with seconds, hours.
+/// Duration in the unit that matters: seconds, rounded up; from 59 s on, minutes with seconds; hours.
 std::string duration_text(double seconds) {
     char text[32];
-    if (seconds < 60.0)
+    if (seconds <= 59.0)
         std::snprintf(text, sizeof text, "%.0f s", std::ceil(seconds));
+    else if (seconds < 60.0)
+        std::snprintf(text, sizeof text, "1 min 00 s");
     else if (seconds < 3600.0)
         std::snprintf(text, sizeof text, "%d min %02d s", static_cast<int>(seconds) / 60,
                       static_cast<int>(seconds) % 60);

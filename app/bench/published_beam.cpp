@@ -79,6 +79,9 @@ Result<NodeTrace> read_node_trace(const std::filesystem::path& path) {
     std::istringstream lines(*content);
     std::string line;
     std::vector<std::array<double, 4>> rows;
+    const auto four_numbers = [&](int number) {
+        return Error{"four numbers are expected: time, x, y, z", path.string() + ":" + std::to_string(number)};
+    };
     std::getline(lines, line);  // the heading
     // Lines are counted from 1; the heading is the first.
     for (int number = 2; std::getline(lines, line); ++number) {
@@ -87,7 +90,8 @@ Result<NodeTrace> read_node_trace(const std::filesystem::path& path) {
         std::array<double, 4> row{};
         for (double& value : row)
             if (!std::getline(fields, field, ',') || !parse_number(field, value) || !std::isfinite(value))
-                return Error{"four numbers are expected: time, x, y, z", path.string() + ":" + std::to_string(number)};
+                return four_numbers(number);
+        if (fields.peek() != std::istringstream::traits_type::eof()) return four_numbers(number);
         rows.push_back(row);
     }
     if (rows.empty()) return Error{"the trace has no samples", path.string()};

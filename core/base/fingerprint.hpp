@@ -37,7 +37,8 @@ public:
     std::uint64_t value() const { return hash_; }
 
 private:
-    std::uint64_t hash_ = 1469598103934665603u;  // 64-bit offset basis of FNV-1a
+    // The offset basis of FNV-1a without its last digit: any start serves, and stored fingerprints were made with this.
+    std::uint64_t hash_ = 1469598103934665603u;
 };
 
 }  // namespace myo

@@ -24,8 +24,9 @@ Result<RunParts> plan_parts(int steps, const TapeBytes& cost, double budget_byte
         if (plan.bytes <= budget_bytes) return plan;
         least = parts == 1 ? plan.bytes : std::min(least, plan.bytes);
     }
-    return Error{"the gradient of " + std::to_string(steps) + " steps needs at least " + format_number(least / 1e6, 3) +
-                     " MB, more than its budget of " + format_number(budget_bytes / 1e6, 3) + " MB",
+    return Error{"the gradient of " + std::to_string(steps) + (steps == 1 ? " step" : " steps") + " needs at least " +
+                     format_number(least / 1e6, 3) + " MB, more than its budget of " +
+                     format_number(budget_bytes / 1e6, 3) + " MB",
                  {}};
 }
 
