@@ -7,18 +7,19 @@
 namespace myo::experiment {
 namespace {
 
-/// Location of a part: exactly one of box_m, file and region.
-std::variant<Box, std::filesystem::path, PartDeclaration::Region> read_place(const toml::TomlReader& table,
-                                                                             const std::filesystem::path& folder) {
+/// Location of a part: exactly one of box_m, file, region and mask.
+decltype(PartDeclaration::place) read_place(const toml::TomlReader& table, const std::filesystem::path& folder) {
     std::vector<std::string> given;
-    for (const char* key : {"box_m", "file", "region"})
+    for (const char* key : {"box_m", "file", "region", "mask"})
         if (table.has(key)) given.emplace_back(key);
-    if (given.empty()) table.fail("box_m", "where the part is, is missing: give one of box_m, file, region");
+    if (given.empty()) table.fail("box_m", "where the part is, is missing: give one of box_m, file, region, mask");
     if (given.size() > 1)
-        table.fail(given.back(),
-                   "cannot be combined with " + given.front() + "; a part has exactly one of box_m, file, region");
+        table.fail(given.back(), "cannot be combined with " + given.front() +
+                                     "; a part has exactly one of box_m, file, region, mask");
     if (given.front() == "box_m") return table.box("box_m");
     if (given.front() == "file") return table.file("file", folder);
+    // The window declares a mask before it writes the file; part_shares() says if it is missing.
+    if (given.front() == "mask") return PartDeclaration::Painted{(folder / table.text("mask")).lexically_normal()};
     // Numbers of cells in mesh files are 32-bit.
     const double number = table.number("region", toml::between(-2147483648.0, 2147483647.0));
     if (number != std::floor(number)) table.fail("region", "must be a whole number, not " + format_number(number));
@@ -42,9 +43,9 @@ std::vector<std::string> read_part_calibrate(const toml::TomlReader& table) {
 std::vector<PartDeclaration> read_parts(const toml::TomlReader& document, const std::filesystem::path& folder,
                                         const MaterialDeclaration& material) {
     std::vector<PartDeclaration> parts;
-    for (const toml::TomlReader& table :
-         document.tables("part", {"name", "box_m", "file", "region", "youngs_modulus_Pa", "youngs_modulus_tolerance",
-                                  "poissons_ratio", "density_kg_m3", "damping_s", "calibrate"})) {
+    for (const toml::TomlReader& table : document.tables(
+             "part", {"name", "box_m", "file", "region", "mask", "youngs_modulus_Pa", "youngs_modulus_tolerance",
+                      "poissons_ratio", "density_kg_m3", "damping_s", "calibrate"})) {
         PartDeclaration part;
         part.name = table.name("name");
         part.place = read_place(table, folder);

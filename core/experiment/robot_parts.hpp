@@ -4,11 +4,13 @@
 
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "fibre/painted_mask.hpp"
 #include "mesh/surface_mesh.hpp"
 
 namespace myo::experiment {
@@ -40,14 +42,20 @@ struct PartDeclaration {
     struct Region {
         int number = 0;
     };
+    /// Cells painted with weights, in a file of the form that masks of muscles have; its fibres have no meaning.
+    struct Painted {
+        std::variant<std::filesystem::path, std::shared_ptr<const fibre::PaintedMask>>
+            mask;  // a file, resolved, or what it would hold; never null
+    };
     std::string name;
-    std::variant<Box, std::filesystem::path, Region> place;  // a path: closed surface in the geometry's unit and frame
-    double youngs_modulus_Pa = 0.0;                          // > 0
-    double youngs_modulus_tolerance = 0.3;                   // relative half-width
-    double poissons_ratio = 0.0;                             // strictly between 0 and 0.5
-    double density_kg_m3 = 0.0;                              // > 0
-    std::optional<double> damping_s;                         // Kelvin-Voigt damping time [s]; absent: the material's
-    std::vector<std::string> calibrate;                      // parameters to fit: of youngs_modulus, damping
+    // A path: closed surface in the geometry's unit and frame.
+    std::variant<Box, std::filesystem::path, Region, Painted> place;
+    double youngs_modulus_Pa = 0.0;         // > 0
+    double youngs_modulus_tolerance = 0.3;  // relative half-width
+    double poissons_ratio = 0.0;            // strictly between 0 and 0.5
+    double density_kg_m3 = 0.0;             // > 0
+    std::optional<double> damping_s;        // Kelvin-Voigt damping time [s]; absent: the material's
+    std::vector<std::string> calibrate;     // parameters to fit: of youngs_modulus, damping
 };
 
 /// A further place where the body is held, such as a roller: material in the box does not move along the held axes.

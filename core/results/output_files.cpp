@@ -160,8 +160,11 @@ std::vector<fs::path> files_read(const fs::path& declared, const experiment::Exp
     files.insert(files.end(), experiment.law_files.begin(), experiment.law_files.end());
     if (const auto* volume = std::get_if<experiment::VolumeGeometry>(&experiment.geometry))
         for (fs::path& file : mesh::volume_files(volume->file)) files.push_back(std::move(file));
-    for (const experiment::PartDeclaration& part : experiment.parts)
+    for (const experiment::PartDeclaration& part : experiment.parts) {
         if (const auto* file = std::get_if<fs::path>(&part.place)) files.push_back(*file);
+        const auto* const painted = std::get_if<experiment::PartDeclaration::Painted>(&part.place);
+        if (const auto* mask = painted ? std::get_if<fs::path>(&painted->mask) : nullptr) files.push_back(*mask);
+    }
     for (const experiment::TrialDeclaration& trial : experiment.trials) {
         if (!trial.trace.empty()) files.push_back(trial.trace);
         if (trial.actuation) files.push_back(*trial.actuation);

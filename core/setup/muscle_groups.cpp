@@ -2,8 +2,8 @@
 
 #include "experiment/read_experiment.hpp"
 #include "fibre/fibres_along_line.hpp"
-#include "fibre/mask_check.hpp"
 #include "fibre/painted_mask.hpp"
+#include "setup/mask_on_mesh.hpp"
 
 namespace myo::setup {
 namespace {
@@ -25,19 +25,9 @@ struct GroupOf {
                                     muscle.name);
     }
     Result<fibre::FibreGroup> operator()(const experiment::MuscleMask& part) const {
-        const auto* const file = std::get_if<std::filesystem::path>(&part.painted);
-        Result<fibre::PaintedMask> mask = file ? fibre::read_painted_mask(*file)
-                                               : Result<fibre::PaintedMask>(*std::get<1>(part.painted));
+        Result<fibre::PaintedMask> mask = mask_on_mesh(part.painted, mesh);
         if (!mask) return mask.error();
-        doubts = fibre::contradictions(*mask);
-        mask->centroids_m = points_on_mesh(mesh, std::move(mask->centroids_m));
-        // Paint outside the body is usually a mask in another unit or frame.
-        const Eigen::Index off = fibre::elements_off_mesh(mesh.mesh, *mask),
-                           painted = (mask->weights.array() > 0.0).count();
-        if (off > 0)
-            doubts.push_back(std::to_string(off) + " of " + std::to_string(painted) +
-                             " painted elements lie where the body has none; is the mask of this body, in its rest "
-                             "frame, in metres, with its axes in order?");
+        doubts = mask_doubts(*mask, mesh);
         // One declared direction replaces the painted ones.
         if (part.fibre) mask->directions.colwise() = *part.fibre;
         return fibre::fibres_of_mask(mesh.mesh, *mask, muscle.stiffness_Pa, muscle.name);

@@ -11,6 +11,7 @@
 #include "mesh/surface_check.hpp"
 #include "mesh/surface_reader.hpp"
 #include "mesh/winding_number.hpp"
+#include "setup/mask_on_mesh.hpp"
 
 namespace myo::setup {
 namespace {
@@ -107,8 +108,24 @@ Result<mesh::SurfaceMesh> part_surface(const experiment::Experiment& experiment,
     return surface;
 }
 
+/// Share of each cell that is painted. `warnings` receives contradictions of the mask.
+Result<VectorXd> painted_shares(const experiment::Experiment& experiment, std::size_t part,
+                                const experiment::PartDeclaration::Painted& painted, const BodyMesh& mesh,
+                                std::vector<std::string>& warnings) {
+    const std::string key = part_key(part, "mask");
+    std::error_code code;
+    const auto* const file = std::get_if<std::filesystem::path>(&painted.mask);
+    if (file && !std::filesystem::is_regular_file(*file, code))
+        return experiment::declaration_error(experiment, key, "file not found: " + file->string());
+    const Result<fibre::PaintedMask> mask = mask_on_mesh(painted.mask, mesh);
+    if (!mask) return Error{key + ": " + mask.error().what, mask.error().where};
+    for (const std::string& doubt : mask_doubts(*mask, mesh)) warnings.push_back(key + ": " + doubt);
+    return VectorXd(fibre::paint_of_mask(mesh.mesh, *mask).weights);
+}
+
 /// Share of each cell that a part holds, without regard to the others.
-Result<VectorXd> shares_of(const experiment::Experiment& experiment, std::size_t part, const BodyMesh& mesh) {
+Result<VectorXd> shares_of(const experiment::Experiment& experiment, std::size_t part, const BodyMesh& mesh,
+                           std::vector<std::string>& warnings) {
     const experiment::PartDeclaration& declared = experiment.parts[part];
     if (const Box* box = std::get_if<Box>(&declared.place))
         return VectorXd(mesh::volume_fractions(mesh.mesh, box_on_mesh(mesh, *box)));
@@ -117,6 +134,8 @@ Result<VectorXd> shares_of(const experiment::Experiment& experiment, std::size_t
         if (!surface) return surface.error();
         return shares_in_surface(mesh.mesh, *surface);
     }
+    if (const auto* painted = std::get_if<experiment::PartDeclaration::Painted>(&declared.place))
+        return painted_shares(experiment, part, *painted, mesh, warnings);
     const int number = std::get<experiment::PartDeclaration::Region>(declared.place).number;
     if (mesh.mesh.regions.empty())
         return experiment::declaration_error(experiment, part_key(part, "region"),
@@ -129,7 +148,7 @@ Result<VectorXd> shares_of(const experiment::Experiment& experiment, std::size_t
 
 /// Key that says where a part is.
 std::string place_key(const experiment::PartDeclaration& part) {
-    constexpr const char* keys[] = {"box_m", "file", "region"};
+    constexpr const char* keys[] = {"box_m", "file", "region", "mask"};
     return keys[part.place.index()];
 }
 
@@ -151,7 +170,7 @@ Result<MatrixXd> part_shares(const experiment::Experiment& experiment, const Bod
     MatrixXd shares = MatrixXd::Zero(mesh.mesh.cell_count(), 1 + static_cast<Index>(experiment.parts.size()));
     shares.col(0).setOnes();
     for (std::size_t k = 0; k < experiment.parts.size(); ++k) {
-        const Result<VectorXd> own = shares_of(experiment, k, mesh);
+        const Result<VectorXd> own = shares_of(experiment, k, mesh, warnings);
         if (!own) return own.error();
         if (own->dot(volumes) < part_policy.least_share * volumes.sum())
             return experiment::declaration_error(experiment, part_key(k, place_key(experiment.parts[k])),

@@ -30,6 +30,19 @@ Result<void> read_and_check(const Folder& folder) {
     return {};
 }
 
+/// The file of a mask need not be there yet: the window writes it with the experiment.
+TEST(RobotParts, AMaskIsNamedFromTheFolder) {
+    const Folder folder("robot_mask");
+    std::string text = robot_toml;
+    const std::string file = "file = \"core.stl\"";
+    text.replace(text.find(file), file.size(), "mask = \"parts/core.csv\"");
+    write_robot(folder, text);
+    const Result<Experiment> read = read_experiment(folder.path());
+    ASSERT_TRUE(read) << read.error().text();
+    const auto& painted = std::get<PartDeclaration::Painted>(read->parts[1].place);
+    EXPECT_EQ(std::get<std::filesystem::path>(painted.mask), folder.path() / "parts" / "core.csv");
+}
+
 TEST(RobotParts, EveryKeyIsRead) {
     const Folder folder("robot");
     write_robot(folder, robot_toml);
@@ -157,6 +170,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "[[0.2", "part[0].box_m: ", "no material"},
         Spoiled{"file = \"core.stl\"", "region = 3", "region", "part[1].region: ", "volume"},
         Spoiled{"file = \"core.stl\"", "file = \"core.stl\"\nregion = 3", "region", "part[1].region: ", "exactly one"},
+        Spoiled{"file = \"core.stl\"", "file = \"core.stl\"\nmask = \"core.csv\"", "mask",
+                "part[1].mask: ", "exactly one"},
         Spoiled{"base_2 = [-0.09, 0.01, 0.0]\n", "", "motion", "mount.motion: ", "three markers"},
         Spoiled{"base_3 = [-0.09, 0.01, 0.03]", "base_3 = [-0.09, 0.02, 0.0]", "motion", "mount.motion: ", "one line"},
         Spoiled{"[mount]",

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "fibre/cell_paint.hpp"
 #include "material/catalogue.hpp"
 #include "mesh/region.hpp"
 #include "mesh/surface_check.hpp"
@@ -24,8 +25,7 @@ using testing::HasSubstr;
 
 constexpr double length = 0.12, side = 0.012, force_N = 2e-4, body_Pa = 1e5, part_Pa = 4e5, poisson = 0.3;
 
-experiment::PartDeclaration stiff_part(
-    std::variant<Box, std::filesystem::path, experiment::PartDeclaration::Region> place) {
+experiment::PartDeclaration stiff_part(decltype(experiment::PartDeclaration::place) place) {
     experiment::PartDeclaration part;
     part.name = "spine";
     part.place = std::move(place);
@@ -177,6 +177,52 @@ TEST(Parts, AreFoundByTheNumberOfTheirCells) {
     ASSERT_TRUE(shares) << shares.error().text();
     EXPECT_EQ((*shares)(0, 1), 0.0);
     EXPECT_EQ((*shares)(1, 1), 1.0);
+}
+
+/// Paint of the mesh itself is taken cell by cell, in memory as from its file; a finer mesh has it resampled.
+TEST(Parts, AreFoundByTheirPaint) {
+    const test::Folder folder("part_paint");
+    BodyMesh mesh, finer;
+    mesh.mesh = mesh::box_hex_mesh({Vector3d::Zero(), {0.04, 0.01, 0.01}}, {4, 1, 1});
+    finer.mesh = mesh::box_hex_mesh({Vector3d::Zero(), {0.04, 0.01, 0.01}}, {8, 2, 2});
+    fibre::CellPaint paint = fibre::blank_paint(mesh.mesh);
+    paint.weights << 0.0, 1.0, 0.5, 0.0;
+    paint.directions.row(0).setOnes();
+    const auto mask = std::make_shared<const fibre::PaintedMask>(fibre::mask_of_cells(mesh.mesh, paint));
+    ASSERT_TRUE(fibre::write_painted_mask(folder.path() / "spine.csv", *mask));
+    using Painted = experiment::PartDeclaration::Painted;
+    for (const Painted& painted : {Painted{mask}, Painted{folder.path() / "spine.csv"}}) {
+        std::vector<std::string> warnings;
+        const Result<Eigen::MatrixXd> shares = part_shares(bar_with(stiff_part(painted)), mesh, warnings);
+        ASSERT_TRUE(shares) << shares.error().text();
+        EXPECT_NEAR((shares->col(1) - paint.weights).norm(), 0.0, 1e-9);
+        EXPECT_NEAR((shares->rowwise().sum().array() - 1.0).abs().maxCoeff(), 0.0, 1e-12);
+        const Result<Eigen::MatrixXd> again = part_shares(bar_with(stiff_part(painted)), finer, warnings);
+        ASSERT_TRUE(again) << again.error().text();
+        EXPECT_NEAR(again->col(1).dot(mesh::cell_volumes(finer.mesh)), 1.5e-6, 1e-9);
+    }
+}
+
+TEST(Parts, WhoseMaskIsMissingOrElsewhereAreRefusedOrDoubted) {
+    const test::Folder folder("part_paint_missing");
+    BodyMesh mesh;
+    mesh.mesh = mesh::box_hex_mesh({Vector3d::Zero(), {0.04, 0.01, 0.01}}, {4, 1, 1});
+    std::vector<std::string> warnings;
+    using Painted = experiment::PartDeclaration::Painted;
+    Result<Eigen::MatrixXd> shares = part_shares(bar_with(stiff_part(Painted{folder.path() / "spine.csv"})), mesh,
+                                                 warnings);
+    ASSERT_FALSE(shares);
+    EXPECT_THAT(shares.error().what, HasSubstr("part[0].mask: file not found: "));
+    fibre::CellPaint paint = fibre::blank_paint(mesh.mesh);
+    paint.weights.setOnes();
+    paint.directions.row(0).setOnes();
+    fibre::PaintedMask mask = fibre::mask_of_cells(mesh.mesh, paint);
+    mask.centroids_m.row(2).array() += 1.0;
+    shares = part_shares(bar_with(stiff_part(Painted{std::make_shared<const fibre::PaintedMask>(mask)})), mesh,
+                         warnings);
+    ASSERT_FALSE(shares);
+    EXPECT_THAT(shares.error().what, HasSubstr("part[0].mask: holds no material of the body"));
+    EXPECT_THAT(warnings, testing::Contains(HasSubstr("painted elements lie where the body has none")));
 }
 
 }  // namespace
