@@ -238,6 +238,8 @@ void show_setup(const setup::Setup& setup, std::shared_ptr<const setup::BodyMesh
     scene.is_experiment = true;
     scene.unknowns = experiment.material.calibrate;
     scene.declared = declared_parts(setup);
+    scene.regions.clear();
+    for (const int number : setup.mesh.mesh.regions) ++scene.regions[number];
     scene.warnings = setup.warnings;
     scene.checks = check_rows(check::check_before(setup));
     scene.markers.clear();

@@ -3,6 +3,7 @@
 #include "backend/core_scene.hpp"
 #include "backend/experiment_contents.hpp"
 #include "backend/marker_edit.hpp"
+#include "backend/painted_parts.hpp"
 #include "base/files.hpp"
 #include "experiment/new_trial.hpp"
 #include "experiment/read_experiment.hpp"
@@ -32,11 +33,10 @@ std::string mesh_words(const std::string& text) {
     if (const toml::TomlValue* supports = document->find("support"))
         for (const toml::TomlValue& support : supports->items)
             if (const toml::TomlValue* box = support.find("box_m")) result += toml::toml_value_text(*box);
-    // The mesh meets the faces of parts; it does not depend on their material.
+    // The mesh meets the faces of boxes of parts; other places and materials leave it as it is.
     if (const toml::TomlValue* parts = document->find("part"))
         for (const toml::TomlValue& part : parts->items)
-            for (const char* key : {"box_m", "file", "region"})
-                if (const toml::TomlValue* value = part.find(key)) result += toml::toml_value_text(*value);
+            if (const toml::TomlValue* box = part.find("box_m")) result += toml::toml_value_text(*box);
     return result;
 }
 
@@ -65,11 +65,15 @@ Result<std::string> with_edit(const std::string& text, const ui::commands::Decla
 Result<Declaration> edited_declaration(const ui::commands::Scene& scene, const Declaration& declaration,
                                        const std::vector<ui::commands::DeclarationEdit>& edits) {
     Result<std::string> text = text_of(scene, declaration);
+    Declaration result;
+    result.painted = declaration.painted;
     for (const ui::commands::DeclarationEdit& edit : edits) {
-        text = with_edit(*text, edit);
+        const auto* const paint = std::get_if<ui::commands::PaintDeclared>(&edit);
+        text = paint ? with_painted_part(*text, *paint, result) : with_edit(*text, edit);
         if (!text) return text.error();
     }
-    Declaration result;
+    // Undo has its own declarations, so that masks which the text no longer names need not be kept.
+    std::erase_if(result.painted, [&](const auto& entry) { return text->find(entry.first) == std::string::npos; });
     std::string edited_words = mesh_words(*text);
     // Only a difference is kept, so that an edit that is undone by another one restores the meshed state.
     if (mesh_words(*source_of(scene).text) != edited_words) result.mesh_words = std::move(edited_words);
@@ -79,16 +83,20 @@ Result<Declaration> edited_declaration(const ui::commands::Scene& scene, const D
 
 Result<ui::commands::Scene> redeclared_scene(const ui::commands::Scene& scene, const Declaration& declaration,
                                              const ui::commands::MeshedBody* body) {
-    const Result<experiment::Experiment> experiment = experiment::read_experiment_text(text_of(scene, declaration),
-                                                                                       declaration_file(scene.path));
+    const fs::path file = declaration_file(scene.path);
+    Result<experiment::Experiment> experiment = experiment::read_experiment_text(text_of(scene, declaration), file);
     if (!experiment) return Error{experiment.error().what, ""};  // the line is one of a text that no file holds
+    give_masks(declaration, file.parent_path(), *experiment);
     Result<ui::commands::Scene> result = scene_of(scene, *experiment, body);
     if (!result) return Error{result.error().what, ""};
     return result;
 }
 
 Result<void> write_scene_declaration(const ui::commands::Scene& scene, const Declaration& declaration) {
-    return write_file(declaration_file(scene.path), text_of(scene, declaration));
+    const fs::path file = declaration_file(scene.path);
+    // Masks first, so that an interruption leaves a complete experiment.
+    if (const Result<void> written = write_masks(declaration, file.parent_path()); !written) return written;
+    return write_file(file, text_of(scene, declaration));
 }
 
 Result<void> write_plain_scene(const fs::path& folder, const ui::commands::Scene& scene,
@@ -102,7 +110,8 @@ Result<void> write_scene_copy(const fs::path& folder, const ui::commands::Scene&
     // copy_experiment() takes the folder; write_contents() then adds what the edited text names elsewhere.
     const fs::path from = declaration_file(scene.path).parent_path();
     if (const Result<void> copied = experiment::copy_experiment(from, folder); !copied) return copied;
-    const Result<void> written = write_contents(from, text_of(scene, declaration), folder);
+    Result<void> written = write_contents(from, text_of(scene, declaration), folder);
+    if (written) written = write_masks(declaration, folder);
     std::error_code ignored;
     if (!written) fs::remove_all(folder, ignored);
     return written;

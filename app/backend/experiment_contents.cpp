@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "backend/core_scene.hpp"
+#include "backend/painted_parts.hpp"
 #include "base/files.hpp"
 #include "toml/toml_edit.hpp"
 #include "toml/toml_text.hpp"
@@ -155,11 +156,14 @@ Result<fs::path> put_inside(const ui::commands::Project& project, const fs::path
     if (!text) return text.error();
     // Opened from the project's own folder: only the declaration can differ.
     if (fs::equivalent(from, place, ignored)) {
-        if (const Result<void> written = write_contents(place, *text, place); !written) return written.error();
+        Result<void> written = write_contents(place, *text, place);
+        if (written) written = write_masks(project.settings.declaration, place);
+        if (!written) return written.error();
         return place;
     }
     fs::remove_all(made, ignored);
     Result<void> written = write_contents(from, *text, made);
+    if (written) written = write_masks(project.settings.declaration, made);
     if (written) written = replace_folder(made, place);
     if (written) return place;
     fs::remove_all(made, ignored);

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "backend/experiment_contents.hpp"
+#include "backend/painted_parts.hpp"
 #include "backend/project_masks.hpp"
 #include "base/files.hpp"
 #include "commands/settings.hpp"
@@ -300,7 +301,7 @@ ui::commands::Project read_document(const toml::TomlValue& root, const fs::path&
     const toml::TomlReader document(
         root, "",
         {"schema", "source", "copy_of", "self_contained", "metres_per_unit", "trial", "declaration", "declared_mesh",
-         "mesh", "material", "time", "view", "muscle", "effect", "effect_off"});
+         "mesh", "material", "time", "view", "muscle", "painted", "effect", "effect_off"});
     ui::commands::Project project;
     std::error_code ignored;
     const fs::path source = document.text("source");
@@ -315,7 +316,8 @@ ui::commands::Project read_document(const toml::TomlValue& root, const fs::path&
     project.settings = read_settings(document, root, file.parent_path(), project.warnings);
     if (document.has("declaration"))
         project.settings.declaration = {std::make_shared<const std::string>(document.text("declaration")),
-                                        document.text_or("declared_mesh", "")};
+                                        document.text_or("declared_mesh", ""),
+                                        read_project_parts(document, file.parent_path(), project.warnings)};
     if (document.has("view")) project.view = read_view(document);
     return project;
 }
@@ -345,6 +347,11 @@ Result<void> write_project_file(const fs::path& file, const ui::commands::Projec
                 "\n";
     text += settings_text(project.settings);
     std::set<std::string> used;
+    if (!project.self_contained) {
+        const Result<std::string> masks = project_text_of_masks(project.settings.declaration, files, used);
+        if (!masks) return masks.error();
+        text += *masks;
+    }
     for (const ui::commands::Muscle& muscle : project.settings.muscles) {
         std::string mask;
         if (muscle.paint && muscle.paint->count() > 0) {

@@ -56,13 +56,16 @@ std::set<std::string> named_masks(const fs::path& file, const fs::path& files) {
     const Result<toml::TomlValue> document = fs::exists(file, ignored)
                                                  ? toml::read_toml(file)
                                                  : Result<toml::TomlValue>(Error{"not there", ""});
-    const toml::TomlValue* const muscles = document ? document->find("muscle") : nullptr;
-    if (muscles == nullptr) return names;
-    for (const toml::TomlValue& muscle : muscles->items) {
-        const toml::TomlValue* const mask = muscle.find("mask");
-        const fs::path path = mask != nullptr ? mask->text : "";
-        if (path.parent_path() == files.filename() && is_mask_name(path.filename().string()))
-            names.insert(path.filename().string());
+    if (!document) return names;
+    for (const char* array : {"muscle", "painted"}) {
+        const toml::TomlValue* const holders = document->find(array);
+        if (holders == nullptr) continue;
+        for (const toml::TomlValue& holder : holders->items) {
+            const toml::TomlValue* const mask = holder.find("mask");
+            const fs::path path = mask != nullptr ? mask->text : "";
+            if (path.parent_path() == files.filename() && is_mask_name(path.filename().string()))
+                names.insert(path.filename().string());
+        }
     }
     return names;
 }

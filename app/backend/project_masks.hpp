@@ -10,8 +10,8 @@
 
 namespace myo::backend {
 
-/// File name from the muscle and the content of the mask, "left-0123456789abcdef.csv", so that a file never changes
-/// after it was written.
+/// File name from the muscle or part and the content of the mask, "left-0123456789abcdef.csv", so that a file never
+/// changes after it was written.
 std::string mask_name(const std::string& muscle, const fibre::PaintedMask& mask);
 
 /// Names of the masks that a project file references in its own folder of files; none if the file is missing or

@@ -4,6 +4,7 @@
 #include "experiment/actuators.hpp"
 #include "experiment/new_effect.hpp"
 #include "mesh/surface_mesh.hpp"
+#include "setup/parts.hpp"
 
 namespace myo::backend {
 namespace {
@@ -40,9 +41,16 @@ ui::commands::ScenePart shown_part(const experiment::PartDeclaration& declared) 
     ui::commands::ScenePart shown;
     shown.name = declared.name;
     if (const Box* box = std::get_if<Box>(&declared.place)) shown.box_m = *box;
-    if (const auto* file = std::get_if<std::filesystem::path>(&declared.place)) shown.place = file->filename().string();
+    if (const auto* file = std::get_if<std::filesystem::path>(&declared.place)) shown.file = *file;
     if (const auto* region = std::get_if<experiment::PartDeclaration::Region>(&declared.place))
-        shown.place = "cells of region " + std::to_string(region->number);
+        shown.region = region->number;
+    if (const auto* painted = std::get_if<experiment::PartDeclaration::Painted>(&declared.place)) {
+        const auto* const file = std::get_if<std::filesystem::path>(&painted->mask);
+        if (!file)
+            shown.mask = std::get<1>(painted->mask);
+        else if (Result<fibre::PaintedMask> mask = fibre::read_painted_mask(*file))
+            shown.mask = std::make_shared<const fibre::PaintedMask>(std::move(*mask));
+    }
     shown.youngs_modulus_Pa = declared.youngs_modulus_Pa;
     shown.youngs_modulus_tolerance = declared.youngs_modulus_tolerance;
     shown.poissons_ratio = declared.poissons_ratio;
@@ -53,6 +61,12 @@ ui::commands::ScenePart shown_part(const experiment::PartDeclaration& declared) 
 }
 
 }  // namespace
+
+Eigen::MatrixXd shown_part_shares(const experiment::Experiment& experiment, const setup::BodyMesh& mesh) {
+    std::vector<std::string> ignored;
+    const Result<Eigen::MatrixXd> shares = setup::part_shares(experiment, mesh, ignored);
+    return shares ? *shares : Eigen::MatrixXd();
+}
 
 void show_declared(const experiment::Experiment& experiment, const mesh::SurfaceMesh& surface, double time_s,
                    ui::commands::Scene& scene) {

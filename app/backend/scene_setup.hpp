@@ -2,6 +2,7 @@
 
 #include "commands/backend.hpp"
 #include "experiment/experiment.hpp"
+#include "setup/body_mesh.hpp"
 
 namespace myo::backend {
 
@@ -11,5 +12,8 @@ namespace myo::backend {
 /// @param time_s   within the first trial [s], for new effects that are events
 void show_declared(const experiment::Experiment& experiment, const mesh::SurfaceMesh& surface, double time_s,
                    ui::commands::Scene& scene);
+
+/// Shares of the materials in the cells of a mesh, see setup::part_shares(); empty if the parts do not fit the mesh.
+Eigen::MatrixXd shown_part_shares(const experiment::Experiment& experiment, const setup::BodyMesh& mesh);
 
 }  // namespace myo::backend

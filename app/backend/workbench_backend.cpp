@@ -21,6 +21,7 @@
 #include "backend/project_file.hpp"
 #include "backend/recording_import.hpp"
 #include "backend/scene_report.hpp"
+#include "backend/scene_setup.hpp"
 #include "backend/shape_files.hpp"
 #include "backend/short_run.hpp"
 #include "backend/shown_run.hpp"
@@ -178,6 +179,9 @@ public:
         Result<ui::commands::BodyActuators> found = body_actuators(source.experiment, source.surface, *mesh,
                                                                    body.boundary);
         return found ? std::move(*found) : ui::commands::BodyActuators{};
+    }
+    Eigen::MatrixXd part_shares(const ui::commands::Scene& scene, const ui::commands::MeshedBody& body) const override {
+        return shown_part_shares(source_of(scene).experiment, *static_cast<const setup::BodyMesh*>(body.source.get()));
     }
     Result<void> write_declaration(const ui::commands::Scene& scene,
                                    const ui::commands::Declaration& declaration) const override {

@@ -12,6 +12,7 @@
 #include "commands/scene_at_time.hpp"
 #include "commands/setup_drawing.hpp"
 #include "commands/support_drawing.hpp"
+#include "fibre/cell_paint.hpp"
 #include "mesh/box_mesh.hpp"
 
 // Supports, parts and the markers of an import, as they are drawn.
@@ -115,6 +116,42 @@ TEST(PartDrawing, ACellBelongsToTheLastPartThatHoldsItsMiddle) {
     EXPECT_EQ(commands::part_of_cell(body.state), (std::vector<int>{0, 2, -1, -1}));
     body.state.body.reset();
     EXPECT_TRUE(commands::part_of_cell(body.state).empty());
+}
+
+/// A part without a box has what the shares say; during a stroke, what the brush leaves of it.
+TEST(PartDrawing, ACellShowsThePartThatHoldsHalfOfItOrIsPaintedThere) {
+    DrawnBody body;
+    auto meshed = std::make_shared<commands::MeshedBody>();
+    meshed->mesh = mesh::box_hex_mesh({{0, 0, 0}, {4, 1, 1}}, {4, 1, 1});
+    meshed->boundary = mesh::boundary_faces(meshed->mesh);
+    body.state.body = meshed;
+    body.scene.parts.resize(1);
+    body.scene.parts[0].name = "spine";
+    body.scene.parts[0].youngs_modulus_Pa = 2e6;
+    body.publish();
+    EXPECT_EQ(commands::part_of_cell(body.state), (std::vector<int>{-1, -1, -1, -1})) << "shares of another mesh";
+    body.state.part_shares.resize(4, 2);
+    body.state.part_shares << 0.0, 1.0, 0.5, 0.5, 0.6, 0.4, 1.0, 0.0;
+    commands::MotionSummary motion;
+    motion.part_of_cell = commands::part_of_cell(body.state);
+    EXPECT_EQ(motion.part_of_cell, (std::vector<int>{0, 0, -1, -1}));
+    const auto tinted = [&](const fibre::CellPaint* live) {
+        body.drawn = {};
+        body.drawn.body = std::make_shared<viewport::DrawnBody>(viewport::DrawnBody{meshed->boundary, {}});
+        commands::add_setup(body.drawn, body.state, body.theme, motion, live);
+        std::vector<bool> cells(4, false);
+        for (Eigen::Index f = 0; f < meshed->boundary.count(); ++f)
+            if (body.drawn.tints(3, f) > 0.0f) cells[static_cast<std::size_t>(meshed->boundary.cell(f))] = true;
+        return cells;
+    };
+    EXPECT_EQ(tinted(nullptr), (std::vector<bool>{true, true, false, false}));
+    ASSERT_EQ(body.drawn.legend.size(), 2u);
+    EXPECT_EQ(body.drawn.legend[1].text, "spine 2 MPa");
+    EXPECT_EQ(body.drawn.legend[1].color, color_of(body.theme.muscle(0)));
+    fibre::CellPaint live = fibre::blank_paint(meshed->mesh);
+    live.weights << 0.0, 1.0, 1.0, 0.0;
+    body.state.brush.part = 0;
+    EXPECT_EQ(tinted(&live), (std::vector<bool>{false, true, true, false}));
 }
 
 TEST(LoadDrawing, PointsAreThoseInTheBoxAtRest) {

@@ -160,6 +160,7 @@ struct Scene {
     SceneEffects effects;
     std::vector<SceneObstacle> obstacles;
     std::vector<ScenePart> parts;
+    std::map<int, int> regions;          // numbers that a volume mesh has for its cells: how many have each
     std::vector<std::string> warnings;   // from reading the files
     CheckRows checks;                    // of the experiment as declared; empty for a plain mesh
     std::shared_ptr<const void> source;  // owned by the backend, opaque to the workbench
@@ -287,7 +288,10 @@ public:
     /// Declared chambers and tendons on a mesh of the scene's body; empty if the mesh lost one. Called on the UI
     /// thread.
     virtual BodyActuators actuators(const Scene&, const MeshedBody& body) const { return body.actuators; }
-    /// Writes an edited declaration to the experiment's file.
+    /// Shares of the materials in each cell of a mesh of the scene's body by volume: column 0 is the body's own, column
+    /// 1 + k that of part k. Empty without parts, or if they do not fit the mesh. Called on the UI thread.
+    virtual Eigen::MatrixXd part_shares(const Scene&, const MeshedBody&) const { return {}; }
+    /// Writes an edited declaration to the experiment's file, and masks that it names beside it.
     virtual Result<void> write_declaration(const Scene& scene, const Declaration& declaration) const = 0;
     /// Writes a plain mesh with the settings as an experiment with one trial that is simulated.
     virtual Result<void> write_plain_experiment(const std::filesystem::path& folder, const Scene& scene,

@@ -19,6 +19,7 @@ struct BrushSettings {
     double strength = 1.0;   // weight in the middle of the brush, 0 to 1
     BrushDirection direction = BrushDirection::stroke;
     BrushMirror mirror = BrushMirror::none;
+    int part = -1;  // part that is painted, index in Scene::parts, the number of parts for a new one; -1: the muscle
 
     bool operator==(const BrushSettings&) const = default;
 };

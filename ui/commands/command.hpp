@@ -104,6 +104,11 @@ struct Paint {
     std::shared_ptr<const fibre::CellPaint> paint;
     std::string what;  // name of the edit, for undo
 };
+/// Says by paint where a part of the body is. One undo entry. The part behind the last one is declared by it.
+struct PaintPart {
+    std::size_t part = 0;                           // index in Scene::parts
+    std::shared_ptr<const fibre::CellPaint> paint;  // on the shown body; null: what the part holds now
+};
 /// Reads the signal of a muscle from a CSV file.
 struct ImportSignal {
     int muscle = 0;  // index in Settings::muscles
@@ -273,9 +278,9 @@ struct WriteReport {
 using Command = std::variant<
     Open, Drop, AnswerUnit, ChangeSettings, EditDeclaration, SaveDeclaration, MakeExperiment, Undo, Redo, BuildMesh,
     Run, ChangePreview, Calibrate, ChangeOptimize, Optimize, Diagnose, ChooseCandidate, AddEffect, DeclareEffect,
-    ChooseMuscle, Paint, ImportSignal, ExportSignal, ChangeBrush, Cancel, Pause, Unqueue, RestoreRecord, CompareRecord,
-    ForgetRecord, Save, SaveAs, AskWhereToSave, AnswerUnsaved, OfferRecovery, Recover, DiscardRecovery, Quit,
-    AnswerStop, ChooseTrial, ChooseMarker, SetTime, Play, SetSpeed, ChangeView, SetDampingFrequency, SetTheme,
+    ChooseMuscle, Paint, PaintPart, ImportSignal, ExportSignal, ChangeBrush, Cancel, Pause, Unqueue, RestoreRecord,
+    CompareRecord, ForgetRecord, Save, SaveAs, AskWhereToSave, AnswerUnsaved, OfferRecovery, Recover, DiscardRecovery,
+    Quit, AnswerStop, ChooseTrial, ChooseMarker, SetTime, Play, SetSpeed, ChangeView, SetDampingFrequency, SetTheme,
     SetLayout, Bookmark, UsePreferences, ClearLog, LogMessage, WriteReport, ReadRecording, ChangeImport, ChooseLabel,
     ProposeMarkers, AlignImport, AddRecording, CancelImport, PlayLive, SteerLive, RestartLive, Locate, ExportBody,
     SaveExperimentAs>;

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "fibre/painted_mask.hpp"
 #include "toml/toml_path.hpp"
 
 namespace myo::ui::commands {
@@ -13,6 +15,9 @@ namespace myo::ui::commands {
 struct Declaration {
     std::shared_ptr<const std::string> text;  // null: as it was opened
     std::string mesh_words;                   // body, support and parts where they differ from those opened; else empty
+    /// Masks of parts that were painted in the window, by the names that the text has for their files. A name is made
+    /// from the content, so that texts alone decide about equality.
+    std::map<std::string, std::shared_ptr<const fibre::PaintedMask>> painted = {};
 
     bool operator==(const Declaration& other) const {
         const bool same_text = text == other.text || (text && other.text && *text == *other.text);
@@ -43,7 +48,14 @@ struct DuplicateDeclared {
 struct RenameMarker {
     std::string name, wanted;
 };
+/// Says by paint where a part is, instead of by its box, file or region. The mask becomes a file when the declaration
+/// is written.
+struct PaintDeclared {
+    std::size_t part = 0;  // index in the declaration
+    std::shared_ptr<const fibre::PaintedMask> mask;
+};
 /// One edit of a declaration.
-using DeclarationEdit = std::variant<SetDeclared, RemoveDeclared, AppendDeclared, DuplicateDeclared, RenameMarker>;
+using DeclarationEdit = std::variant<SetDeclared, RemoveDeclared, AppendDeclared, DuplicateDeclared, RenameMarker,
+                                     PaintDeclared>;
 
 }  // namespace myo::ui::commands

@@ -16,14 +16,18 @@ std::shared_ptr<const fibre::CellPaint> PlacedPaint::of(const Muscle& muscle,
         const auto declared = body->muscles.find(muscle.declared);
         if (declared != body->muscles.end()) return {body, &declared->second};
     }
+    return of(muscle.paint, body);
+}
+
+std::shared_ptr<const fibre::CellPaint> PlacedPaint::of(const std::shared_ptr<const fibre::PaintedMask>& mask,
+                                                        const std::shared_ptr<const MeshedBody>& body) {
     // Masks never change once they are made, so that the pointer identifies one.
-    const auto known = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& entry) {
-        return entry.body == body && entry.mask == muscle.paint;
-    });
+    const auto known = std::find_if(entries_.begin(), entries_.end(),
+                                    [&](const Entry& entry) { return entry.body == body && entry.mask == mask; });
     if (known != entries_.end()) return known->paint;
-    const auto placed = std::make_shared<const fibre::CellPaint>(
-        muscle.paint ? fibre::paint_of_mask(body->mesh, *muscle.paint) : fibre::blank_paint(body->mesh));
-    remember(body, muscle.paint, placed);
+    const auto placed = std::make_shared<const fibre::CellPaint>(mask ? fibre::paint_of_mask(body->mesh, *mask)
+                                                                      : fibre::blank_paint(body->mesh));
+    remember(body, mask, placed);
     return placed;
 }
 

@@ -7,12 +7,16 @@
 
 namespace myo::ui::commands {
 
-/// Cache of muscle paint, resampled on meshes. Resampling a mask takes the time of several frames; undo and redo return
-/// to earlier masks, so the last ones are kept.
+/// Cache of the paint of muscles and parts, resampled on meshes. Resampling a mask takes the time of several frames;
+/// undo and redo return to earlier masks, so the last ones are kept.
 class PlacedPaint {
 public:
     /// Paint of a muscle on the cells of a body, rest frame. Blank if the muscle is neither painted nor declared.
     std::shared_ptr<const fibre::CellPaint> of(const Muscle& muscle, const std::shared_ptr<const MeshedBody>& body);
+
+    /// Paint of a mask on the cells of a body; null: blank.
+    std::shared_ptr<const fibre::CellPaint> of(const std::shared_ptr<const fibre::PaintedMask>& mask,
+                                               const std::shared_ptr<const MeshedBody>& body);
 
     /// Stores paint together with the mask that was made from it, so that of() does not resample it.
     void remember(const std::shared_ptr<const MeshedBody>& body, const std::shared_ptr<const fibre::PaintedMask>& mask,

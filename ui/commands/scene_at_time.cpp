@@ -274,10 +274,12 @@ viewport::DrawnScene scene_at_time(const WorkbenchState& state, const platform::
     if (state.view.clip.on && state.body)
         add_line(drawn, outline_of(state.view.clip, motion.rest), viewport::color_of(theme.accent, 0.9f), 1.5);
     // The order decides about the colour of a face: muscles, over them chambers, and parts where neither is.
-    add_muscles(drawn, state, theme, live);
+    const bool paints_part = state.brush.part >= 0;
+    add_muscles(drawn, state, theme, paints_part ? nullptr : live);
     add_actuators(drawn, state, theme);
-    add_setup(drawn, state, theme, motion);
-    if (drawn.field && !live) drawn.tints.resize(4, 0);  // a colour must have one meaning at a time
+    add_setup(drawn, state, theme, motion, paints_part ? live : nullptr);
+    // A colour must have one meaning at a time.
+    if (drawn.field && !live) drawn.tints.resize(4, 0), drawn.legend.clear();
     add_force_arrows(drawn, state, theme);
     if (state.import)
         add_import(drawn, state, theme);

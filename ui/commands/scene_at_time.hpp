@@ -39,7 +39,7 @@ struct MotionSummary {
     std::shared_ptr<const Eigen::Matrix3Xd>
         outline;                           // of the meshed body at rest, see rest_outline(); null: not meshed
     std::vector<std::vector<int>> loaded;  // per load of the trial: indices of the points that positions_at_time() has
-    std::vector<int> part_of_cell;         // of the scene's parts, -1: none; empty without boxes of parts or a body
+    std::vector<int> part_of_cell;         // of the scene's parts, -1: none; empty without parts or a body
 };
 /// Computes the summary for the shown trial.
 MotionSummary summarize_motion(const WorkbenchState& state);
@@ -58,7 +58,7 @@ std::optional<viewport::DrawnField> drawn_field(const ViewOptions& view, const F
 /// Creates the 3D picture of the shown trial at the shown time. Empty if nothing is open.
 ///
 /// @param motion  summary of the same scene, body, run and trial
-/// @param live  paint of the selected muscle during a stroke; may be null
+/// @param live  paint of the selected muscle, or of the part that the brush paints, during a stroke; may be null
 /// @param kind, field  field that colours the body and its values; may be null
 viewport::DrawnScene scene_at_time(const WorkbenchState& state, const platform::Theme& theme,
                                    const MotionSummary& motion, const fibre::CellPaint* live = nullptr,

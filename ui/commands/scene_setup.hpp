@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -9,6 +11,7 @@
 
 #include "base/box.hpp"
 #include "effect/effect_declaration.hpp"
+#include "fibre/painted_mask.hpp"
 
 // What an experiment declares in addition to body, support, markers and trials, as the window shows and edits it. SI
 // units, mesh frame.
@@ -42,8 +45,11 @@ struct SceneObstacle {
 /// Part of the body with a material of its own.
 struct ScenePart {
     std::string name;
-    std::optional<Box> box_m;  // empty: given by a file or by numbers of cells
-    std::string place;         // otherwise: "tip.stl", "cells of region 3"
+    // Where it is: one of these four.
+    std::optional<Box> box_m;
+    std::filesystem::path file;                      // closed surface, resolved; empty: none
+    std::optional<int> region;                       // number of its cells
+    std::shared_ptr<const fibre::PaintedMask> mask;  // painted; empty if its file cannot be read
     double youngs_modulus_Pa = 0.0;
     double youngs_modulus_tolerance = 0.0;  // relative half-width of a fit
     double poissons_ratio = 0.0;

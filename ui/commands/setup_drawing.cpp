@@ -22,8 +22,14 @@ constexpr double gravity_gap = 0.03;  // between the body and the arrow above it
 constexpr double mass_thread = 0.06;  // by which a mass hangs
 constexpr double mass_size = 0.03;    // half edge of the weight
 constexpr double ended_alpha = 0.3;   // opacity of a force at times in which it does not act
-constexpr float part_tint = 0.45f;    // opacity of a part's colour on its elements
 constexpr double line_width = 1.5, edited_width = 2.5, load_width = 2.5;  // [pixels]
+
+/// How parts are shown on the elements.
+struct PartLookPolicy {
+    double least_share = 0.5;  // of a cell, from which on it shows a part
+    float tint = 0.45f;        // opacity of a part's colour
+};
+constexpr PartLookPolicy part_policy;
 
 /// Three digits and the unit: "0.25 N".
 std::string amount(double value, double per_unit, const std::string& unit) {
@@ -57,32 +63,53 @@ void add_obstacles(viewport::DrawnScene& drawn, const WorkbenchState& state, con
     }
 }
 
-/// Colours of parts follow those of muscles, chambers and tendons.
-const ImVec4& part_color(const WorkbenchState& state, const platform::Theme& theme, std::size_t part) {
-    const std::size_t before = state.settings.muscles.size() + state.actuators.count();
-    return theme.muscle(static_cast<int>(before + part));
+/// Part that a cell shows: during a stroke the painted part has what the brush left, and no more.
+int shown_part(const WorkbenchState& state, const std::vector<int>& part_of_cell, const fibre::CellPaint* live,
+               Eigen::Index cell) {
+    const int part = part_of_cell.empty() ? -1 : part_of_cell[static_cast<std::size_t>(cell)];
+    if (!live) return part;
+    if (live->weights(cell) >= part_policy.least_share) return state.brush.part;
+    return part == state.brush.part ? -1 : part;
 }
 
-/// Tints the elements of parts where no muscle and no chamber has a colour.
+/// Tints the elements of parts where no muscle and no chamber has a colour. An open or painted part is shown over them.
 void tint_parts(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme,
-                const std::vector<int>& part_of_cell) {
-    if (!drawn.body || !state.body || part_of_cell.size() != static_cast<std::size_t>(state.body->mesh.cell_count()))
-        return;
+                const std::vector<int>& part_of_cell, const fibre::CellPaint* live) {
+    if (!drawn.body || !state.body) return;
+    const Eigen::Index cells = state.body->mesh.cell_count();
+    if (live && live->count() != cells) live = nullptr;
+    if (!live && part_of_cell.size() != static_cast<std::size_t>(cells)) return;
     const mesh::BoundaryFaces& faces = drawn.body->faces;
     // Tints of another number of faces are not those of the drawn body.
     if (drawn.tints.cols() != 0 && drawn.tints.cols() != faces.count()) return;
     if (drawn.tints.cols() == 0) drawn.tints = Eigen::Matrix4Xf::Zero(4, faces.count());
     for (Eigen::Index f = 0; f < faces.count(); ++f) {
-        const int part = part_of_cell[static_cast<std::size_t>(faces.cell(f))];
-        if (part < 0 || drawn.tints(3, f) > 0.0f) continue;
+        const int part = shown_part(state, part_of_cell, live, faces.cell(f));
+        const bool on_top = (live && part == state.brush.part) || state.view.edited == "part/" + std::to_string(part);
+        if (part < 0 || (drawn.tints(3, f) > 0.0f && !on_top)) continue;
         const viewport::Color color = viewport::color_of(part_color(state, theme, static_cast<std::size_t>(part)));
-        drawn.tints.col(f) << color.head<3>(), part_tint;
+        drawn.tints.col(f) << color.head<3>(), part_policy.tint;
     }
 }
 
-/// Boxes of the parts with their names, and the tint of their elements.
+/// "2 MPa", "260 kPa".
+std::string modulus_text(double modulus_Pa) {
+    return modulus_Pa < 1e6 ? amount(modulus_Pa, 1e3, "kPa") : amount(modulus_Pa, 1e6, "MPa");
+}
+
+/// Materials of the body and its parts, by colour.
+void add_part_legend(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme) {
+    if (state.scene->parts.empty()) return;
+    drawn.legend.push_back({"body " + modulus_text(state.settings.youngs_modulus_Pa), viewport::color_of(theme.body)});
+    for (std::size_t i = 0; i < state.scene->parts.size(); ++i)
+        drawn.legend.push_back(
+            {state.scene->parts[i].name + " " + modulus_text(state.scene->parts[i].youngs_modulus_Pa),
+             viewport::color_of(part_color(state, theme, i))});
+}
+
+/// Boxes of the parts with their names, the tint of their elements, and the legend.
 void add_parts(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme,
-               const MotionSummary& motion) {
+               const MotionSummary& motion, const fibre::CellPaint* live) {
     for (std::size_t i = 0; i < state.scene->parts.size(); ++i) {
         const ScenePart& part = state.scene->parts[i];
         if (!part.box_m) continue;
@@ -92,7 +119,8 @@ void add_parts(viewport::DrawnScene& drawn, const WorkbenchState& state, const p
                            part.box_m->highest.z());
         drawn.labels.push_back({top, part.name, viewport::color_of(color)});
     }
-    tint_parts(drawn, state, theme, motion.part_of_cell);
+    tint_parts(drawn, state, theme, motion.part_of_cell, live);
+    add_part_legend(drawn, state, theme);
 }
 
 /// Place at which a load is drawn: the middle of the loaded points as drawn, moved along the load to the last of them,
@@ -168,6 +196,12 @@ void add_loads(viewport::DrawnScene& drawn, const WorkbenchState& state, const p
     }
 }
 
+/// Share of a cell that a part holds; 0 if it is not known for this mesh.
+double share_of(const WorkbenchState& state, Eigen::Index cell, std::size_t part) {
+    const auto column = static_cast<Eigen::Index>(part) + 1;
+    return cell < state.part_shares.rows() && column < state.part_shares.cols() ? state.part_shares(cell, column) : 0.0;
+}
+
 /// A small arrow above the body, as seen along gravity.
 void add_gravity(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme) {
     const Vector3d& gravity = state.scene->gravity_m_s2;
@@ -183,11 +217,16 @@ void add_gravity(viewport::DrawnScene& drawn, const WorkbenchState& state, const
 
 }  // namespace
 
+const ImVec4& part_color(const WorkbenchState& state, const platform::Theme& theme, std::size_t part) {
+    const std::size_t before = state.settings.muscles.size() + state.actuators.count();
+    return theme.muscle(static_cast<int>(before + part));
+}
+
 void add_setup(viewport::DrawnScene& drawn, const WorkbenchState& state, const platform::Theme& theme,
-               const MotionSummary& motion) {
+               const MotionSummary& motion, const fibre::CellPaint* live) {
     if (state.view.obstacles) {
         add_obstacles(drawn, state, theme);
-        add_parts(drawn, state, theme, motion);
+        add_parts(drawn, state, theme, motion, live);
     }
     if (state.view.loads) {
         add_gravity(drawn, state, theme);
@@ -209,9 +248,7 @@ std::vector<std::vector<int>> loaded_points(const WorkbenchState& state) {
 }
 
 std::vector<int> part_of_cell(const WorkbenchState& state) {
-    if (!state.scene || !state.body) return {};
-    const auto has_box = [](const ScenePart& part) { return part.box_m.has_value(); };
-    if (std::none_of(state.scene->parts.begin(), state.scene->parts.end(), has_box)) return {};
+    if (!state.scene || !state.body || state.scene->parts.empty()) return {};
     const mesh::VolumeMesh& mesh = state.body->mesh;
     std::vector<int> parts(static_cast<std::size_t>(mesh.cell_count()), -1);
     for (Eigen::Index c = 0; c < mesh.cell_count(); ++c) {
@@ -219,9 +256,11 @@ std::vector<int> part_of_cell(const WorkbenchState& state) {
         for (const int node : mesh.cells.col(c)) middle += mesh.nodes.col(node);
         middle /= static_cast<double>(mesh.cells.rows());
         // No early end: the later of overlapping parts holds.
-        for (std::size_t p = 0; p < state.scene->parts.size(); ++p)
-            if (const auto& box = state.scene->parts[p].box_m; box && box->contains(middle))
+        for (std::size_t p = 0; p < state.scene->parts.size(); ++p) {
+            const auto& box = state.scene->parts[p].box_m;
+            if (box ? box->contains(middle) : share_of(state, c, p) >= part_policy.least_share)
                 parts[static_cast<std::size_t>(c)] = static_cast<int>(p);
+        }
     }
     return parts;
 }

@@ -91,6 +91,8 @@ private:
     void on(const ImportSignal& asked);
     void on(const ExportSignal& asked);
     void on(const ChangeBrush& command);
+    // workbench_parts.cpp
+    void on(const PaintPart& command);
     // workbench_jobs.cpp
     void on(const Cancel&);
     void on(const Pause& command);
@@ -264,8 +266,16 @@ private:
     void look_at_forces();
 
     // Muscles: workbench_muscles.cpp.
-    /// Computes the paint of all muscles on the shown body.
+    /// Computes the paint of all muscles, and of the part that the brush paints, on the shown body.
     void place_muscles();
+
+    // Parts: workbench_parts.cpp.
+    /// Computes what the parts hold of the shown body.
+    void place_parts();
+    /// Puts the brush away if the part that it paints is no longer the same one.
+    ///
+    /// @param before  parts before an edit of the declaration
+    void follow_parts(const std::vector<ScenePart>& before);
 
     // Import of recordings: workbench_import.cpp.
     /// Requests a job that reads a recording and then starts its import.

@@ -86,7 +86,10 @@ bool Workbench::redeclare(const Declaration& declaration, const MeshedBody* body
     // An edit of the trial that is shown leaves the time where it is.
     const std::string shown = state_.scene_trial() ? state_.scene_trial()->name : "";
     const double time_s = state_.time_s;
+    const std::vector<ScenePart> parts = state_.scene->parts;
     state_.scene = std::make_shared<const Scene>(std::move(*scene));
+    follow_parts(parts);
+    place_parts();
     // The mesh stays; what is declared of chambers and tendons on it may differ.
     if (state_.body) state_.actuators = backend_->actuators(*state_.scene, *state_.body);
     state_.marker = std::clamp(state_.marker, 0, std::max(0, static_cast<int>(state_.scene->markers.size()) - 1));

@@ -36,7 +36,14 @@ void Workbench::on(const ExportSignal& asked) {
 
 void Workbench::place_muscles() {
     state_.paint.clear();
+    state_.part_paint.reset();
     if (!state_.body) return;
+    if (const int part = state_.brush.part; part >= 0 && part <= static_cast<int>(state_.scene->parts.size())) {
+        // A part that is not painted yet, such as a new one, begins blank.
+        const bool is_new = part == static_cast<int>(state_.scene->parts.size());
+        const auto mask = is_new ? nullptr : state_.scene->parts[static_cast<std::size_t>(part)].mask;
+        state_.part_paint = placed_.of(mask, state_.body);
+    }
     for (const Muscle& muscle : state_.settings.muscles) state_.paint.push_back(placed_.of(muscle, state_.body));
 }
 
@@ -44,6 +51,10 @@ void Workbench::on(const ChooseMuscle& c) {
     state_.muscle = std::clamp(c.muscle, 0, std::max(0, static_cast<int>(state_.settings.muscles.size()) - 1));
 }
 
-void Workbench::on(const ChangeBrush& c) { state_.brush = c.brush; }
+void Workbench::on(const ChangeBrush& c) {
+    const bool another = c.brush.part != state_.brush.part;
+    state_.brush = c.brush;
+    if (another) place_muscles();
+}
 
 }  // namespace myo::ui::commands

@@ -83,6 +83,8 @@ void Workbench::forget_scene() {
     stop_live();
     state_.body.reset();
     state_.actuators = {};
+    state_.part_shares.resize(0, 0);
+    state_.brush.part = -1;
     state_.ground.reset();
     state_.run.reset();
     state_.found.reset();
@@ -222,6 +224,7 @@ void Workbench::show_body(const PlacedBody& on) {
     state_.actuators = as_meshed ? on.body->actuators : backend_->actuators(*state_.scene, *on.body);
     state_.ground = on.ground;
     state_.body_settings = on.settings;
+    place_parts();
     place_muscles();
     stop_preview();
     state_.run.reset();

@@ -58,14 +58,16 @@ struct WorkbenchState {
     std::shared_ptr<const Scene> scene;         // null: nothing is open
     std::shared_ptr<const MeshedBody> body;     // null: not meshed
     BodyActuators actuators;                    // declared chambers and tendons on `body`
+    Eigen::MatrixXd part_shares;                // Backend::part_shares() of `body`
     std::shared_ptr<const PaintGround> ground;  // data for painting on `body`
     // of the settings' muscles on `body`; empty without a body
     std::vector<std::shared_ptr<const fibre::CellPaint>> paint;
-    std::shared_ptr<const RunResult> run;            // the shown run; null: none
-    std::shared_ptr<const SearchResult> found;       // result of the last search, while its run is shown
-    std::shared_ptr<const SearchView> search;        // history of the running or last search
-    std::shared_ptr<const MeshedBody> search_body;   // body that `search` works on
-    std::shared_ptr<const DiagnosisView> diagnosis;  // of the last diagnosis, or of the running one so far
+    std::shared_ptr<const fibre::CellPaint> part_paint;  // of the part that the brush paints; null: none
+    std::shared_ptr<const RunResult> run;                // the shown run; null: none
+    std::shared_ptr<const SearchResult> found;           // result of the last search, while its run is shown
+    std::shared_ptr<const SearchView> search;            // history of the running or last search
+    std::shared_ptr<const MeshedBody> search_body;       // body that `search` works on
+    std::shared_ptr<const DiagnosisView> diagnosis;      // of the last diagnosis, or of the running one so far
     std::string candidate;                      // key of the selected row of the diagnosis; empty = the verdict's row
     std::shared_ptr<const CheckReport> checks;  // of the newest job that has checks, or of the restored one; null: none
     std::shared_ptr<const RecordingImport> import;  // recording that is being imported; null: none
@@ -164,6 +166,8 @@ struct WorkbenchState {
                    ? paint[static_cast<std::size_t>(muscle)].get()
                    : nullptr;
     }
+    /// Paint that the brush changes, of a part or of the edited muscle; null without one.
+    const fibre::CellPaint* brush_paint() const { return brush.part >= 0 ? part_paint.get() : chosen_paint(); }
     /// Run that the view and the plots show: the best iterate of a running search on this body, otherwise the live
     /// preview, otherwise the last run. Null if there is none.
     std::shared_ptr<const RunResult> shown_run() const {

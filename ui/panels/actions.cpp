@@ -118,17 +118,20 @@ void add_undo_actions(std::vector<Action>& all) {
 std::function<void(PanelContext&, viewport::ViewportState&)> toggles(commands::BrushTool tool) {
     return [tool](PanelContext& context, viewport::ViewportState&) {
         commands::BrushSettings brush = context.state.brush;
+        // A brush that is put away begins again with the muscle; parts are chosen in their panel.
+        if (brush.tool == commands::BrushTool::none) brush.part = -1;
         brush.tool = brush.tool == tool ? commands::BrushTool::none : tool;
         context.emit(commands::ChangeBrush{brush});
-        // The brush settings are in the task Fibres, so that task is shown.
-        if (brush.tool != commands::BrushTool::none) context.window.task = commands::Task::fibres;
+        // The settings of the brush are in the task of what it paints, so that task is shown.
+        if (brush.tool != commands::BrushTool::none)
+            context.window.task = brush.part < 0 ? commands::Task::fibres : commands::Task::material;
     };
 }
 
 /// Menu Edit. Painting and erasing need a selected muscle.
 void add_edit_actions(std::vector<Action>& all) {
     add_undo_actions(all);
-    const auto has_muscle = [](const commands::WorkbenchState& s) { return s.chosen_muscle() != nullptr; };
+    const auto has_muscle = [](const commands::WorkbenchState& s) { return s.chosen_muscle() || s.brush.part >= 0; };
     // State of the menu entry: the tick shows the tool that is active.
     const auto holds = [](commands::BrushTool tool) {
         return [tool](const commands::WorkbenchState& s) { return s.brush.tool == tool; };

@@ -9,6 +9,7 @@
 
 #include "fibre/direction_field.hpp"
 #include "panels/actuator_rows.hpp"
+#include "panels/brush_rows.hpp"
 #include "platform/fonts.hpp"
 #include "plot/number_text.hpp"
 
@@ -192,7 +193,7 @@ void FibrePanel::draw(PanelContext& context) {
     draw_actuators(context);
     draw_list(context);
     if (state.chosen_muscle()) draw_muscle(context);
-    if (state.chosen_muscle()) draw_brush(context);
+    if (state.chosen_muscle()) brush_rows(context, {"fibres"}, edit_);
 }
 
 void FibrePanel::draw_list(PanelContext& context) {

@@ -27,8 +27,6 @@ private:
     void draw_link(PanelContext& context);
     /// Buttons that change the paint as a whole: grow, shrink, straighten, clear; and the one that removes the muscle.
     void draw_paint_actions(PanelContext& context);
-    /// Tools and settings of the brush.
-    void draw_brush(PanelContext& context);
 
     NumberEdits edit_;        // edits in progress in one of the number fields
     std::string typed_name_;  // text in the name field

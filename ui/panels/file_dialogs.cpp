@@ -1,5 +1,7 @@
 #include "panels/file_dialogs.hpp"
 
+#include <utility>
+
 #include "base/files.hpp"
 #include "measurement/trace_file.hpp"
 
@@ -73,6 +75,17 @@ FileDialog picture_dialog(const PictureRequest& request, const std::string& name
         asked.path = path;
         context.window.picture = asked;
     };
+    return dialog;
+}
+
+FileDialog part_surface_dialog(const commands::Scene& scene,
+                               std::function<void(PanelContext&, const std::filesystem::path&)> chosen) {
+    FileDialog dialog;
+    dialog.title = "Choose the closed surface of the part";
+    dialog.button = "Choose";
+    dialog.endings = {".stl", ".obj", ".ply", ".vtp"};
+    dialog.start = scene.path;
+    dialog.chosen = std::move(chosen);
     return dialog;
 }
 

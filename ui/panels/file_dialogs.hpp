@@ -15,6 +15,9 @@ FileDialog save_dialog(const commands::WorkbenchState& state);
 /// Dialog for saving the 3D view. `name` is the proposed name; its extension determines whether one image, a folder of
 /// numbered images or a video is written.
 FileDialog picture_dialog(const PictureRequest& request, const std::string& name);
+/// Dialog that chooses the closed surface of a part of the body.
+FileDialog part_surface_dialog(const commands::Scene& scene,
+                               std::function<void(PanelContext&, const std::filesystem::path&)> chosen);
 /// Dialog that saves a part of the window as a PNG image. `part` in pixels of the window.
 FileDialog part_dialog(std::string title, const std::string& name, const platform::Rectangle& part);
 /// Dialog that writes a text, such as a table or a drawing, to a file. Success and failure are logged.

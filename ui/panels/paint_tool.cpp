@@ -5,9 +5,11 @@
 #include <Eigen/Geometry>
 
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "commands/picked_place.hpp"
+#include "commands/setup_drawing.hpp"
 #include "panels/escape.hpp"
 
 namespace myo::ui::panels {
@@ -17,9 +19,26 @@ namespace {
 /// for a direction.
 constexpr double closest_points = 0.08;
 
-/// The tool needs a mesh prepared for painting and a selected muscle.
+/// The tool needs a mesh prepared for painting, and a part or a selected muscle.
 bool can_paint(const commands::WorkbenchState& state) {
-    return !state.live && state.brush.tool != commands::BrushTool::none && state.ground && state.chosen_paint();
+    return !state.live && state.brush.tool != commands::BrushTool::none && state.ground && state.brush_paint();
+}
+
+/// The brush that paints: an element belongs to a part or not, so that parts have neither soft edges nor strength.
+commands::BrushSettings used_brush(const commands::WorkbenchState& state) {
+    commands::BrushSettings brush = state.brush;
+    if (brush.part >= 0) brush.falloff = 0.0, brush.strength = 1.0;
+    return brush;
+}
+
+/// Emits finished paint of the part or muscle.
+void hand_over(PanelContext& context, fibre::CellPaint painted, const char* what) {
+    const commands::WorkbenchState& state = context.state;
+    auto paint = std::make_shared<const fibre::CellPaint>(std::move(painted));
+    if (state.brush.part >= 0)
+        context.emit(commands::PaintPart{static_cast<std::size_t>(state.brush.part), std::move(paint)});
+    else
+        context.emit(commands::Paint{state.muscle, std::move(paint), what});
 }
 
 /// Ctrl swaps painting and erasing.
@@ -44,8 +63,9 @@ void draw_outline(const PanelContext& context, const std::vector<ImVec2>& pixels
     const commands::WorkbenchState& state = context.state;
     const platform::Theme& theme = context.theme;
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImVec4 color = erases(state.brush) && state.brush.tool != commands::BrushTool::fill
-                             ? theme.failure
+    const ImVec4 color = erases(state.brush) && state.brush.tool != commands::BrushTool::fill ? theme.failure
+                         : state.brush.part >= 0
+                             ? commands::part_color(state, theme, static_cast<std::size_t>(state.brush.part))
                              : theme.muscle(state.chosen_muscle()->color);
     // Dark below light, so that the ring is visible on any background.
     list.AddPolyline(pixels.data(), static_cast<int>(pixels.size()), IM_COL32(0, 0, 0, 160), ImDrawFlags_Closed,
@@ -78,15 +98,16 @@ void PaintTool::press(PanelContext& context, const viewport::DrawnScene& scene, 
         drop();
         ground_ = state.ground;
         muscle_ = state.muscle;
-        stroke_ = std::make_unique<fibre::Stroke>(ground_->places,
-                                                  commands::make_brush(state.brush, *ground_, erases(state.brush)));
+        part_ = state.brush.part;
+        stroke_ = std::make_unique<fibre::Stroke>(
+            ground_->places, commands::make_brush(used_brush(state), *ground_, erases(state.brush)));
         return;
     }
     // From the cell under the mouse over its neighbours, up to cells that are painted.
-    fibre::CellPaint paint = fibre::filled(*state.chosen_paint(), state.body->mesh, state.ground->neighbours,
+    fibre::CellPaint paint = fibre::filled(*state.brush_paint(), state.body->mesh, state.ground->neighbours,
                                            scene.body->faces.cell(touch.face),
                                            commands::fixed_axis(state.brush.direction, *state.ground));
-    context.emit(commands::Paint{state.muscle, std::make_shared<const fibre::CellPaint>(std::move(paint)), "fill"});
+    hand_over(context, std::move(paint), "fill");
 }
 
 /// Extends the stroke by the place under the mouse and updates the paint that the view shows.
@@ -95,11 +116,11 @@ void PaintTool::go_on(const commands::WorkbenchState& state, const Touch& touch)
     if (live_ && (touch.rest_m - last_).norm() < closest_points * state.brush.radius_m) return;
     last_ = touch.rest_m;
     stroke_->add(touch.rest_m, touch.outward);
-    live_ = stroke_->over(*state.chosen_paint(), commands::fixed_axis(state.brush.direction, *ground_));
+    live_ = stroke_->over(*state.brush_paint(), commands::fixed_axis(state.brush.direction, *ground_));
     ++revision_;
 }
 
-/// Escape, another mesh and another muscle end a stroke without a result.
+/// Escape, another mesh and another muscle or part end a stroke without a result.
 void PaintTool::update(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view) {
     const commands::WorkbenchState& state = context.state;
     const bool escape = can_paint(state) && escape_closes(), stops = escape && stroke_;
@@ -110,8 +131,8 @@ void PaintTool::update(PanelContext& context, const viewport::DrawnScene& scene,
         context.emit(commands::ChangeBrush{brush});
     }
     // The state contains the finished stroke by now, so the tool's copy is no longer needed.
-    if (handed_over_ || !can_paint(state) || (stroke_ && (ground_ != state.ground || muscle_ != state.muscle)) || stops)
-        drop();
+    const bool another = ground_ != state.ground || muscle_ != state.muscle || part_ != state.brush.part;
+    if (handed_over_ || !can_paint(state) || (stroke_ && another) || stops) drop();
     // The view decides who gets the drag; here only its course is followed.
     const bool held = view.tool_held && can_paint(state), pressed = held && !was_held_;
     was_held_ = held;
@@ -130,7 +151,7 @@ void PaintTool::update(PanelContext& context, const viewport::DrawnScene& scene,
     if (held && touch) go_on(state, *touch);
     if (held) return;
     // The stroke ends: its paint stays visible until the command has changed the state.
-    context.emit(commands::Paint{state.muscle, std::make_shared<const fibre::CellPaint>(*live_), "stroke"});
+    hand_over(context, *live_, "stroke");
     stroke_.reset();
     handed_over_ = true;
 }
@@ -163,8 +184,8 @@ void PaintTool::draw_ring(const PanelContext& context, const viewport::DrawnScen
     // begins.
     if (state.brush.tool == commands::BrushTool::fill) return ring(0.25 * state.ground->places.edge_m);
     ring(state.brush.radius_m);
-    if (state.brush.falloff > 0.0 && state.brush.falloff < 1.0)
-        ring((1.0 - state.brush.falloff) * state.brush.radius_m);
+    if (const double falloff = used_brush(state).falloff; falloff > 0.0 && falloff < 1.0)
+        ring((1.0 - falloff) * state.brush.radius_m);
 }
 
 }  // namespace myo::ui::panels

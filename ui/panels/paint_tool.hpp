@@ -24,7 +24,8 @@ public:
     /// draw_viewport(), within the view's window.
     void update(PanelContext& context, const viewport::DrawnScene& scene, const viewport::ViewportState& view);
 
-    /// Paint of the selected muscle including the present stroke; null between strokes. Valid until the next update().
+    /// Paint of the selected muscle or part including the present stroke; null between strokes. Valid until the next
+    /// update().
     const fibre::CellPaint* live() const { return live_ ? &*live_ : nullptr; }
     /// Changes whenever the paint of live() does, so that the view is drawn again.
     int revision() const { return revision_; }
@@ -51,6 +52,7 @@ private:
     bool handed_over_ = false;                             // the finished stroke was emitted in the last frame
     std::shared_ptr<const commands::PaintGround> ground_;  // of the stroke
     int muscle_ = 0;                                       // index of the stroke's muscle
+    int part_ = -1;                                        // BrushSettings::part of the stroke
     std::unique_ptr<fibre::Stroke> stroke_;                // null: no stroke
     Eigen::Vector3d last_ = Eigen::Vector3d::Zero();       // last point of the stroke at rest [m]
     std::optional<fibre::CellPaint> live_;                 // see live()

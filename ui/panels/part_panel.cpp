@@ -7,31 +7,12 @@
 #include <array>
 #include <utility>
 
-#include "mesh/surface_mesh.hpp"
 #include "panels/declared_list.hpp"
-#include "panels/declared_rows.hpp"
+#include "panels/part_place_rows.hpp"
 #include "toml/toml_text.hpp"
 
 namespace myo::ui::panels {
 namespace {
-
-/// A name that no part has: "part", "part_2".
-std::string free_part_name(const commands::Scene& scene) {
-    std::string name = "part";
-    const auto taken = [&](const commands::ScenePart& part) { return part.name == name; };
-    for (int k = 2; std::any_of(scene.parts.begin(), scene.parts.end(), taken); ++k) name = "part_" + std::to_string(k);
-    return name;
-}
-
-/// The half of the body that is farther from its support, with a margin around the body.
-Box far_half(const commands::Scene& scene) {
-    const Box body = mesh::bounding_box(scene.surface.vertices);
-    const BodyEnd end = free_end(scene);
-    Box half = end_box(body, end.axis, end.upper);
-    const double middle = 0.5 * (body.lowest(end.axis) + body.highest(end.axis));
-    (end.upper ? half.lowest : half.highest)(end.axis) = middle;
-    return half;
-}
 
 /// Key of a part in the declaration.
 toml::TomlPath key_of(std::size_t part, const char* key) { return {"part", part, key}; }
@@ -69,18 +50,7 @@ void PartPanel::draw(PanelContext& context) {
     const commands::Scene& scene = *context.state.scene;
     if (scene.parts.empty()) muted_text(context.theme, "The whole body is of one material.");
     for (std::size_t i = 0; i < scene.parts.size(); ++i) draw_part(context, i);
-    if (ImGui::Button("Add a part", {-1.0f, 0.0f})) {
-        // The modulus is that of the body, so that nothing changes until it is edited.
-        const std::string body = "name = " + toml::toml_text(free_part_name(scene)) +
-                                 "\nbox_m = " + box_text(far_half(scene)) + "\nyoungs_modulus_Pa = " +
-                                 toml::toml_number(context.state.settings.youngs_modulus_Pa) + "\n";
-        context.emit(commands::EditDeclaration{{commands::AppendDeclared{{"part"}, body}}, "part/add"});
-        open_item(context, "part/" + std::to_string(scene.parts.size()));
-    }
-    context.items.mark("part/add");
-    tooltip(context.theme,
-            "A box of the body with a material of its own, at first the half away from the support with the body's "
-            "modulus. Where parts overlap, the later one counts.");
+    part_buttons(context, edits_);
 }
 
 void PartPanel::draw_part(PanelContext& context, std::size_t index) {
@@ -91,11 +61,7 @@ void PartPanel::draw_part(PanelContext& context, std::size_t index) {
         context.emit(commands::EditDeclaration{{commands::RemoveDeclared{{"part", index}}}, item + "/remove"});
     if (!is_open(context, item)) return;
     draw_name(context, index);
-    // A place that is given by a file or by numbers of cells is shown, not edited.
-    if (part.box_m)
-        box_rows(context, {key_of(index, "box_m"), item + "/box"}, edits_, *part.box_m);
-    else
-        text_row(context.theme, "Place", part.place);
+    part_place_rows(context, index, edits_);
     draw_material(context, index);
 }
 

@@ -8,7 +8,7 @@ namespace myo::ui::panels {
 
 /// Task Material: parts of the body with a material of their own.
 ///
-/// Emits EditDeclaration and ChangeView. Item names begin with "part/".
+/// Emits EditDeclaration, PaintPart, ChangeBrush and ChangeView. Item names begin with "part/".
 class PartPanel : public Panel {
 public:
     std::string name() const override { return "part"; }

@@ -14,7 +14,7 @@ namespace myo::ui::panels {
 namespace {
 
 /// Distance to a knot within which the mouse takes it [pixels at scale 1].
-constexpr float reach = 9.0f;
+constexpr float knot_reach = 9.0f;
 constexpr chart::Range min_range{0.9, 1.1};  // always visible, so that a constant signal is not magnified
 
 /// Pixel of a knot in the window.
@@ -261,8 +261,9 @@ void SignalPanel::edit_knots(PanelContext& context, const fibre::Signal& signal,
     if (area.pixels.width() < 20.0f || area.pixels.height() < 10.0f) return;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     draw_knots(context, area, signal, grabbed_);
-    const std::optional<std::size_t> near = drawn.hovered ? knot_at(area, signal, mouse, reach * context.theme.scale)
-                                                          : std::nullopt;
+    const std::optional<std::size_t> near = drawn.hovered
+                                                ? knot_at(area, signal, mouse, knot_reach * context.theme.scale)
+                                                : std::nullopt;
     const auto [time, value] = knot_place(area, mouse);
     // Released, or the plot lost the mouse.
     if (!drawn.active) grabbed_.reset();

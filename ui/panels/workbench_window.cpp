@@ -232,7 +232,7 @@ void WorkbenchWindow::draw_view(PanelContext& context) {
     const bool placing = placing_tools_.update(context, scene_, viewport_);
     if (!placing) paint_.update(context, scene_, viewport_);
     live_.update(context, scene_, viewport_, placing);
-    context.live_paint = paint_.live();
+    context.live_paint = context.state.brush.part < 0 ? paint_.live() : nullptr;
     goals_.update(context, viewport_);
     if (!placing) box_tool_.update(context, viewport_);
     distances_.update(context, scene_, viewport_);

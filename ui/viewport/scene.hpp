@@ -36,6 +36,12 @@ struct DrawnLabel {
     Color color = Color::Ones();
 };
 
+/// A line of the legend of the body's colours.
+struct DrawnLegendEntry {
+    std::string text;
+    Color color = Color::Ones();
+};
+
 /// A polyline in the view.
 struct DrawnLine {
     Eigen::Matrix3Xd points;  // 3 x n [m]; a column that is not finite interrupts the line
@@ -83,10 +89,11 @@ struct DrawnScene {
     double marker_radius = 1e-3;  // [m]
     std::vector<DrawnMarker> markers;
     std::vector<DrawnLine> lines;
-    std::vector<DrawnLabel> labels;    // of loads, gravity and parts; markers have their own
-    std::optional<ArrowScale> arrows;  // set if some of the lines are force arrows
-    Box extent;                        // of the rest shape [m]: sets the grid
-    Box reach;                         // of the whole motion [m]: shown by "zoom to data"
+    std::vector<DrawnLabel> labels;        // of loads, gravity and parts; markers have their own
+    std::vector<DrawnLegendEntry> legend;  // of the colours of the body's parts; not with a field
+    std::optional<ArrowScale> arrows;      // set if some of the lines are force arrows
+    Box extent;                            // of the rest shape [m]: sets the grid
+    Box reach;                             // of the whole motion [m]: shown by "zoom to data"
 };
 
 /// Colours of the view that depend on the theme only.

@@ -150,6 +150,11 @@ void draw_marker_labels(ImDrawList& list, const platform::Rectangle& view, const
     std::vector<platform::Rectangle> taken{
         {{view.highest.x - 150.0f * s, view.highest.y - corner}, view.highest},
         {{view.lowest.x, view.highest.y - 88.0f * s}, {view.lowest.x + 88.0f * s, view.highest.y}}};
+    if (!scene.legend.empty()) {
+        const float height = static_cast<float>(scene.legend.size()) * (theme.small->FontSize + 6.0f * s);
+        taken.push_back(
+            {{view.highest.x - 180.0f * s, view.lowest.y}, {view.highest.x, view.lowest.y + 16.0f * s + height}});
+    }
     if (scene.field)
         taken.push_back({{view.highest.x - 80.0f * s, view.lowest.y}, {view.highest.x, view.lowest.y + 210.0f * s}});
     for (const DrawnMarker& marker : scene.markers) {
@@ -236,6 +241,24 @@ void draw_field_legend(ImDrawList& list, const platform::Rectangle& view, const 
     draw_legend_ticks(list, plan, theme, left, halo);
 }
 
+/// Materials of the body in the upper right corner: a square in the colour of each, and its text left of it.
+void draw_part_legend(ImDrawList& list, const platform::Rectangle& view, const DrawnScene& scene,
+                      const platform::Theme& theme) {
+    const float s = theme.scale, size = theme.small->FontSize, line = size + 6.0f * s;
+    const float right = view.highest.x - 16.0f * s;
+    float top = view.lowest.y + 16.0f * s;
+    for (const DrawnLegendEntry& entry : scene.legend) {
+        // A low view has room for the first materials only.
+        if (top + line > view.highest.y - 80.0f * s) return;
+        const ImU32 color = platform::packed({entry.color[0], entry.color[1], entry.color[2], 1.0f});
+        list.AddRectFilled({right - size, top}, {right, top + size}, color, 3.0f * s);
+        const float width = theme.small->CalcTextSizeA(size, 1e6f, 0.0f, entry.text.c_str()).x;
+        outlined(list, theme, {right - size - 8.0f * s - width, top}, platform::packed(theme.text),
+                 platform::packed(theme.view_top, 0.8f), entry.text.c_str());
+        top += line;
+    }
+}
+
 }  // namespace
 
 ScaleBar make_scale_bar(double per_pixel, double longest, const std::string& unit) {
@@ -256,6 +279,7 @@ void draw_view_overlay(ImDrawList& list, const platform::Rectangle& view, const 
     draw_scale_bar(list, view, camera, theme);
     if (scene.arrows) draw_arrow_scale(list, view, camera, *scene.arrows, theme);
     if (scene.field) draw_field_legend(list, view, *scene.field, theme);
+    draw_part_legend(list, view, scene, theme);
 }
 
 void draw_view_title(ImDrawList& list, const platform::Rectangle& view, const std::string& title,

@@ -4,9 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "panels/fibre_panel.hpp"
+#include "panels/brush_rows.hpp"
 #include "platform/fonts.hpp"
-#include "plot/number_text.hpp"
 
 // The brush: its radius, strength, direction and mirror.
 
@@ -37,7 +36,7 @@ const std::vector<commands::Choice>& mirror_choices() {
 
 /// Draws a list for an enumeration whose values have the order of `choices`. Returns true if it changed.
 template <class Kind>
-bool choose(PanelContext& context, const char* label, const char* name, const char* tip,
+bool choose(PanelContext& context, const char* label, const std::string& name, const char* tip,
             const std::vector<commands::Choice>& choices, Kind& kind) {
     std::string id = choices[static_cast<std::size_t>(kind)].id;
     if (!choice_row(context, label, name, tip, choices, id)) return false;
@@ -55,13 +54,13 @@ struct Tool {
     const char* name;
     const char* tip;
 };
-constexpr std::array<Tool, 4> tools{{{commands::BrushTool::none, platform::icon::hand, "View", "fibres/tool/view",
+constexpr std::array<Tool, 4> tools{{{commands::BrushTool::none, platform::icon::hand, "View", "/tool/view",
                                       "The mouse turns the view (Esc ends a stroke)"},
-                                     {commands::BrushTool::add, platform::icon::brush, "Paint", "fibres/tool/paint",
+                                     {commands::BrushTool::add, platform::icon::brush, "Paint", "/tool/paint",
                                       "Drag over the body to paint (B). Ctrl erases."},
-                                     {commands::BrushTool::erase, platform::icon::eraser, "Erase", "fibres/tool/erase",
+                                     {commands::BrushTool::erase, platform::icon::eraser, "Erase", "/tool/erase",
                                       "Drag over the body to remove paint (E). Ctrl paints."},
-                                     {commands::BrushTool::fill, platform::icon::drop, "Fill", "fibres/tool/fill",
+                                     {commands::BrushTool::fill, platform::icon::drop, "Fill", "/tool/fill",
                                       "Click on the body: fills the elements up to existing paint"}}};
 
 /// Number of the brush. Brush settings are not part of undo, so it does not matter whether a drag continues.
@@ -70,31 +69,34 @@ void brush_row(PanelContext& context, const NumberField& field, NumberEdits& edi
     number_row(context, field, edit, value, ignored);
 }
 
-/// The four tools; they need a mesh that is prepared for painting.
-void draw_tools(PanelContext& context, commands::BrushSettings& brush) {
+/// The four tools; they need a mesh that is prepared for painting. A tool that is pressed paints this part.
+void draw_tools(PanelContext& context, const BrushUse& use, commands::BrushSettings& brush) {
     const platform::Theme& theme = context.theme;
     const float gap = 2.0f * theme.scale, width = std::floor((ImGui::GetContentRegionAvail().x - 3.0f * gap) / 4.0f);
     ImGui::BeginDisabled(!context.state.ground);
     for (const Tool& tool : tools) {
         // The first tool, which gives the mouse back to the view, begins the line.
         if (tool.tool != commands::BrushTool::none) ImGui::SameLine(0.0f, gap);
-        const bool chosen = brush.tool == tool.tool;
+        const bool mine = brush.part == use.part;
+        const bool chosen = mine ? brush.tool == tool.tool : tool.tool == commands::BrushTool::none;
         ImGui::PushStyleColor(ImGuiCol_Button, chosen ? theme.accent : theme.raised);
         ImGui::PushStyleColor(ImGuiCol_Text, chosen ? theme.on_accent : theme.text);
-        if (ImGui::Button((std::string(tool.icon) + " " + tool.label).c_str(), {width, 0.0f})) brush.tool = tool.tool;
+        if (ImGui::Button((std::string(tool.icon) + " " + tool.label).c_str(), {width, 0.0f}))
+            brush.tool = tool.tool, brush.part = use.part;
         ImGui::PopStyleColor(2);
-        context.items.mark(tool.name);
+        context.items.mark(use.name + tool.name);
         tooltip(theme, tool.tip);
     }
     ImGui::EndDisabled();
 }
 
 /// Radius and depth of the brush. `reach`: size of the body [m], for the limits of the numbers.
-void draw_brush_extent(PanelContext& context, NumberEdits& edit, commands::BrushSettings& brush, double reach) {
+void draw_brush_extent(PanelContext& context, const BrushUse& use, NumberEdits& edit, commands::BrushSettings& brush,
+                       double reach) {
     // Limits relative to the body: the radius goes up to half of its diagonal, the depth up to all of it.
     brush_row(context,
               {"Radius",
-               "fibres/radius",
+               use.name + "/radius",
                commands::Dimension::length,
                "mm",
                "Radius r of the brush [mm]: it paints the elements whose centre is at most r from the stroke, "
@@ -106,7 +108,7 @@ void draw_brush_extent(PanelContext& context, NumberEdits& edit, commands::Brush
     ImGui::BeginDisabled(brush.through);
     brush_row(context,
               {"Depth",
-               "fibres/depth",
+               use.name + "/depth",
                commands::Dimension::length,
                "mm",
                "Depth of the brush below the surface [mm], along the surface's normal.",
@@ -116,7 +118,7 @@ void draw_brush_extent(PanelContext& context, NumberEdits& edit, commands::Brush
     ImGui::EndDisabled();
     row_label(context.theme, "", "");
     ImGui::Checkbox("through the body", &brush.through);
-    context.items.mark("fibres/through");
+    context.items.mark(use.name + "/through");
 }
 
 /// Weight that the brush paints, in its centre and towards its edge.
@@ -147,26 +149,26 @@ void draw_brush_weight(PanelContext& context, NumberEdits& edit, commands::Brush
 
 }  // namespace
 
-/// Each tool shows only the settings that it uses: radius, depth, soft edge and strength belong to strokes, the
-/// direction also to a fill.
-void FibrePanel::draw_brush(PanelContext& context) {
+void brush_rows(PanelContext& context, const BrushUse& use, NumberEdits& edit) {
     const commands::WorkbenchState& state = context.state;
+    const bool fibres = use.part < 0;
     ImGui::Spacing();
     // Edited as a copy; one command at the end if anything changed.
     commands::BrushSettings brush = state.brush;
     // One button per tool; the tooltips name the shortcuts.
-    draw_tools(context, brush);
+    draw_tools(context, use, brush);
     // Limits of the numbers follow the size of the body; a metre before it is meshed.
     const double reach = state.body ? mesh::bounding_box(state.body->mesh.nodes).size().norm() : 1.0;
-    if (brush.tool == commands::BrushTool::add || brush.tool == commands::BrushTool::erase) {
-        draw_brush_extent(context, edit_, brush, reach);
-        draw_brush_weight(context, edit_, brush);
-    }
-    if (brush.tool == commands::BrushTool::add || brush.tool == commands::BrushTool::fill)
-        choose(context, "Direction", "fibres/direction", "Direction of the fibres.", direction_choices(),
+    const bool mine = brush.part == use.part;
+    const bool strokes = mine && (brush.tool == commands::BrushTool::add || brush.tool == commands::BrushTool::erase);
+    if (strokes) draw_brush_extent(context, use, edit, brush, reach);
+    if (strokes && fibres) draw_brush_weight(context, edit, brush);
+    if (mine && fibres && (brush.tool == commands::BrushTool::add || brush.tool == commands::BrushTool::fill))
+        choose(context, "Direction", use.name + "/direction", "Direction of the fibres.", direction_choices(),
                brush.direction);
-    if (brush.tool == commands::BrushTool::add || brush.tool == commands::BrushTool::erase)
-        choose(context, "Mirror", "fibres/mirror", "Paints both halves of the body.", mirror_choices(), brush.mirror);
+    if (strokes)
+        choose(context, "Mirror", use.name + "/mirror", "Paints both halves of the body.", mirror_choices(),
+               brush.mirror);
     if (!(brush == state.brush)) context.emit(commands::ChangeBrush{brush});
 }
 
