@@ -89,6 +89,7 @@ private:
     bool typing_folder_ = false;                 // that field gets the keyboard focus in the next frame
     std::string problem_;                        // why the new folder could not be created
     std::vector<FolderEntry> entries_;           // of the shown folder
+    std::filesystem::path listed_;               // folder whose names have their letters loaded
     std::string selected_;                       // name of the selected entry; empty: none
     std::filesystem::path previewed_;            // path that preview_ describes
     std::vector<commands::ReportLine> preview_;  // facts about the selected entry

@@ -70,6 +70,10 @@ void FileBrowser::draw_places(PanelContext& context) {
 void FileBrowser::draw_entries(PanelContext& context) {
     const platform::Theme& theme = context.theme;
     if (entries_.empty()) muted_text(theme, "No matching files here.");
+    // A folder that was just entered has new names.
+    if (listed_ != folder_)
+        for (const FolderEntry& entry : entries_) context.window.letters += entry.name;
+    listed_ = folder_;
     std::optional<fs::path> enter, chosen;
     for (const FolderEntry& entry : entries_) {
         const bool experiment = entry.experiment && dialog_->experiments;

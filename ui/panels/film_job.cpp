@@ -58,7 +58,7 @@ Result<void> FilmJob::begin(const PictureRequest& request, FilmedView filmed) {
         filmed.theme = platform::make_theme(platform::ThemeName::light, filmed.theme.scale);
     auto renderer = viewport::SceneRenderer::make();
     if (!renderer) return renderer.error();
-    auto canvas = platform::PictureCanvas::make(filmed.theme.name, scale_);
+    auto canvas = platform::PictureCanvas::make(filmed.theme.name, scale_, filmed.letters);
     // The writer comes last, so that a failure above leaves no partial file.
     if (!canvas) return canvas.error();
     if (request_.moves) {

@@ -21,6 +21,7 @@ struct FilmedView {
     viewport::ViewportState view;             // camera and size of the view
     std::vector<MeasuredDistance> distances;  // to be drawn into the images
     platform::Theme theme;
+    std::vector<ImWchar> letters = {};  // of names in other scripts, see platform::load_fonts()
 };
 
 /// Renders the view into an image file, or the motion into many images or a video. One image per frame of the window,

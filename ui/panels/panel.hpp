@@ -64,6 +64,7 @@ struct WindowRequests {
     std::vector<HandledBox> boxes;          // to be dragged in the view from the next frame on
     std::optional<commands::Task> task;     // task to show
     std::string panel;                      // name of a panel to show
+    std::string letters;                    // names that may need letters of other scripts
     std::optional<PictureRequest> picture;  // image or video of the 3D view to write
     std::optional<WindowPart> part;         // part of the window to write, without dialogs in front
     bool save_view = false;                 // open the dialog for images of the view

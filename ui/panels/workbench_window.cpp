@@ -349,6 +349,7 @@ void WorkbenchWindow::follow(WindowRequests& requests) {
     if (requests.file) browser_.open(std::move(*requests.file));
     // In every frame, also without boxes: those of a panel that is no longer drawn must disappear.
     box_tool_.offer(std::move(requests.boxes));
+    if (!requests.letters.empty()) interface_.need_letters(requests.letters);
     if (requests.task) show_task(*requests.task);
     if (!requests.panel.empty()) show_panel(requests.panel);
     if (requests.help) help_.open(*requests.help);

@@ -167,6 +167,7 @@ private:
     Palette palette_;
     HelpPanel help_;
     std::pair<const commands::Scene*, std::size_t> named_{};  // scene and number of messages whose letters are loaded
+    bool told_letters_ = false;                               // that no font has some letters of names
     bool about_ = false;                                      // the dialog is open
     bool asked_where_ = false;  // the dialog for the project's file name was opened for the present request
     std::optional<PictureRequest> picture_;  // starts after the view has been rendered

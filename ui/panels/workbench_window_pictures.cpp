@@ -19,8 +19,8 @@ std::string cannot_write(const PictureRequest& request) {
 void WorkbenchWindow::begin_pictures() {
     if (!picture_ || film_.runs()) return;
     const PictureRequest request = *std::exchange(picture_, std::nullopt);
-    const Result<void> begun = film_.begin(
-        request, {workbench_->state(), motion_, viewport_, distances_.distances(), interface_.theme()});
+    const Result<void> begun = film_.begin(request, {workbench_->state(), motion_, viewport_, distances_.distances(),
+                                                     interface_.theme(), interface_.letters()});
     if (!begun)
         workbench_->execute(
             commands::LogMessage{commands::LogLevel::failure, cannot_write(request) + begun.error().text()});

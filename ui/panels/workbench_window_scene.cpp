@@ -4,6 +4,7 @@
 
 #include "panels/workbench_window.hpp"
 #include "platform/gl.hpp"
+#include "platform/wide_fonts.hpp"
 
 // The drawn scene and the frames of the window.
 
@@ -124,6 +125,9 @@ Result<void> WorkbenchWindow::render_view(int height, bool moving) {
 
 void WorkbenchWindow::load_names() {
     const commands::WorkbenchState& state = workbench_->state();
+    // Said once: what is missing does not change while the program runs.
+    if (interface_.lacks_letters() && !std::exchange(told_letters_, true))
+        workbench_->execute(commands::LogMessage{commands::LogLevel::warning, platform::wide_font_hint});
     // At the start, and after a change of theme, the fonts are loaded by the next frame: what they lack is known then.
     if (!interface_.theme().regular) return;
     // Muscles are renamed without a message and in the same scene; their few letters are looked up in every frame.
@@ -136,6 +140,9 @@ void WorkbenchWindow::load_names() {
     interface_.need_letters(state.scene->name + state.scene->path.string());
     for (const commands::SceneTrial& trial : state.scene->trials) interface_.need_letters(trial.name);
     for (const commands::SceneMarker& marker : state.scene->markers) interface_.need_letters(marker.name);
+    for (const commands::ScenePart& part : state.scene->parts) interface_.need_letters(part.name + part.file.string());
+    for (const std::string& chamber : state.scene->declared.chambers) interface_.need_letters(chamber);
+    for (const commands::DeclaredTendon& tendon : state.scene->declared.tendons) interface_.need_letters(tendon.name);
 }
 
 /// The order within a frame: results of jobs, input, scene, panels, requests, rendering, and finally the commands.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "platform/wide_fonts.hpp"
+
 namespace myo::ui::platform {
 namespace {
 
@@ -25,26 +27,22 @@ const ImWchar text_ranges[] = {0x0020, 0x024f, 0x02b0, 0x036f, 0x0370, 0x03ff, 0
                                0x2207, 0x2207, 0x2212, 0x2212, 0x221a, 0x221e, 0x223c, 0x223c, 0x2248, 0x2248,
                                0x2260, 0x2265, 0x22c5, 0x22c5, 0xfffd, 0xfffd, 0};
 // Fonts of exported images are rasterised at a large size, so they hold only what names, units and numbers need.
-const ImWchar label_ranges[] = {0x0020, 0x017f, 0x0370, 0x03ff, 0x2010, 0x2027, 0x2070,
-                                0x209c, 0x2190, 0x2195, 0x2212, 0x2212, 0};
+const ImWchar label_ranges[] = {0x0020, 0x017f, 0x0370, 0x03ff, 0x2010, 0x2027, 0x2070, 0x209c,
+                                0x2190, 0x2195, 0x2212, 0x2212, 0xfffd, 0xfffd, 0};
 const ImWchar latin_ranges[] = {0x0020, 0x007e, 0};
 const ImWchar icon_ranges[] = {0xf000, 0xf2e0, 0};
 
 const std::string inter = "/usr/share/fonts/opentype/inter/Inter-";
 const std::string dejavu = "/usr/share/fonts/truetype/dejavu/DejaVuSans";
 
-// For Chinese, Japanese and Korean names. None of them is required.
-const std::vector<std::string> wide_fonts{"/usr/share/fonts-droid-fallback/truetype/DroidSansFallback.ttf",
-                                          "/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf",
-                                          "/usr/share/fonts/opentype/noto/NotoSansCJK-Regular.ttc",
-                                          "/usr/share/fonts/truetype/wqy/wqy-microhei.ttc"};
-
 /// Merges letters into the font that was added last, each from the first file that has it.
 void merge_letters(ImFontAtlas& atlas, const std::vector<ImWchar>& letters, float pixels) {
     if (letters.empty()) return;
     ImFontConfig merge;
     merge.MergeMode = true;
-    for (const std::string& file : {first_existing({dejavu + ".ttf"}), first_existing(wide_fonts)})
+    std::vector<std::string> files = wide_fonts(font_folders());
+    files.insert(files.begin(), first_existing({dejavu + ".ttf"}));
+    for (const std::string& file : files)
         if (!file.empty()) atlas.AddFontFromFileTTF(file.c_str(), pixels, &merge, letters.data());
 }
 
@@ -99,11 +97,12 @@ FontReport load_fonts(Theme& theme, const std::vector<ImWchar>& letters) {
     return {regular.empty() ? fallback : regular, icons};
 }
 
-void load_label_font(Theme& theme) {
+void load_label_font(Theme& theme, const std::vector<ImWchar>& letters) {
     ImFontAtlas& atlas = empty_atlas();
     theme.regular = theme.strong = theme.large = nullptr;
     theme.small = add_font(atlas, first_existing({inter + "Regular.otf"}), first_existing({dejavu + ".ttf"}), "",
                            std::round(13.0f * theme.scale), label_ranges);
+    merge_letters(atlas, letters, std::round(13.0f * theme.scale));
     ImGui::GetIO().FontDefault = theme.small;
 }
 

@@ -79,6 +79,8 @@ FontReport load_fonts(Theme& theme, const std::vector<ImWchar>& letters = {});
 
 /// Builds an atlas with only the theme's small font, for labels in exported images. The theme's other fonts become
 /// null.
-void load_label_font(Theme& theme);
+///
+/// @param letters  as in load_fonts(); must live until the atlas is built
+void load_label_font(Theme& theme, const std::vector<ImWchar>& letters = {});
 
 }  // namespace myo::ui::platform

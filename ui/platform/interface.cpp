@@ -32,6 +32,10 @@ void Interface::rebuild() {
     apply_theme(theme_, ImGui::GetStyle());
     load_fonts(theme_, letters_);
     renderer_.upload_fonts(*ImGui::GetIO().Fonts);
+    // The list has pairs, each a range of one letter, and a 0 at its end.
+    lacks_letters_ = false;
+    for (std::size_t i = 0; i + 1 < letters_.size(); i += 2)
+        lacks_letters_ = lacks_letters_ || !theme_.regular->FindGlyphNoFallback(letters_[i]);
     rebuild_ = false;
 }
 

@@ -46,6 +46,11 @@ public:
     /// are none.
     void need_letters(const std::string& text);
 
+    /// The letters that need_letters() has asked for, as ranges of ImGui.
+    const std::vector<ImWchar>& letters() const { return letters_; }
+    /// Whether no font has some of them: they are drawn as U+FFFD.
+    bool lacks_letters() const { return lacks_letters_; }
+
     const Theme& theme() const { return theme_; }
     InputQueue& input() { return *input_; }
     ItemRectangles& items() { return *items_; }
@@ -62,6 +67,7 @@ private:
     ImguiRenderer renderer_;
     Theme theme_;
     std::vector<ImWchar> letters_;  // loaded in addition, as ranges of one, ended by 0
+    bool lacks_letters_ = false;    // see lacks_letters()
     bool rebuild_ = true;           // the theme changed since the last frame
     std::unique_ptr<InputQueue> input_ = std::make_unique<InputQueue>();  // on the heap: callbacks keep its address
     // on the heap: panels keep its address

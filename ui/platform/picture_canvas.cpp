@@ -28,7 +28,7 @@ private:
 
 void PictureCanvas::DestroyContext::operator()(ImGuiContext* context) const { ImGui::DestroyContext(context); }
 
-Result<PictureCanvas> PictureCanvas::make(ThemeName theme, float scale) {
+Result<PictureCanvas> PictureCanvas::make(ThemeName theme, float scale, const std::vector<ImWchar>& letters) {
     auto renderer = ImguiRenderer::make();
     if (!renderer) return renderer.error();
     PictureCanvas canvas;
@@ -44,7 +44,7 @@ Result<PictureCanvas> PictureCanvas::make(ThemeName theme, float scale) {
     io.LogFilename = nullptr;
     io.BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     canvas.theme_ = make_theme(theme, scale);
-    load_label_font(canvas.theme_);
+    load_label_font(canvas.theme_, letters);
     canvas.renderer_.upload_fonts(*io.Fonts);
     return canvas;
 }

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "base/result.hpp"
 #include "platform/imgui_renderer.hpp"
@@ -18,8 +19,9 @@ public:
     /// Creates the canvas. Requires a current OpenGL context with loaded functions.
     ///
     /// @param scale  of text and line widths, 1 as in the window at scale 1
+    /// @param letters  further letters of names, as in load_fonts()
     /// Error: a shader does not compile.
-    static Result<PictureCanvas> make(ThemeName theme, float scale);
+    static Result<PictureCanvas> make(ThemeName theme, float scale, const std::vector<ImWchar>& letters = {});
 
     /// Callback that draws the annotations. Coordinates are pixels from the upper left corner of the image. Of the
     /// theme's fonts only `small` is set.
