@@ -72,7 +72,7 @@ TEST_F(SignalPanelTest, AKnotIsDraggedInOneStepOfUndo) {
     EXPECT_EQ(signal(), before);
 }
 
-TEST_F(SignalPanelTest, ADoubleClickAddsAKnotAndARightClickTakesIt) {
+TEST_F(SignalPanelTest, ADoubleClickAddsAKnotAndItsMenuTakesIt) {
     const ImVec2 knot = driver.item("signals/knot/1").center();
     const ImVec2 place{knot.x + 150.0f, knot.y - 20.0f};
     driver.window->input().push(platform::MouseMoved{place.x, place.y});
@@ -81,6 +81,12 @@ TEST_F(SignalPanelTest, ADoubleClickAddsAKnotAndARightClickTakesIt) {
     ASSERT_EQ(signal().times_s.size(), 3u);
     EXPECT_GT(signal().times_s[2], signal().times_s[1]);
     driver.click("signals/knot/2", 1);
+    driver.click("signals/menu/remove");
+    EXPECT_EQ(signal().times_s.size(), 2u);
+    driver.key(ImGuiKey_Z, {.ctrl = true});
+    ASSERT_EQ(signal().times_s.size(), 3u);
+    driver.click("signals/knot/2");
+    driver.key(ImGuiKey_Delete);
     EXPECT_EQ(signal().times_s.size(), 2u);
 }
 

@@ -64,5 +64,39 @@ TEST(ShownActuators, DrawTendonsThroughTheirGuides) {
     EXPECT_EQ(driver.state().scene->trials[2].commands.at("left").unit, "N");
 }
 
+TEST(ShownActuators, HaveKnotsThatEditTheTrial) {
+    Driver driver(backend::make_core_backend(), 1280, 800);
+    open_example(driver, "pneumatic_finger");
+    driver.window->show_panel("signals");
+    driver.settle();
+    const auto pressure = [&] { return driver.state().scene_trial()->commands.at("chamber").signal; };
+    const fibre::Signal before = pressure();
+    ASSERT_EQ(before, fibre::Signal::step(0.0, 0.0, 25000.0));
+    // Up goes the level of the step; a knot more makes a curve of it.
+    driver.click("signals/snap");
+    const float high = driver.item("signals/knot/chamber/1").center().y,
+                low = driver.item("signals/knot/chamber/0").center().y;
+    const ImVec2 level = driver.item("signals/knot/chamber/1").center();
+    driver.drag(level, {level.x, high + 0.4f * (low - high)});
+    EXPECT_EQ(pressure(), fibre::Signal::step(0.0, 0.0, 15000.0)) << driver.state().refused;
+    EXPECT_EQ(driver.state().scene->declared.commands[0].at("chamber").kind, ui::commands::DeclaredCommand::Kind::step);
+    const ImVec2 place{driver.item("signals/knot/chamber/1").center().x + 200.0f, low - 5.0f};
+    driver.window->input().push(ui::platform::MouseMoved{place.x, place.y});
+    for (const bool down : {true, false, true, false})
+        driver.window->input().push(ui::platform::MouseButton{0, down, {}});
+    driver.settle();
+    ASSERT_EQ(pressure().times_s.size(), 3u) << driver.state().refused;
+    EXPECT_EQ(driver.state().scene->declared.commands[0].at("chamber").curve, pressure());
+    EXPECT_EQ(driver.state().scene->declared.commands[0].size(), 1u);
+    for (int step = 0; step < 2; ++step) driver.click("bar/undo");
+    EXPECT_EQ(pressure(), before);
+    EXPECT_FALSE(driver.state().can_undo);
+    // A trial whose pressure is recorded keeps it.
+    driver.workbench->execute(ui::commands::ChooseTrial{1});
+    driver.settle();
+    EXPECT_TRUE(driver.has("plot/command/kPa"));
+    EXPECT_FALSE(driver.has("signals/knot/chamber/0"));
+}
+
 }  // namespace
 }  // namespace myo

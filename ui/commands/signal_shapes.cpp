@@ -36,12 +36,17 @@ fibre::Signal make_signal(const SignalRecipe& recipe) {
 }
 
 fibre::Signal with_knot_moved(fibre::Signal signal, std::size_t knot, double time_s, double value) {
-    const double earliest = knot > 0 ? signal.times_s[knot - 1] + closest_knots_s
-                                     : -std::numeric_limits<double>::infinity();
-    const double latest = knot + 1 < signal.times_s.size() ? signal.times_s[knot + 1] - closest_knots_s
-                                                           : std::numeric_limits<double>::infinity();
+    std::vector<double>& times = signal.times_s;
+    // The two knots of a jump move together, so that it stays one.
+    std::size_t first = knot, last = knot;
+    while (first > 0 && times[first - 1] == times[knot]) --first;
+    while (last + 1 < times.size() && times[last + 1] == times[knot]) ++last;
+    const double far = std::numeric_limits<double>::infinity();
+    const double earliest = first > 0 ? times[first - 1] + closest_knots_s : -far;
+    const double latest = last + 1 < times.size() ? times[last + 1] - closest_knots_s : far;
     // Two neighbours may be too close for any place between them; then only the value changes.
-    if (earliest <= latest) signal.times_s[knot] = std::clamp(time_s, earliest, latest);
+    if (earliest <= latest)
+        for (std::size_t k = first; k <= last; ++k) times[k] = std::clamp(time_s, earliest, latest);
     signal.values[knot] = value;
     return signal;
 }

@@ -23,7 +23,7 @@ fibre::Signal make_signal(const SignalRecipe& recipe);
 
 // Edits of single knots. All of them keep the times ascending. `knot` must be a valid index.
 
-/// Moves a knot.
+/// Moves a knot; a jump moves as a whole in time.
 ///
 /// @param time_s  limited to stay a tenth of a millisecond away from both neighbours
 fibre::Signal with_knot_moved(fibre::Signal signal, std::size_t knot, double time_s, double value);

@@ -65,6 +65,14 @@ DeclaredActuator declared_tendon(const commands::Scene& scene, std::size_t index
     return {tendon.name, "tendon", index, tendon.by_shortening ? "shortening_m" : "tension_N"};
 }
 
+std::optional<DeclaredActuator> declared_actuator(const commands::Scene& scene, const std::string& name) {
+    for (std::size_t c = 0; c < scene.declared.chambers.size(); ++c)
+        if (scene.declared.chambers[c] == name) return declared_chamber(scene, c);
+    for (std::size_t t = 0; t < scene.declared.tendons.size(); ++t)
+        if (scene.declared.tendons[t].name == name) return declared_tendon(scene, t);
+    return std::nullopt;
+}
+
 std::string free_actuator_name(const commands::WorkbenchState& state, const std::string& stem) {
     std::vector<std::string> taken = state.scene->declared.chambers;
     for (const commands::DeclaredTendon& tendon : state.scene->declared.tendons) taken.push_back(tendon.name);

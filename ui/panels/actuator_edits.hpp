@@ -20,6 +20,8 @@ DeclaredActuator declared_chamber(const commands::Scene& scene, std::size_t inde
 /// A tendon of the declaration by its index in the table, which must exist. Its command is the quantity that its motor
 /// prescribes.
 DeclaredActuator declared_tendon(const commands::Scene& scene, std::size_t index);
+/// The chamber or tendon of a name; empty if the declaration has none.
+std::optional<DeclaredActuator> declared_actuator(const commands::Scene& scene, const std::string& name);
 
 /// First of "chamber1", "chamber2", ... that neither a muscle nor a chamber nor a tendon has.
 std::string free_actuator_name(const commands::WorkbenchState& state, const std::string& stem);

@@ -10,10 +10,6 @@
 namespace myo::ui::panels {
 namespace {
 
-/// Gauge pressure of a chamber, -1 MPa to 10 MPa. A new command is 10 kPa; dragging changes it by at least 0.1 kPa per
-/// pixel.
-const CommandField pressure{commands::Dimension::pressure, "kPa", "Pressure", {-1e6, 1e7}, 0.1, 1e4};
-
 /// Volume of a cavity at rest.
 std::string volume_text(const commands::SceneCavity& cavity) {
     return plot::value_label(1e6 * cavity.volume_m3, 3) + " cm\xc2\xb3";
@@ -95,7 +91,7 @@ void ChamberPanel::draw_cavity(PanelContext& context, std::size_t c) {
     text_row(context.theme, "Volume", volume_text(cavity));
     context.items.mark(item + "/volume");
     text_row(context.theme, "Wall", plot::value_label(1e4 * cavity.area_m2, 3) + " cm\xc2\xb2");
-    command_rows(context, chamber, pressure, item + "/pressure", edits_);
+    command_rows(context, chamber, item + "/pressure", edits_);
     if (ImGui::Button("Remove the chamber", {-1.0f, 0.0f})) remove_actuator(context, chamber);
     context.items.mark(item + "/remove");
     tooltip(context.theme, "The cavity stays in the body, without pressure.");

@@ -1,5 +1,6 @@
 #include "panels/command_rows.hpp"
 
+#include "panels/command_field.hpp"
 #include "panels/curve_rows.hpp"
 
 namespace myo::ui::panels {
@@ -25,8 +26,9 @@ const char* id_of(const DeclaredCommand* command) {
 
 }  // namespace
 
-void command_rows(PanelContext& context, const DeclaredActuator& actuator, const CommandField& field,
-                  const std::string& name, NumberEdits& edits) {
+void command_rows(PanelContext& context, const DeclaredActuator& actuator, const std::string& name,
+                  NumberEdits& edits) {
+    const CommandField& field = command_field(actuator);
     const commands::Scene& scene = *context.state.scene;
     const auto trial = static_cast<std::size_t>(context.state.trial);
     if (trial >= scene.declared.commands.size()) return;

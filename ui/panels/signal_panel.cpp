@@ -3,7 +3,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "panels/signal_series.hpp"
 #include "panels/tables.hpp"
@@ -13,14 +12,8 @@
 namespace myo::ui::panels {
 namespace {
 
-/// Distance to a knot within which the mouse takes it [pixels at scale 1].
-constexpr float knot_reach = 9.0f;
-constexpr chart::Range min_range{0.9, 1.1};  // always visible, so that a constant signal is not magnified
-
-/// Pixel of a knot in the window.
-ImVec2 pixel_of(const plot::PlotArea& area, double time_s, double value) {
-    return {static_cast<float>(area.x(time_s)), static_cast<float>(area.y(value))};
-}
+constexpr chart::Range min_range{0.9, 1.1};           // always visible, so that a constant signal is not magnified
+constexpr commands::Limits stretch_knots{0.05, 5.0};  // of the target stretch, as in the generator
 
 /// Folder of the experiment, as the start of the file dialogs.
 std::filesystem::path folder_of(const commands::Scene& scene) {
@@ -57,24 +50,6 @@ FileDialog export_dialog(const commands::WorkbenchState& state) {
     return dialog;
 }
 
-/// List that selects the edited muscle.
-void draw_muscle_list(PanelContext& context) {
-    const commands::WorkbenchState& state = context.state;
-    const commands::Muscle& muscle = *state.chosen_muscle();
-    const float s = context.theme.scale;
-    ImGui::SetNextItemWidth(std::min(200.0f * s, 0.26f * ImGui::GetContentRegionAvail().x));
-    const bool open = ImGui::BeginCombo("##muscle", muscle.name.c_str());
-    context.items.mark("signals/muscle");
-    if (open) {
-        for (int m = 0; m < static_cast<int>(state.settings.muscles.size()); ++m) {
-            const std::string& name = state.settings.muscles[static_cast<std::size_t>(m)].name;
-            if (ImGui::Selectable(name.c_str(), m == state.muscle)) context.emit(commands::ChooseMuscle{m});
-            context.items.mark("signals/muscle/" + name);
-        }
-        ImGui::EndCombo();
-    }
-}
-
 /// Signals of all muscles over the time of the trial and of the signal, at least a tenth of a second.
 plot::Plot signals_plot(const PanelContext& context, const commands::Muscle& muscle, const fibre::Signal& signal) {
     const commands::WorkbenchState& state = context.state;
@@ -100,64 +75,57 @@ plot::Plot signals_plot(const PanelContext& context, const commands::Muscle& mus
     return plot;
 }
 
-/// The knot nearest to the mouse, within reach.
-std::optional<std::size_t> knot_at(const plot::PlotArea& area, const fibre::Signal& signal, const ImVec2& mouse,
-                                   float within) {
-    std::optional<std::size_t> near;
-    for (std::size_t k = 0; k < signal.times_s.size(); ++k) {
-        const ImVec2 p = pixel_of(area, signal.times_s[k], signal.values[k]);
-        const float distance = std::hypot(p.x - mouse.x, p.y - mouse.y);
-        if (distance < within) within = distance, near = k;
-    }
-    return near;
-}
-
-/// Time [s] and value a at the mouse. Values are limited to 0.05 … 5, as in the generator.
-std::array<double, 2> knot_place(const plot::PlotArea& area, const ImVec2& mouse) {
-    return {area.x.value(static_cast<double>(mouse.x)),
-            std::clamp(area.y.value(static_cast<double>(mouse.y)), 0.05, 5.0)};
-}
-
-/// @param grabbed  the dragged knot, which is larger
-/// Draws the knots over the plot, and records them for tests.
-///
-void draw_knots(PanelContext& context, const plot::PlotArea& area, const fibre::Signal& signal,
-                std::optional<std::size_t> grabbed) {
-    const platform::Theme& theme = context.theme;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    // Slightly larger than the drawing area, so that knots at its edge are complete.
-    ImGui::PushClipRect({area.pixels.lowest.x - 6.0f, area.pixels.lowest.y - 6.0f},
-                        {area.pixels.highest.x + 6.0f, area.pixels.highest.y + 6.0f}, true);
-    for (std::size_t k = 0; k < signal.times_s.size(); ++k) {
-        const ImVec2 p = pixel_of(area, signal.times_s[k], signal.values[k]);
-        const float radius = (grabbed && *grabbed == k ? 6.0f : 4.5f) * theme.scale;
-        list.AddCircleFilled(p, radius, platform::packed(theme.background), 20);
-        list.AddCircle(p, radius, platform::packed(theme.text), 20, 1.6f * theme.scale);
-        context.items.add("signals/knot/" + std::to_string(k), {{p.x - 4.0f, p.y - 4.0f}, {p.x + 4.0f, p.y + 4.0f}});
-    }
-    ImGui::PopClipRect();
-}
-
 }  // namespace
 
 std::string SignalPanel::title() const { return std::string(platform::icon::bolt) + "  Signals"; }
 
-/// Controls in one line, the curve below.
+/// Controls in one line, the curves below.
 void SignalPanel::draw(PanelContext& context) {
-    const commands::WorkbenchState& state = context.state;
-    if (!state.chosen_muscle()) {
-        if (draw_commands(context)) return;
+    const commands::Muscle* const muscle = context.state.chosen_muscle();
+    const bool commands = has_commands(context.state);
+    if (!muscle && !commands) {
         muted_text(context.theme, "Signals of muscles are drawn here. Add a muscle under Fibres to begin.");
         return;
     }
+    const bool show_commands = commands && (!muscle || commands_chosen_);
     // Another muscle: zoom and grabbed knot belong to the previous one.
-    if (followed_ != state.chosen_muscle()->name) {
-        followed_ = state.chosen_muscle()->name;
+    if (const std::string shown = show_commands ? "" : muscle->name; followed_ != shown) {
+        followed_ = shown;
         plot_ = {};
-        grabbed_.reset();
+        knots_.forget();
     }
+    if (muscle) {
+        draw_list(context, show_commands);
+        ImGui::SameLine();
+    }
+    if (show_commands) return draw_commands(context);
     draw_head(context);
     draw_curve(context);
+}
+
+/// List that selects what is edited: a muscle, or the commands of the trial.
+void SignalPanel::draw_list(PanelContext& context, bool commands) {
+    const commands::WorkbenchState& state = context.state;
+    const char* const of_commands = "Chambers and tendons";
+    const float s = context.theme.scale;
+    ImGui::SetNextItemWidth(std::min(200.0f * s, 0.26f * ImGui::GetContentRegionAvail().x));
+    const bool open = ImGui::BeginCombo("##muscle", commands ? of_commands : state.chosen_muscle()->name.c_str());
+    context.items.mark("signals/muscle");
+    if (!open) return;
+    for (int m = 0; m < static_cast<int>(state.settings.muscles.size()); ++m) {
+        const std::string& name = state.settings.muscles[static_cast<std::size_t>(m)].name;
+        if (ImGui::Selectable((name + "##muscle").c_str(), !commands && m == state.muscle)) {
+            commands_chosen_ = false;
+            context.emit(commands::ChooseMuscle{m});
+        }
+        context.items.mark("signals/muscle/" + name);
+    }
+    if (has_commands(state)) {
+        ImGui::Separator();
+        if (ImGui::Selectable(of_commands, commands)) commands_chosen_ = true;
+        context.items.mark("signals/commands");
+    }
+    ImGui::EndCombo();
 }
 
 void SignalPanel::give_signal(PanelContext& context, std::optional<fibre::Signal> signal, const std::string& what,
@@ -165,6 +133,22 @@ void SignalPanel::give_signal(PanelContext& context, std::optional<fibre::Signal
     commands::Settings settings = context.state.settings;
     settings.muscles[static_cast<std::size_t>(context.state.muscle)].signal = std::move(signal);
     context.emit(commands::ChangeSettings{std::move(settings), what, goes_on});
+}
+
+void SignalPanel::draw_zoom(PanelContext& context) {
+    // The line also has room for the other buttons.
+    const bool narrow = ImGui::GetWindowWidth() < 560.0f * context.theme.scale;
+    if (ImGui::Button(narrow ? platform::icon::expand : "Zoom to data")) {
+        time_.range.reset();
+        plot_ = {};
+        command_plots_.clear();
+    }
+    context.items.mark("signals/fit");
+    tooltip(
+        context.theme,
+        "Show all of the signals.\n\nIn the curve, a double click adds a knot and a drag moves it. The wheel zooms in "
+        "time, with Shift in the value; a drag off the knots moves the view, one with the right button zooms to a "
+        "box.");
 }
 
 /// Restores the recorded signal, or states that it is the recorded one.
@@ -185,8 +169,6 @@ void SignalPanel::draw_recorded(PanelContext& context) {
 /// recorded signals.
 void SignalPanel::draw_head(PanelContext& context) {
     const commands::Muscle& muscle = *context.state.chosen_muscle();
-    draw_muscle_list(context);
-    ImGui::SameLine();
     // A muscle that follows another one has no signal to edit.
     if (!muscle.follows.empty()) {
         ImGui::AlignTextToFramePadding();
@@ -198,17 +180,9 @@ void SignalPanel::draw_head(PanelContext& context) {
     ImGui::SameLine();
     draw_file(context);
     ImGui::SameLine();
-    // The line also has room for the button of the recorded signal.
-    const bool narrow = ImGui::GetWindowWidth() < 560.0f * context.theme.scale;
-    if (ImGui::Button(narrow ? platform::icon::expand : "Zoom to data")) {
-        time_.range.reset();
-        plot_ = {};
-    }
-    context.items.mark("signals/fit");
-    tooltip(context.theme,
-            "Show the whole signal.\n\nIn the curve, a double click adds a knot, a drag moves it and a right click "
-            "removes it. The wheel zooms in time, with Shift in a; a drag off the "
-            "knots moves the view, one with the right button zooms to a box.");
+    draw_zoom(context);
+    ImGui::SameLine();
+    knots_.snap_button(context);
     if (muscle.declared.empty()) return;
     ImGui::SameLine();
     draw_recorded(context);
@@ -244,7 +218,7 @@ void SignalPanel::draw_curve(PanelContext& context) {
     const fibre::Signal signal = commands::signal_of(state, muscle);
     plot::Plot plot = signals_plot(context, muscle, signal);
     // While a knot is dragged, the plot must not pan.
-    plot.held = grabbed_.has_value();
+    plot.held = knots_.held();
     const plot::PlotResult drawn = plot::draw_plot(plot, ImGui::GetContentRegionAvail(), theme, context.items, time_,
                                                    plot_, hidden_);
     // A muscle that follows another one has no knots: a drag in its plot moves the time, as in other plots.
@@ -252,37 +226,10 @@ void SignalPanel::draw_curve(PanelContext& context) {
         if (drawn.cursor) context.emit(commands::SetTime{*drawn.cursor});
         return;
     }
-    edit_knots(context, signal, drawn);
-}
-
-/// Draws the knots and edits the signal with the mouse.
-void SignalPanel::edit_knots(PanelContext& context, const fibre::Signal& signal, const plot::PlotResult& drawn) {
-    const plot::PlotArea& area = drawn.area;
-    if (area.pixels.width() < 20.0f || area.pixels.height() < 10.0f) return;
-    const ImVec2 mouse = ImGui::GetIO().MousePos;
-    draw_knots(context, area, signal, grabbed_);
-    const std::optional<std::size_t> near = drawn.hovered
-                                                ? knot_at(area, signal, mouse, knot_reach * context.theme.scale)
-                                                : std::nullopt;
-    const auto [time, value] = knot_place(area, mouse);
-    // Released, or the plot lost the mouse.
-    if (!drawn.active) grabbed_.reset();
-    if (drawn.hovered && near && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) {
-        grabbed_ = near;
-        moved_ = false;
-    }
-    const ImVec2 by = ImGui::GetIO().MouseDelta;
-    // While a knot is dragged, all changes form one undo entry; moved_ marks the first of them.
-    if (grabbed_ && *grabbed_ < signal.times_s.size() && (by.x != 0.0f || by.y != 0.0f)) {
-        give_signal(context, commands::with_knot_moved(signal, *grabbed_, time, value), "knot of a signal", moved_);
-        moved_ = true;
-    } else if (drawn.hovered && !near && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-        give_signal(context, commands::with_knot_added(signal, time, value), "knot of a signal", false);
-    } else if (drawn.hovered && near && ImGui::IsMouseReleased(ImGuiMouseButton_Right) &&
-               ImGui::GetIO().MouseDragMaxDistanceSqr[ImGuiMouseButton_Right] < 16.0f) {
-        // A click; a drag with the right button is a zoom to a box.
-        give_signal(context, commands::with_knot_removed(signal, *near), "knot of a signal", false);
-    }
+    const KnotCurve curve{muscle.name, "signals/knot", signal,    "Target stretch a", commands::Dimension::ratio, "",
+                          1.0,         stretch_knots,  theme.text};
+    if (const auto edit = knots_.edit(context, {drawn, time_, plot_}, {curve}))
+        give_signal(context, edit->signal, "knot of a signal", edit->goes_on);
 }
 
 }  // namespace myo::ui::panels

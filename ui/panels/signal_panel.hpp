@@ -4,16 +4,17 @@
 
 #include "commands/muscle_signal.hpp"
 #include "commands/signal_shapes.hpp"
-#include "panels/number_field.hpp"
+#include "panels/knot_editor.hpp"
 #include "plot/plot.hpp"
 
 namespace myo::ui::panels {
 
-/// Edits the signal a(t) of the selected muscle as a curve: knots are dragged, a double click adds a knot, a right
-/// click removes it. Signals can also be generated and read from files.
+/// Edits signals as curves: a(t) of the selected muscle, or the commands of the chambers and tendons in the shown
+/// trial. Their knots are dragged, added and removed in the plot, see KnotEditor. Signals of muscles can also be
+/// generated and read from files.
 ///
-/// Emits ChangeSettings, ChooseMuscle, ImportSignal, ExportSignal and SetTime. Comes to the front with the task Fibres.
-/// Item names begin with "signals/".
+/// Emits ChangeSettings, EditDeclaration, ChooseMuscle, ImportSignal, ExportSignal and SetTime. Comes to the front with
+/// the task Fibres. Item names begin with "signals/".
 class SignalPanel : public Panel {
 public:
     std::string name() const override { return "signals"; }
@@ -23,7 +24,15 @@ public:
     void draw(PanelContext& context) override;
 
 private:
-    /// Muscle, generator, file and display controls.
+    /// Whether the shown trial has commands of chambers or tendons.
+    static bool has_commands(const commands::WorkbenchState& state);
+    /// @param commands  those of chambers and tendons are shown
+    /// List of what can be edited.
+    ///
+    void draw_list(PanelContext& context, bool commands);
+    /// Button that shows all data.
+    void draw_zoom(PanelContext& context);
+    /// Generator, file and display controls of a muscle.
     void draw_head(PanelContext& context);
     /// Popup that generates a signal from a recipe.
     void draw_generator(PanelContext& context);
@@ -38,14 +47,12 @@ private:
     void draw_sine(PanelContext& context);
     /// Popup that reads or writes a CSV file.
     void draw_file(PanelContext& context);
-    /// Pressures, tensions and shortenings of the shown trial; false if it has none.
-    bool draw_commands(PanelContext& context);
+    /// Plots of the pressures, tensions and shortenings of the shown trial, with the knots of those that it declares.
+    void draw_commands(PanelContext& context);
+    /// One of the plots, and edits of its knots.
+    void draw_command_plot(PanelContext& context, const std::string& unit, plot::Plot plot, const ImVec2& size);
     /// The plot with the signals of all muscles.
     void draw_curve(PanelContext& context);
-    /// @param plot  result of drawing the plot that the knots lie on
-    /// Draws the knots and moves, adds and removes them with the mouse.
-    ///
-    void edit_knots(PanelContext& context, const fibre::Signal& signal, const plot::PlotResult& plot);
 
     commands::SignalRecipe recipe_;                         // of the generator
     std::string recipe_muscle_;                             // muscle that the recipe's level was chosen for
@@ -54,9 +61,9 @@ private:
     plot::PlotState plot_;                                  // zoom of the value axis
     std::map<std::string, plot::PlotState> command_plots_;  // zoom of the commands' axes, by unit
     plot::HiddenSeries hidden_;                             // curves switched off in the legend
-    std::optional<std::size_t> grabbed_;                    // index of the dragged knot
-    bool moved_ = false;    // the dragged knot has moved, so undo merges further changes
-    std::string followed_;  // name of the muscle that the zoom belongs to
+    KnotEditor knots_;                                      // of all plots
+    bool commands_chosen_ = false;                          // instead of the selected muscle
+    std::string followed_;  // name of the muscle that the zoom belongs to; empty: commands
 };
 
 }  // namespace myo::ui::panels

@@ -4,8 +4,12 @@
 #include <map>
 
 #include "commands/actuator_drawing.hpp"
+#include "commands/command_knots.hpp"
+#include "panels/actuator_edits.hpp"
+#include "panels/command_field.hpp"
 #include "panels/signal_panel.hpp"
 #include "panels/signal_series.hpp"
+#include "plot/draw_chart.hpp"
 
 namespace myo::ui::panels {
 namespace {
@@ -48,22 +52,65 @@ std::map<std::string, plot::Plot> plots_of(const PanelContext& context, const co
     return plots;
 }
 
+/// Knots of the commands in a plot, except for those of hidden curves and of actuation files.
+std::vector<KnotCurve> curves_of(const PanelContext& context, const plot::Plot& plot,
+                                 const plot::HiddenSeries& hidden) {
+    const commands::Scene& scene = *context.state.scene;
+    const auto trial = static_cast<std::size_t>(context.state.trial);
+    std::vector<KnotCurve> curves;
+    if (trial >= scene.declared.commands.size()) return curves;
+    for (const chart::Series& series : plot.panel.series) {
+        const auto actuator = declared_actuator(scene, series.name);
+        if (!actuator || hidden.count(series.name) > 0) continue;
+        const auto& declared = scene.declared.commands[trial];
+        const auto command = declared.find(series.name);
+        const bool any = command != declared.end();
+        if (any && command->second.kind == commands::DeclaredCommand::Kind::file) continue;
+        const CommandField& field = command_field(*actuator);
+        const commands::ShownCommand& shown = scene.trials[trial].commands.at(series.name);
+        curves.push_back({series.name, "signals/knot/" + series.name,
+                          commands::knots_of(any ? &command->second : nullptr), field.quantity, field.dimension,
+                          shown.unit, shown.per_unit, field.limits, plot::window_colour(*series.own_colour)});
+        // A pose that is held has constants only.
+        curves.back().constant = scene.trials[trial].time_s.size() < 2;
+    }
+    return curves;
+}
+
 }  // namespace
 
-bool SignalPanel::draw_commands(PanelContext& context) {
-    const commands::SceneTrial* const trial = context.state.scene_trial();
-    if (!context.state.body || context.state.actuators.empty() || !trial || trial->commands.empty()) return false;
-    std::map<std::string, plot::Plot> plots = plots_of(context, *trial);
+bool SignalPanel::has_commands(const commands::WorkbenchState& state) {
+    const commands::SceneTrial* const trial = state.scene_trial();
+    return state.body && !state.actuators.empty() && trial && !trial->commands.empty();
+}
+
+void SignalPanel::draw_commands(PanelContext& context) {
+    std::map<std::string, plot::Plot> plots = plots_of(context, *context.state.scene_trial());
+    draw_zoom(context);
+    ImGui::SameLine();
+    knots_.snap_button(context);
     const auto count = static_cast<float>(plots.size());
     const float gap = ImGui::GetStyle().ItemSpacing.y;
     // The plots share the height, whatever their number.
     const float height = (ImGui::GetContentRegionAvail().y - (count - 1.0f) * gap) / count;
-    for (auto& [unit, plot] : plots) {
-        const plot::PlotResult drawn = plot::draw_plot(plot, {ImGui::GetContentRegionAvail().x, height}, context.theme,
-                                                       context.items, time_, command_plots_[unit], hidden_);
-        if (drawn.cursor) context.emit(commands::SetTime{*drawn.cursor});
-    }
-    return true;
+    for (auto& [unit, plot] : plots)
+        draw_command_plot(context, unit, std::move(plot), {ImGui::GetContentRegionAvail().x, height});
+}
+
+void SignalPanel::draw_command_plot(PanelContext& context, const std::string& unit, plot::Plot plot,
+                                    const ImVec2& size) {
+    const std::vector<KnotCurve> curves = curves_of(context, plot, hidden_);
+    plot.editable = !curves.empty();
+    // While a knot is dragged, the plot must not pan.
+    plot.held = knots_.held();
+    plot::PlotState& state = command_plots_[unit];
+    const plot::PlotResult drawn = plot::draw_plot(plot, size, context.theme, context.items, time_, state, hidden_);
+    if (drawn.cursor) context.emit(commands::SetTime{*drawn.cursor});
+    const auto edit = knots_.edit(context, {drawn, time_, state}, curves);
+    if (!edit) return;
+    const auto actuator = declared_actuator(*context.state.scene, curves[edit->curve].name);
+    set_command(context, *actuator, static_cast<std::size_t>(context.state.trial), commands::command_of(edit->signal),
+                edit->goes_on);
 }
 
 }  // namespace myo::ui::panels

@@ -14,16 +14,9 @@ namespace {
 
 /// Values of what is added, for the user to change.
 struct NewTendonPolicy {
-    double tension_N = 1.0;
-    double shortening_m = 1e-3;
     double stiffness_N_m = 1e4;  // of a nylon thread of decimetres
 };
 constexpr NewTendonPolicy new_tendon_policy;
-
-// Commands of the two drives, for the rows of a trial.
-const CommandField tension{commands::Dimension::force, "N", "Tension", {0.0, 1e4}, 0.01, new_tendon_policy.tension_N};
-const CommandField shortening{commands::Dimension::length,   "mm", "Shortening", {-1.0, 1.0}, 0.01,
-                              new_tendon_policy.shortening_m};
 
 /// The path [m] without one of its guides.
 Eigen::Matrix3Xd without_guide(const Eigen::Matrix3Xd& path_m, Eigen::Index guide) {
@@ -87,8 +80,7 @@ void TendonPanel::draw_tendon(PanelContext& context, std::size_t t) {
     if (names_.row(context, "Name", "tendon/name", "Heads its column in actuation files.", name))
         rename_actuator(context, tendon, name);
     draw_drive(context, t);
-    command_rows(context, tendon, scene.declared.tendons[t].by_shortening ? shortening : tension, "tendon/command",
-                 edits_);
+    command_rows(context, tendon, "tendon/command", edits_);
     draw_guides(context, t);
     if (ImGui::Button("Remove the tendon", {-1.0f, 0.0f})) remove_actuator(context, tendon);
     context.items.mark("tendon/remove");
