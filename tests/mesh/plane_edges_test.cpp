@@ -152,7 +152,7 @@ TEST(FillContours, GoRoundManyHoles) {
     Contours contours;
     contours.add_square({0, 0}, 5.0);
     for (int i = -1; i <= 1; ++i)
-        for (int j = -1; j <= 1; ++j) contours.add_square({3.0 * i, 3.0 * j}, 1.0, true);
+        for (int j = -1; j <= 1; ++j) contours.add_square({3.0 * i + 0.1 * j, 3.0 * j + 0.07 * i}, 1.0, true);
     EXPECT_NEAR(filled_area(contours, 2, 1.0), 100.0 - 9.0 * 4.0, 1e-12);
 }
 

@@ -15,6 +15,9 @@ namespace {
 constexpr chart::Range min_range{0.9, 1.1};           // always visible, so that a constant signal is not magnified
 constexpr commands::Limits stretch_knots{0.05, 5.0};  // of the target stretch, as in the generator
 
+/// Whether the line of buttons has room for icons alone.
+bool is_narrow(const PanelContext& context) { return ImGui::GetWindowWidth() < 560.0f * context.theme.scale; }
+
 /// Folder of the experiment, as the start of the file dialogs.
 std::filesystem::path folder_of(const commands::Scene& scene) {
     return scene.path.has_extension() ? scene.path.parent_path() : scene.path;
@@ -136,9 +139,7 @@ void SignalPanel::give_signal(PanelContext& context, std::optional<fibre::Signal
 }
 
 void SignalPanel::draw_zoom(PanelContext& context) {
-    // The line also has room for the other buttons.
-    const bool narrow = ImGui::GetWindowWidth() < 560.0f * context.theme.scale;
-    if (ImGui::Button(narrow ? platform::icon::expand : "Zoom to data")) {
+    if (ImGui::Button(is_narrow(context) ? platform::icon::expand : "Zoom to data")) {
         time_.range.reset();
         plot_ = {};
         command_plots_.clear();
@@ -154,7 +155,8 @@ void SignalPanel::draw_zoom(PanelContext& context) {
 /// Restores the recorded signal, or states that it is the recorded one.
 void SignalPanel::draw_recorded(PanelContext& context) {
     if (context.state.chosen_muscle()->signal) {
-        if (ImGui::Button("As recorded")) give_signal(context, std::nullopt, "signal as recorded", false);
+        if (ImGui::Button(is_narrow(context) ? platform::icon::undo : "As recorded"))
+            give_signal(context, std::nullopt, "signal as recorded", false);
         context.items.mark("signals/recorded");
         tooltip(context.theme, "Restore each trial's recorded signal");
     } else {
