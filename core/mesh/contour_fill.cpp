@@ -113,6 +113,15 @@ bool contains_point(const PlaneView& view, const Loop& loop, const Point2& x) {
     return inside;
 }
 
+// Whether a segment from the i-th vertex of a loop to q begins on the left of the loop. A vertex from which bridges
+// start stands in the loop several times, and each time the loop turns by another angle.
+// Source: O'Rourke, Computational Geometry in C, 1998, 1.6.3 (InCone).
+bool begins_inside(const PlaneView& view, const Loop& loop, std::size_t i, int q) {
+    const int before = loop[(i + loop.size() - 1) % loop.size()], p = loop[i], after = loop[(i + 1) % loop.size()];
+    if (view.turn(before, p, after) >= 0.0) return view.turn(p, q, before) > 0.0 && view.turn(q, p, after) > 0.0;
+    return !(view.turn(p, q, after) >= 0.0 && view.turn(q, p, before) >= 0.0);
+}
+
 // Joins the nearest hole with the outer loop by a bridge that is traversed in both directions. The bridge must not
 // cross any loop.
 bool join_a_hole(const PlaneView& view, Loop& outer, std::vector<Loop>& holes) {
@@ -130,7 +139,7 @@ bool join_a_hole(const PlaneView& view, Loop& outer, std::vector<Loop>& holes) {
               [](const Bridge& a, const Bridge& b) { return a.squared_length < b.squared_length; });
     for (const Bridge& bridge : bridges) {
         const int p = outer[bridge.from], q = holes[bridge.hole][bridge.to];
-        if (meets(view, outer, p, q)) continue;
+        if (!begins_inside(view, outer, bridge.from, q) || meets(view, outer, p, q)) continue;
         if (std::any_of(holes.begin(), holes.end(), [&](const Loop& hole) { return meets(view, hole, p, q); }))
             continue;
         // The hole is inserted into the outer loop: across the bridge, around the hole and back.

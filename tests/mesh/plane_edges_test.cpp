@@ -148,12 +148,16 @@ TEST(FillContours, HaveTheirAreaAlongEveryAxisAndAgainstIt) {
         for (const double sign : {1.0, -1.0}) EXPECT_NEAR(filled_area(contours, axis, sign), 46.0, 1e-12) << axis;
 }
 
+/// Several bridges start at one vertex then: each must leave it on the side of the area. In rows and aside.
 TEST(FillContours, GoRoundManyHoles) {
-    Contours contours;
-    contours.add_square({0, 0}, 5.0);
-    for (int i = -1; i <= 1; ++i)
-        for (int j = -1; j <= 1; ++j) contours.add_square({3.0 * i + 0.1 * j, 3.0 * j + 0.07 * i}, 1.0, true);
-    EXPECT_NEAR(filled_area(contours, 2, 1.0), 100.0 - 9.0 * 4.0, 1e-12);
+    for (const double aside : {0.0, 0.1}) {
+        Contours contours;
+        contours.add_square({0, 0}, 5.0);
+        for (int i = -1; i <= 1; ++i)
+            for (int j = -1; j <= 1; ++j)
+                contours.add_square({3.0 * i + aside * j, 3.0 * j + 0.7 * aside * i}, 1.0, true);
+        EXPECT_NEAR(filled_area(contours, 2, 1.0), 100.0 - 9.0 * 4.0, 1e-12) << aside;
+    }
 }
 
 /// Points in the middle of straight sides are no corners, but belong to the triangles.
