@@ -21,7 +21,6 @@
 namespace myo::fibre::cell_parts_test {
 namespace {
 
-using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;

@@ -16,7 +16,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::Matrix3Xd;
-using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 const std::vector<double> uneven{0.0, 0.1, 0.25, 0.7};

@@ -8,8 +8,7 @@ namespace myo::test {
 
 /// Potential, gradient and, if asked for, Hessian of one force element alone.
 inline model::InternalEnergy force_of(const model::ForceElement& element, const model::Body& body,
-                                      const model::ForceState& at,
-                                      model::HessianKind kind = model::HessianKind::none) {
+                                      const model::ForceState& at, model::HessianKind kind = model::HessianKind::none) {
     model::InternalEnergy out;
     out.gradient = Eigen::Matrix3Xd::Zero(3, body.node_count());
     if (kind != model::HessianKind::none) out.hessian = body.pattern.zero;

@@ -15,7 +15,6 @@ namespace myo::backend::marker_edit_test {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
 using toml::TomlValue;
 
 const std::string markers = R"([markers.rest_m]

@@ -27,7 +27,6 @@
 namespace myo::backend::shown_values_test {
 namespace {
 
-using testing::ElementsAre;
 using testing::IsEmpty;
 
 check::Finding finding(const std::string& id, check::CheckLevel level, double figure, const std::string& unit) {
