@@ -53,13 +53,9 @@ DiagnosisContext context_of(DeclaredFit declared, CorrectedDeclaredFit corrected
     NumericalError numerics = *corrected.fit.numerics;
     declared.data.shift = numerics.shift;
     declared.setup.modulus_factor = corrected.modulus_factor;
-    return {std::move(declared.setup),
-            settings,
-            std::move(declared.data),
-            std::move(corrected.fit),
-            std::move(numerics),
-            std::move(corrected.refinement),
-            std::move(declared.step_factors)};
+    return {std::move(declared.setup), settings,
+            std::move(declared.data),  std::move(corrected.fit),
+            std::move(numerics),       std::move(corrected.refinement)};
 }
 
 /// The fit without its predictions, which need the memory of many runs.

@@ -14,7 +14,6 @@ struct DiagnosisContext {
     JudgedFit declared;         // reference of all comparisons, its numerical error removed
     NumericalError numerics;    // of the declared fit
     Refinement refinement;      // from which the numerical error of other fits is computed
-    std::vector<double> step_factors = {};  // per trial: steps of `setup` over those that were given; empty: 1
 
     const DiagnosisPolicy& policy() const { return settings.policy; }
     /// Number of fit trials.

@@ -38,6 +38,17 @@ JointFit refit(const CorrectionInput& in, const FitData& data, const prediction:
                       log);
 }
 
+/// Scales the fitted moduli such that the motion stays the same with another modulus factor of the cells.
+/// Cells of factor times the modulus move with E / factor as they did with E.
+void scale_modulus(JointFit& fit, double factor) {
+    for (const prediction::ModelParameter& p : fit.parameters)
+        if (p.kind == prediction::ModelParameter::Kind::youngs_modulus ||
+            p.kind == prediction::ModelParameter::Kind::part_modulus)
+            prediction::set_value(
+                p, std::clamp(prediction::value_of(p, fit.values) / factor, p.parameter.lower, p.parameter.upper),
+                fit.values);
+}
+
 /// Numerical error of a fit after its own parameters have been matched between the runs. Empty if the error is small,
 /// or if matching does not reduce it.
 std::optional<NumericalError> matched_error(const CorrectionInput& in, const JointFit& fit, const FitData& data,

@@ -68,14 +68,4 @@ std::optional<NumericalError> match_modulus(const setup::Setup& setup, const pre
     return error;
 }
 
-void scale_modulus(JointFit& fit, double factor) {
-    for (const prediction::ModelParameter& p : fit.parameters)
-        if (p.kind == prediction::ModelParameter::Kind::youngs_modulus ||
-            p.kind == prediction::ModelParameter::Kind::part_modulus)
-            // Cells of factor times the modulus move with E / factor as they did with E.
-            prediction::set_value(
-                p, std::clamp(prediction::value_of(p, fit.values) / factor, p.parameter.lower, p.parameter.upper),
-                fit.values);
-}
-
 }  // namespace myo::diagnosis

@@ -19,8 +19,4 @@ std::optional<NumericalError> match_modulus(const setup::Setup& setup, const pre
                                             const FitData& data, NumericalError error, const NumericsPolicy& policy,
                                             const Progress& progress);
 
-/// Scales the fitted moduli such that the motion stays the same after the modulus factor of the cells has been
-/// multiplied by `factor`, within the bounds of the parameters.
-void scale_modulus(JointFit& fit, double factor);
-
 }  // namespace myo::diagnosis

@@ -220,10 +220,8 @@ MatrixXd all_slopes(const JointFit& fit) {
 
 WarmStart warm_start_of(const JointFit& fit) {
     WarmStart warm;
-    if (fit.jacobian.cols() > 0) {
-        for (const prediction::ModelParameter& p : fit.parameters) warm.names.push_back(p.parameter.name);
-        warm.columns = all_slopes(fit);
-    }
+    for (const prediction::ModelParameter& p : fit.parameters) warm.names.push_back(p.parameter.name);
+    warm.columns = all_slopes(fit);
     for (const prediction::TrialPrediction& prediction : fit.predictions) warm.paths.push_back(prediction.trace.path);
     return warm;
 }

@@ -51,7 +51,7 @@ struct WarmStart {
     Eigen::MatrixXd columns;                                        // N + S x names
     std::vector<std::shared_ptr<const dynamics::StagePath>> paths;  // of data.trials; null: unknown
 };
-/// Jacobian and paths of a fit; no names where its Jacobian has no columns.
+/// Jacobian and paths of a fit.
 WarmStart warm_start_of(const JointFit& fit);
 
 /// First-order rms difference of the predictions of two fits with the same parameters [noise levels].

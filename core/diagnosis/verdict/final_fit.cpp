@@ -5,8 +5,6 @@
 #include <vector>
 
 #include "diagnosis/discretisation/correct_discretisation.hpp"
-#include "diagnosis/discretisation/longer_steps.hpp"
-#include "diagnosis/verdict/given_steps.hpp"
 #include "diagnosis/verdict/neighbouring_places.hpp"
 #include "prediction/marker_places.hpp"
 
@@ -29,41 +27,30 @@ ErrorCorrection correction_of(VerdictKind kind, const SearchPolicy& policy) {
 }  // namespace
 
 FinalFit final_fit(const FinalFitInput& in, FitStore& store, PhaseLog& log) {
-    std::vector<std::size_t> all(in.context.setup.trials.size());
+    const DiagnosisContext& context = in.context;
+    const setup::Setup& setup = context.setup;
+    const VerdictKind kind = in.decision.verdict.kind;
+    std::vector<std::size_t> all(setup.trials.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
     // The markers where this fit finds them: on its own trials, and nothing is refitted on the others.
-    const auto predicted = [&](const DiagnosisContext& context, const JudgedFit& fit, const NumericalError& error) {
+    const auto predicted = [&](const JudgedFit& fit, const NumericalError& error) {
         prediction::ParameterValues values = fit.fit.values;
-        values.places_m = probable_places(context.setup, context.data, fit.fit.residual);
-        return shifted_run(context.setup, values, error.shift,
-                           fitted_predictions(context.setup, all, values, log.progress()), all);
+        values.places_m = probable_places(setup, context.data, fit.fit.residual);
+        return shifted_run(setup, values, error.shift, fitted_predictions(setup, all, values, log.progress()), all);
     };
     FinalFit result;
+    result.fit = in.decision.fit;
     // Also trials that were not fitted: both models predict them without any refit.
     result.before = log.timed("prediction", 2 * static_cast<int>(all.size()),
-                              [&] { return predicted(in.context, in.context.declared, in.declared_error); });
-    result.fit = in.decision.fit;
+                              [&] { return predicted(context.declared, in.declared_error); });
     // The fit of the decision was made with this shift.
-    FitData data = in.context.data;
+    FitData data = context.data;
     data.shift = result.fit.numerics ? result.fit.numerics->shift : in.shift;
-    std::optional<FitWithSteps> shorter;
-    if (in.decision.verdict.kind == VerdictKind::effects) {
-        result.fit = with_best_place(in.context, data, std::move(result.fit), store, log);
-        if (needs_given_steps(in.context, result.fit)) shorter = with_given_steps(in.context, std::move(result.fit));
-    }
-    const DiagnosisContext& context = shorter ? shorter->context : in.context;
-    const setup::Setup& setup = context.setup;
-    if (shorter) {
-        result.fit = std::move(shorter->fit);
-        result.notes.push_back("the last fit has steps of " + steps_in_words(setup) +
-                               ", since the force of its effect has a corner, across which the error of longer steps "
-                               "cannot be taken off");
-    }
-    if (log.cancelled()) return result;
+    if (kind == VerdictKind::effects) result.fit = with_best_place(context, data, std::move(result.fit), store, log);
     if (!result.fit.numerics) {
         std::optional<JudgedFit> corrected = correct_discretisation(
             {setup, data, context.settings, context.refinement, "last fit",
-             correction_of(in.decision.verdict.kind, context.policy().search)},
+             correction_of(kind, context.policy().search)},
             result.fit, store, log);
         if (!corrected) return result;
         result.fit = std::move(*corrected);
@@ -71,8 +58,7 @@ FinalFit final_fit(const FinalFitInput& in, FitStore& store, PhaseLog& log) {
     }
     result.fit.numerics = with_error_of_other_trials(context, result.fit, log);
     // With the verdict `none` both models are the declared one.
-    result.after = in.decision.verdict.kind == VerdictKind::none ? result.before
-                                                                 : predicted(context, result.fit, *result.fit.numerics);
+    result.after = kind == VerdictKind::none ? result.before : predicted(result.fit, *result.fit.numerics);
     const std::vector<Eigen::Vector3d>& places = result.after.values.places_m;
     for (const std::size_t marker : prediction::far_markers(setup, places))
         result.notes.push_back(prediction::far_marker_sentence(setup, marker, places[marker]));
