@@ -84,7 +84,7 @@ TEST(AxisTicks, AreAsManyAsThereIsRoomForFromTwoToTenIntervals) {
         double from_px, to_px;
         std::size_t ticks;
     };
-    // Of [0, 1], a tick every 80 px; the steps are 0.5, 0.2 and 0.1.
+    // A tick every 80 px of [0, 1]; the steps are 0.5, 0.2 and 0.1.
     for (const Room& room : {Room{0.0, 10.0, 3}, {0.0, 400.0, 6}, {400.0, 0.0, 6}, {0.0, 800.0, 11}, {0.0, 9e4, 11}}) {
         const PlannedAxis plan = plan_axis({}, data_of({}, {0.0, 1.0}), 0.0, room.from_px, room.to_px, 80.0);
         EXPECT_EQ(plan.ticks.values.size(), room.ticks) << room.from_px << " " << room.to_px;

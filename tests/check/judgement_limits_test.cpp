@@ -80,7 +80,7 @@ TEST_F(JudgementLimits, OfUnitsBelongToTheRange) {
     // Gravity counts by its length.
     e.gravity_m_s2 = {20.0, 20.0, 20.0};
     EXPECT_EQ(unit("gravity_m_s2").level, CheckLevel::doubtful);
-    // What is not declared is not judged.
+    // Units that are not declared are not judged.
     e.material.damping_s.reset();
     e.markers.noise_m.reset();
     EXPECT_EQ(unit("material.damping_s").subject, "none");

@@ -123,7 +123,7 @@ TEST(GlbFile, NormalsAreMeansByArea) {
     EXPECT_LT((normals.col(2) - Eigen::Vector3f::UnitZ()).norm(), 1e-6f);
     EXPECT_LT((normals.col(3) + Eigen::Vector3f::UnitY()).norm(), 1e-6f);
     EXPECT_NEAR(normals.col(4).norm(), 1.0f, 1e-6f) << "also where there is no triangle";
-    // Those of a closed body point outwards.
+    // Normals of a closed body point outwards.
     const mesh::SurfaceMesh box = mesh::box_surface({{-1.0, -2.0, -3.0}, {1.0, 2.0, 3.0}});
     const Eigen::Matrix3Xf outward = written(box).attribute("NORMAL");
     for (Eigen::Index v = 0; v < outward.cols(); ++v) {

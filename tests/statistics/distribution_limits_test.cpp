@@ -63,10 +63,10 @@ TEST(DistributionTails, OfNoDeviationAreAStepAtTheMean) {
 }
 
 TEST(DistributionTails, GoOnWhereTheLogarithmIsComputedOtherwise) {
-    // Of two degrees of freedom, ln P = -x / 2: the change of method is at 1e-280, x = 1289.4.
+    // For two degrees of freedom ln P = -x / 2: the change of method is at 1e-280, x = 1289.4.
     for (const double x : {1e-3, 1.0, 1289.0, 1290.0, 1500.0, 1e6})
         EXPECT_NEAR(log_chi_squared_tail(x, 2.0), -0.5 * x, 1e-9 * x);
-    // Of one: the asymptotic series of erfc, to three terms.
+    // For one degree: the asymptotic series of erfc, to three terms.
     const double x = 3000.0, tail = 1.0 - 1.0 / x + 3.0 / (x * x) - 15.0 / (x * x * x);
     EXPECT_NEAR(log_chi_squared_tail(x, 1.0), -0.5 * x + 0.5 * std::log(2.0 / (std::numbers::pi * x)) + std::log(tail),
                 1e-9);

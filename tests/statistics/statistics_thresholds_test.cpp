@@ -174,7 +174,7 @@ TEST(Directions, AreDroppedBelowTheToleranceOfTheirLength) {
         }
     EXPECT_EQ(NuisanceSpace(Eigen::MatrixXd::Zero(4, 2)).rank(), 0);
     EXPECT_EQ(NuisanceSpace(Eigen::MatrixXd(0, 2)).rows(), 0);
-    // Of a candidate the remainder is compared with its own length, 1e-6.
+    // The remainder of a candidate is compared with its own length, 1e-6.
     const NuisanceSpace first(Eigen::MatrixXd(Eigen::Vector4d(1.0, 0.0, 0.0, 0.0)));
     for (const double rest : {0.9e-6, 1.1e-6}) {
         const ProjectedCandidate candidate = project_candidate(first, 1e5 * Eigen::Vector4d(1.0, 0.0, rest, 0.0));
