@@ -25,10 +25,9 @@ std::string one_line(std::string text) {
 /// Duration in the unit that matters: seconds, rounded up; from 59 s on, minutes with seconds; hours.
 std::string duration_text(double seconds) {
     char text[32];
-    if (seconds <= 59.0)
-        std::snprintf(text, sizeof text, "%.0f s", std::ceil(seconds));
-    else if (seconds < 60.0)
-        std::snprintf(text, sizeof text, "1 min 00 s");
+    if (seconds < 60.0) seconds = std::ceil(seconds);
+    if (seconds < 60.0)
+        std::snprintf(text, sizeof text, "%.0f s", seconds);
     else if (seconds < 3600.0)
         std::snprintf(text, sizeof text, "%d min %02d s", static_cast<int>(seconds) / 60,
                       static_cast<int>(seconds) % 60);

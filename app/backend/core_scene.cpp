@@ -285,9 +285,7 @@ Result<ui::commands::Scene> scene_of(const ui::commands::Scene& scene, const exp
     if (!setup) return setup.error();
     ui::commands::Scene result = scene;
     // A mesh follows the box that holds the body and those of parts, so that of other boxes is not kept.
-    const auto same_box = [](const Box& a, const Box& b) { return a.lowest == b.lowest && a.highest == b.highest; };
-    const std::vector<Box> boxes = mesh_boxes(experiment), before = mesh_boxes(source.experiment);
-    const bool same_boxes = std::equal(boxes.begin(), boxes.end(), before.begin(), before.end(), same_box);
+    const bool same_boxes = mesh_boxes(experiment) == mesh_boxes(source.experiment);
     show_setup(*setup, same_boxes ? source.mesh : nullptr, source.text, result);
     // show_setup() has set declared values, which would undo what the user has set.
     result.settings = scene.settings;

@@ -14,6 +14,7 @@ struct Box {
         return (point.array() >= lowest.array()).all() && (point.array() <= highest.array()).all();
     }
     Eigen::Vector3d size() const { return highest - lowest; }
+    bool operator==(const Box& other) const { return lowest == other.lowest && highest == other.highest; }
 };
 
 }  // namespace myo

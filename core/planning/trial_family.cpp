@@ -31,9 +31,7 @@ std::vector<Box> load_places(const experiment::Experiment& experiment, std::size
     std::vector<Box> places;
     for (const experiment::TrialDeclaration& trial : experiment.trials)
         for (const LoadDeclaration& load : trial.loads) {
-            const bool known = std::any_of(places.begin(), places.end(), [&](const Box& box) {
-                return box.lowest == load.box_m.lowest && box.highest == load.box_m.highest;
-            });
+            const bool known = std::find(places.begin(), places.end(), load.box_m) != places.end();
             if (!known && places.size() < most) places.push_back(load.box_m);
         }
     return places;

@@ -29,8 +29,8 @@ inline constexpr PartPolicy part_policy;
 /// Parts given by boxes are cut exactly; those given by surfaces by sample points; those given by regions hold whole
 /// cells; painted ones take the weights of their mask, which is resampled if it was painted on another mesh.
 /// @param warnings  contradictions of masks, and cells of mixed material, whose modulus is the mean by volume (Voigt).
-/// Measured on a bar of two
-///                  layers (4 : 1) whose interface cuts the lower of two layers of cells: bends 9 % too far
+///                  Measured on a bar of two layers (4 : 1) whose interface cuts the lower of two layers of cells:
+///                  bends 9 % too far
 /// Errors, with key and line: a file that cannot be read or is not closed; a mask that is missing or cannot be read; a
 /// region that no cell has; a part without material.
 Result<Eigen::MatrixXd> part_shares(const experiment::Experiment& experiment, const BodyMesh& mesh,

@@ -8,6 +8,7 @@
 
 #include "panels/signal_series.hpp"
 #include "ui/bare_workbench.hpp"
+#include "ui/bladder_and_thread.hpp"
 #include "ui/driver.hpp"
 
 // Commands of chambers and tendons over time, also in a trial that has one time only.
@@ -37,14 +38,7 @@ public:
                                       const Progress& progress) override {
         Result<commands::MeshedBody> body = CoarseBeam::mesh(scene, settings, progress);
         if (!body) return body;
-        commands::ShownChamber chamber;
-        chamber.name = "bladder";
-        body->actuators.chambers = {chamber};
-        commands::ShownTendon thread;
-        thread.name = "thread";
-        thread.guides.resize(2);
-        thread.guides[1].rest_m = {0.1, 0.015, 0.03};
-        body->actuators.tendons = {thread};
+        test::add_bladder_and_thread(*body);
         return body;
     }
 };

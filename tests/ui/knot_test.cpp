@@ -9,6 +9,7 @@
 #include "commands/knot_grid.hpp"
 #include "commands/signal_shapes.hpp"
 #include "toml/toml_text.hpp"
+#include "ui/bladder_and_thread.hpp"
 #include "ui/drawn_text.hpp"
 #include "ui/driver.hpp"
 
@@ -96,14 +97,7 @@ public:
                                       const Progress& progress) override {
         Result<commands::MeshedBody> body = SwingingBeam::mesh(scene, settings, progress);
         if (!body) return body;
-        commands::ShownChamber chamber;
-        chamber.name = "bladder";
-        body->actuators.chambers = {chamber};
-        commands::ShownTendon thread;
-        thread.name = "thread";
-        thread.guides.resize(2);
-        thread.guides[1].rest_m = {0.1, 0.015, 0.03};
-        body->actuators.tendons = {thread};
+        test::add_bladder_and_thread(*body);
         return body;
     }
     Result<commands::Declaration> edited(const commands::Scene& scene, const commands::Declaration& declaration,

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "commands/workbench_state.hpp"
 
@@ -13,6 +14,12 @@ namespace myo::ui::commands {
 ///
 /// @param place  line that says where it is, "box_m = ..."; empty: an edit that follows says it
 std::string new_part(const WorkbenchState& state, const std::string& place);
+
+/// Gives parts the masks of equal content that parts of the same index had before: a mask is identified by its pointer.
+void keep_masks(const std::vector<ScenePart>& before, std::vector<ScenePart>& parts);
+
+/// Whether as many parts are at the same places, whatever their materials.
+bool same_places(const std::vector<ScenePart>& a, const std::vector<ScenePart>& b);
 
 /// Key that says where a part is.
 const char* place_key(const ScenePart& part);

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "commands/effect_words.hpp"
+#include "commands/part_edits.hpp"
 #include "commands/workbench.hpp"
 
 // Edits of the experiment's declaration: support, gravity, loads, trials, unknown values, effects, obstacles, parts.
@@ -87,9 +88,11 @@ bool Workbench::redeclare(const Declaration& declaration, const MeshedBody* body
     const std::string shown = state_.scene_trial() ? state_.scene_trial()->name : "";
     const double time_s = state_.time_s;
     const std::vector<ScenePart> parts = state_.scene->parts;
+    keep_masks(parts, scene->parts);
     state_.scene = std::make_shared<const Scene>(std::move(*scene));
     follow_parts(parts);
-    place_parts();
+    // The shares of a surface take the time of many frames, and most edits leave the places as they are.
+    if (!same_places(parts, state_.scene->parts)) place_parts();
     // The mesh stays; what is declared of chambers and tendons on it may differ.
     if (state_.body) state_.actuators = backend_->actuators(*state_.scene, *state_.body);
     state_.marker = std::clamp(state_.marker, 0, std::max(0, static_cast<int>(state_.scene->markers.size()) - 1));
