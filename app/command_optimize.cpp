@@ -315,8 +315,9 @@ std::function<int()> declare_optimize(CLI::App& app) {
         ->type_name("NAME");
     // Read as words here: their names are known once the experiment is read.
     app.add_option("--seek", call->seek,
-                   "what may change, separated by commas: signals, direction:MUSCLE (its fibres), weights:MUSCLE (its "
-                   "paint), modulus, modulus:PART (default: signals)")
+                   "what may change, separated by commas: signals (of all that are not declared with sought = false), "
+                   "signals:ACTUATOR, direction:MUSCLE (its fibres), weights:MUSCLE (its paint), modulus, modulus:PART "
+                   "(default: signals)")
         ->delimiter(',')
         ->type_name("LIST");
     add_positive_number(app, "--frequency", call->frequency_Hz, "values of each signal per second (default: 20)")

@@ -42,14 +42,14 @@ Eigen::MatrixXd drawn_values(const setup::Setup& setup, const inverse::Actuation
     return values;
 }
 
-/// The settings with these signals in place of the drawn ones.
-///
-/// @param activation  per actuator, muscles first; further entries (chambers, tendons) are declared, not set
-ui::commands::Settings with_found_signals(ui::commands::Settings settings,
-                                          const std::vector<fibre::Signal>& activation) {
+/// The settings with the found signals in place of the drawn ones. Those of chambers and tendons are declared, not set.
+ui::commands::Settings with_found_signals(ui::commands::Settings settings, const inverse::SoughtSignals& sought,
+                                          const Eigen::MatrixXd& values) {
+    // Muscles come first.
+    const std::vector<fibre::Signal> activation = calibration::found_commands(sought, values);
     for (std::size_t m = 0; m < settings.muscles.size() && m < activation.size(); ++m)
         // A follower has no signal of its own: the signal of its leader determines it.
-        if (settings.muscles[m].follows.empty()) settings.muscles[m].signal = activation[m];
+        if (settings.muscles[m].follows.empty() && !sought.groups[m].own) settings.muscles[m].signal = activation[m];
     return settings;
 }
 
@@ -106,12 +106,12 @@ public:
                                 ? ui::commands::SearchPoint{1e6 * line.loss_m2, line.rms_m, 1e6 * line.gradient_norm_m2}
                                 : ui::commands::SearchPoint{});
         if (fit.usable()) {
-            const std::vector<fibre::Signal> activation = calibration::found_commands(problem_.sought, fit.values);
             view_.parameters = signal_rows(setup_, problem_, start_, fit.values);
             for (ui::commands::ParameterRow& row : design_rows(calibration::found_items(setup_, design_, fit.design)))
                 view_.parameters.push_back(std::move(row));
             view_.settings = settings_;
-            if (!problem_.sought.signals.empty()) view_.settings = with_found_signals(settings_, activation);
+            if (!problem_.sought.signals.empty())
+                view_.settings = with_found_signals(settings_, problem_.sought, fit.values);
             // Only an evaluation that is the best so far changes the picture.
             if (line.ok && line.loss_m2 == fit.best.loss_m2 && pace_.due()) {
                 // The iterate holds the motion of the marker nodes only; the picture needs a run of the whole body.
@@ -212,8 +212,7 @@ ui::commands::SearchResult optimized(const setup::Setup& setup, const inverse::A
     // A search of the body alone leaves the drawn signals as they are.
     result.settings = settings;
     const bool signals = !problem.sought.signals.empty();
-    if (signals)
-        result.settings = with_found_signals(settings, calibration::found_commands(problem.sought, found.fit.values));
+    if (signals) result.settings = with_found_signals(settings, problem.sought, found.fit.values);
     if (!settings.own_step) result.settings.time_step_s = h_s;
     result.evaluations = found.evaluations();
     result.stopped = found.stopped;
@@ -222,7 +221,8 @@ ui::commands::SearchResult optimized(const setup::Setup& setup, const inverse::A
     result.parameters = signal_rows(setup, problem, found.fit.start, found.fit.values);
     for (ui::commands::ParameterRow& row : design_rows(found.found)) result.parameters.push_back(std::move(row));
     // Settings hold one signal per muscle for all trials, which replaces those that other trials recorded.
-    if (signals && !setup.experiment.muscles.empty())
+    const auto muscles = problem.sought.groups.begin() + static_cast<std::ptrdiff_t>(setup.experiment.muscles.size());
+    if (std::any_of(problem.sought.groups.begin(), muscles, [](const auto& group) { return !group.own; }))
         result.notes = {(found.miss.goals ? "Signals follow the goals of " : "Signals follow ") + trial +
                         "; the muscles use them in all trials now."};
     result.rms_before_m = found.before.fit_rms_m;
@@ -242,8 +242,11 @@ Result<void> state_commands(const ui::commands::Scene& scene, std::size_t trial,
     if (problem.sought.signals.empty() || experiment.chambers.size() + experiment.tendons.size() == 0) return {};
     // found_commands() lists muscles first, then chambers and tendons.
     const std::vector<fibre::Signal> all = calibration::found_commands(problem.sought, fit.values);
-    const auto count = static_cast<std::ptrdiff_t>(experiment.chambers.size() + experiment.tendons.size());
-    const std::vector<fibre::Signal> commands(all.end() - count, all.end());
+    std::vector<std::optional<fibre::Signal>> commands;
+    for (std::size_t g = all.size() - experiment.chambers.size() - experiment.tendons.size(); g < all.size(); ++g)
+        commands.push_back(problem.sought.groups[g].own ? std::nullopt : std::optional(all[g]));
+    if (std::none_of(commands.begin(), commands.end(), [](const auto& command) { return command.has_value(); }))
+        return {};
     const std::vector<ui::commands::DeclarationEdit> edits = found_command_edits(experiment, trial, commands);
     if (edits.empty()) {
         result.notes.emplace_back(

@@ -61,6 +61,7 @@ std::vector<experiment::MuscleDeclaration> declared_muscles(const experiment::Ex
             std::nullopt, std::nullopt};
         for (const experiment::MuscleDeclaration& own : experiment.muscles)
             if (own.name == muscle.declared) declared = own;
+        if (muscle.declared.empty()) declared.sought = muscle.sought;
         declared.stiffness_Pa = muscle.stiffness_Pa;
         if (muscle.paint) declared.part = experiment::MuscleMask{muscle.paint, std::nullopt};
         // A muscle either follows another one or has its own signal.

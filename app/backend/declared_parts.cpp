@@ -70,6 +70,9 @@ ui::commands::DeclaredParts declared_parts(const setup::Setup& setup) {
     limit("pressure_Pa", experiment.limits.pressure_Pa);
     limit("tension_N", experiment.limits.tension_N);
     limit("shortening_m", experiment.limits.shortening_m);
+    for (const experiment::MuscleDeclaration& muscle : experiment.muscles) parts.muscles.push_back(muscle.name);
+    for (const experiment::Actuator& actuator : experiment::actuators(experiment))
+        if (!actuator.sought) parts.kept.insert(actuator.name);
     for (const experiment::ChamberDeclaration& chamber : experiment.chambers) parts.chambers.push_back(chamber.name);
     for (const experiment::TendonDeclaration& tendon : experiment.tendons)
         parts.tendons.push_back({tendon.name, tendon.path_m, tendon.drive == experiment::TendonDrive::shortening,

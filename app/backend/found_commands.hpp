@@ -12,10 +12,10 @@ namespace myo::backend {
 /// or as constants of a hold.
 ///
 /// @param trial     index in the experiment
-/// @param commands  per chamber, then per tendon, in the order of declaration [Pa, N or m]
+/// @param commands  per chamber, then per tendon, in the order of declaration [Pa, N or m]; empty: not sought
 /// @return  empty if there are none, or if the trial's actuation file holds commands of one
-std::vector<ui::commands::DeclarationEdit> found_command_edits(const experiment::Experiment& experiment,
-                                                               std::size_t trial,
-                                                               const std::vector<fibre::Signal>& commands);
+std::vector<ui::commands::DeclarationEdit> found_command_edits(
+    const experiment::Experiment& experiment, std::size_t trial,
+    const std::vector<std::optional<fibre::Signal>>& commands);
 
 }  // namespace myo::backend

@@ -98,6 +98,7 @@ std::string muscle_text(const ui::commands::Muscle& m, const std::string& mask) 
     if (!m.follows.empty())
         text += "follows = { muscle = " + toml::toml_text(m.follows) + ", ratio = " + toml::toml_number(m.ratio) +
                 " }\n";
+    if (!m.sought) text += "sought = false\n";
     if (!mask.empty()) text += "mask = " + toml::toml_text(mask) + "\n";
     if (m.signal)
         text += "signal = { time_s = " + toml::toml_list(m.signal->times_s, toml::toml_number) +
@@ -158,7 +159,8 @@ std::vector<ui::commands::Muscle> read_project_muscles(const toml::TomlReader& d
     std::vector<ui::commands::Muscle> muscles;
     const toml::TomlValue* const entries = root.find("muscle");
     for (const toml::TomlReader& table : document.tables(
-             "muscle", {"name", "declared", "color", "stiffness_Pa", "extends", "follows", "mask", "signal"})) {
+             "muscle",
+             {"name", "declared", "color", "stiffness_Pa", "extends", "follows", "mask", "signal", "sought"})) {
         ui::commands::Muscle muscle;
         muscle.name = table.name("name");
         if (std::any_of(muscles.begin(), muscles.end(),
@@ -170,6 +172,7 @@ std::vector<ui::commands::Muscle> read_project_muscles(const toml::TomlReader& d
             "stiffness_Pa",
             toml::between(ui::commands::muscle_stiffness_limits.lowest, ui::commands::muscle_stiffness_limits.highest));
         muscle.extends = table.boolean_or("extends", false);
+        muscle.sought = table.boolean_or("sought", true);
         if (table.has("follows")) {
             const toml::TomlReader follows = table.table("follows", {"muscle", "ratio"});
             muscle.follows = follows.text("muscle");

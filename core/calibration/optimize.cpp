@@ -96,7 +96,7 @@ std::vector<std::string> warnings_of(const setup::Setup& setup, const Optimizati
     if (const auto start = start_miss(setup, result.problem, result.after)) warnings.push_back(*start);
     const inverse::SoughtSignals& sought = result.problem.sought;
     if (sought.from_before && !sought.seek_before)
-        for (const std::string& name : unrecorded_levels(setup))
+        for (const std::string& name : unrecorded_levels(setup, result.settings))
             warnings.push_back("signal " + name +
                                ": its level before t = 0 is on no record, unlike that of others; passive is taken");
     const auto& placed = result.problem.placement_bounds;
@@ -126,8 +126,14 @@ Progress in_task(const Progress& progress, const std::string& task) {
 }  // namespace
 
 bool seeks_signals(const OptimizeSettings& settings) {
-    return std::find(settings.seek.begin(), settings.seek.end(), SoughtItem{SoughtKind::signals}) !=
-           settings.seek.end();
+    return std::any_of(settings.seek.begin(), settings.seek.end(),
+                       [](const SoughtItem& item) { return item.kind == SoughtKind::signals; });
+}
+
+bool seeks_signal(const OptimizeSettings& settings, const experiment::Actuator& actuator) {
+    return std::any_of(settings.seek.begin(), settings.seek.end(), [&](const SoughtItem& item) {
+        return item.kind == SoughtKind::signals && (item.of.empty() ? actuator.sought : item.of == actuator.name);
+    });
 }
 
 int Optimization::evaluations() const {
@@ -183,6 +189,11 @@ Result<inverse::ActuationProblem> actuation_problem(const setup::Setup& setup, c
                          format_number(1e3 * trial.options.h_s, 4) + " ms; choose a lower one or a smaller --dt",
                      "--frequency"};
     problem.sought = sought_signals(setup, settings, problem.options.end_s);
+    if (signals && problem.sought.signals.empty())
+        return Error{
+            "no signal is left to be sought: every actuator is declared with sought = false; name those to be "
+            "sought, as in signals:NAME",
+            "--seek"};
     for (const inverse::SoughtSignal& signal : problem.sought.signals)
         if (!(signal.lower < signal.upper))
             return Error{

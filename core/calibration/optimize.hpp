@@ -10,6 +10,7 @@
 #include "calibration/body_design.hpp"
 #include "calibration/sought_items.hpp"
 #include "calibration/target_miss.hpp"
+#include "experiment/actuators.hpp"
 #include "inverse/actuation_deviations.hpp"
 #include "inverse/actuation_fit.hpp"
 #include "prediction/run_trials.hpp"
@@ -31,16 +32,21 @@ struct OptimizeSettings {
     std::function<void(const inverse::ActuationFit&)> evaluated = {};
 };
 
-/// Whether the signals of the actuators are sought.
+/// Whether the signals of any actuators are sought.
 bool seeks_signals(const OptimizeSettings& settings);
+/// Whether the signal of an actuator that follows none is sought: by its name, or among all unless it is declared with
+/// `sought = false`.
+bool seeks_signal(const OptimizeSettings& settings, const experiment::Actuator& actuator);
 
 /// Optimal-control problem of a setup with a single trial (with_one_trial()): one signal per muscle that follows none,
-/// per chamber and per tendon, from t = 0 to the last sample; of a hold one value each, see sought_signals().
+/// per chamber and per tendon that is sought, from t = 0 to the last sample; of a hold one value each, see
+/// sought_signals().
 ///
 /// For a trial that starts in equilibrium under unrecorded levels these are unknowns as well; so is a limited
 /// registration.
-/// Errors: no actuators, neither recording nor goals (see with_goals()), no samples after the start, knots closer than
-/// steps, no values between the bounds, a lowest activation <= 0 unless as_published.
+/// Errors: no actuators, none of them sought though signals are, neither recording nor goals (see with_goals()), no
+/// samples after the start, knots closer than steps, no values between the bounds, a lowest activation <= 0 unless
+/// as_published.
 /// @param design  what is sought of the body besides, see body_design()
 Result<inverse::ActuationProblem> actuation_problem(const setup::Setup& setup, const OptimizeSettings& settings,
                                                     inverse::Design design = {});

@@ -21,7 +21,9 @@ constexpr std::array kind_words{KindWord{SoughtKind::signals, "signals"}, KindWo
 
 /// Why a quantity with a known word is not one of the experiment's.
 std::string reason(const experiment::Experiment& experiment, const SoughtItem& item) {
-    if (item.kind == SoughtKind::signals) return "the experiment has no muscle, chamber or tendon";
+    if (item.kind == SoughtKind::signals && item.of.empty()) return "the experiment has no muscle, chamber or tendon";
+    if (item.kind == SoughtKind::signals)
+        return "no muscle that follows none, no chamber and no tendon is called \"" + item.of + "\"";
     if (item.kind == SoughtKind::modulus) return "no part is called \"" + item.of + "\"";
     const auto muscle = std::find_if(experiment.muscles.begin(), experiment.muscles.end(),
                                      [&](const auto& each) { return each.name == item.of; });
@@ -47,12 +49,16 @@ std::string readable(const SoughtItem& item) {
         case SoughtKind::modulus: return "Young's modulus of " + (item.of.empty() ? "the body" : item.of);
         case SoughtKind::signals: break;
     }
-    return "signals";
+    return item.of.empty() ? "signals" : "signal of " + item.of;
 }
 
 std::vector<SoughtItem> seekable_items(const experiment::Experiment& experiment) {
     std::vector<SoughtItem> items;
-    if (!experiment::actuators(experiment).empty()) items.push_back({SoughtKind::signals});
+    const std::vector<experiment::Actuator> actuators = experiment::actuators(experiment);
+    if (!actuators.empty()) items.push_back({SoughtKind::signals});
+    for (const experiment::Actuator& actuator : actuators)
+        if (actuator.kind != experiment::ActuatorKind::muscle || !experiment.muscles[actuator.index].follows)
+            items.push_back({SoughtKind::signals, actuator.name});
     for (const experiment::MuscleDeclaration& muscle : experiment.muscles) {
         const bool painted = std::holds_alternative<experiment::MuscleMask>(muscle.part);
         if (painted || std::holds_alternative<experiment::MuscleBox>(muscle.part))
@@ -75,8 +81,10 @@ Result<std::vector<SoughtItem>> sought_items(const std::vector<std::string>& wor
         const auto kind = std::find_if(kind_words.begin(), kind_words.end(),
                                        [&](const KindWord& each) { return each.word == first; });
         if (kind == kind_words.end())
-            return Error{"\"" + word + "\" is none of signals, direction:MUSCLE, weights:MUSCLE, modulus, modulus:PART",
-                         ""};
+            return Error{
+                "\"" + word +
+                    "\" is none of signals, signals:ACTUATOR, direction:MUSCLE, weights:MUSCLE, modulus, modulus:PART",
+                ""};
         SoughtItem item{kind->kind, colon == std::string::npos ? "" : word.substr(colon + 1)};
         if (std::find(possible.begin(), possible.end(), item) == possible.end())
             return Error{"\"" + word + "\" cannot be sought: " + reason(experiment, item), ""};

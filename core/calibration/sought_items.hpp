@@ -10,7 +10,7 @@ namespace myo::calibration {
 
 /// Quantities that a search may change.
 enum class SoughtKind {
-    signals,    // of all actuators
+    signals,    // of one actuator, or of all whose declaration does not say otherwise
     direction,  // fibre direction of a muscle
     weights,    // painted weights of a muscle
     modulus     // Young's modulus of a part, or of the body's material
@@ -19,15 +19,16 @@ enum class SoughtKind {
 /// One quantity that a search changes.
 struct SoughtItem {
     SoughtKind kind = SoughtKind::signals;
-    std::string of = {};  // name of the muscle or part; empty: the body's material
+    std::string of = {};  // name of the actuator, muscle or part; empty: all signals, the body's material
 
     bool operator==(const SoughtItem&) const = default;
 };
 
-/// "signals", "direction:NAME", "weights:NAME", "modulus" or "modulus:NAME".
+/// "signals", "signals:NAME", "direction:NAME", "weights:NAME", "modulus" or "modulus:NAME".
 std::string to_string(const SoughtItem& item);
 
-/// For people: "signals", "fibre direction of left", "painted weights of left", "Young's modulus of the body".
+/// For people: "signals", "signal of left", "fibre direction of left", "painted weights of left", "Young's modulus of
+/// the body".
 std::string readable(const SoughtItem& item);
 
 /// All quantities of an experiment that a search can change.

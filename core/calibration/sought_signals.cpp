@@ -49,18 +49,35 @@ setup::CommandRange range_of_kind(const setup::Setup& setup, ActuatorKind kind) 
     return range;
 }
 
+/// Whether the signal of an actuator, or that of its leader, is sought.
+bool is_sought(const setup::Setup& setup, const OptimizeSettings& settings, std::size_t actuator) {
+    const std::vector<experiment::MuscleLeader> leaders = experiment::muscle_leaders(setup.experiment);
+    const std::size_t leader = actuator < leaders.size() ? leaders[actuator].leader : actuator;
+    return seeks_signal(settings, experiment::actuators(setup.experiment)[leader]);
+}
+
+/// Share of an actuator that keeps the signal of the trial.
+inverse::SignalShare kept_signal(const setup::Setup& setup, std::size_t actuator) {
+    return {.own = setup::actuator_signal(setup.experiment, setup.trials.front().model, actuator)};
+}
+
 /// Signals of the muscles that follow none, with the shares of all muscles.
 void add_muscles(const setup::Setup& setup, const OptimizeSettings& settings, inverse::SoughtSignals& sought) {
     const std::vector<experiment::MuscleLeader> leaders = experiment::muscle_leaders(setup.experiment);
     const double lowest = lowest_activation(setup.experiment, settings);
     std::vector<std::size_t> signal_of(leaders.size());
     for (std::size_t m = 0; m < leaders.size(); ++m) {
-        if (leaders[m].leader != m) continue;
+        if (leaders[m].leader != m || !is_sought(setup, settings, m)) continue;
         signal_of[m] = sought.signals.size();
         sought.signals.push_back({setup.experiment.muscles[m].name, lowest, settings.highest,
                                   setup.trials.front().model.activation[m].value_before(0.0)});
     }
-    for (const experiment::MuscleLeader& muscle : leaders) {
+    for (std::size_t m = 0; m < leaders.size(); ++m) {
+        const experiment::MuscleLeader& muscle = leaders[m];
+        if (!is_sought(setup, settings, m)) {
+            sought.groups.push_back(kept_signal(setup, m));
+            continue;
+        }
         sought.groups.push_back({signal_of[muscle.leader], muscle.factor});
         // A follower with the factor 0 stays passive and restricts nothing.
         if (muscle.factor == 0.0) continue;
@@ -73,9 +90,13 @@ void add_muscles(const setup::Setup& setup, const OptimizeSettings& settings, in
 }
 
 /// Signals of chambers and tendons; none follows another.
-void add_commands(const setup::Setup& setup, inverse::SoughtSignals& sought) {
+void add_commands(const setup::Setup& setup, const OptimizeSettings& settings, inverse::SoughtSignals& sought) {
     const std::vector<std::string> names = setup::actuator_names(setup.experiment);
     for (std::size_t i = setup.experiment.muscles.size(); i < names.size(); ++i) {
+        if (!is_sought(setup, settings, i)) {
+            sought.groups.push_back(kept_signal(setup, i));
+            continue;
+        }
         const setup::LevelBounds bounds = command_bounds(setup, i);
         const fibre::Signal& command = setup::actuator_signal(setup.experiment, setup.trials.front().model, i);
         sought.groups.push_back({sought.signals.size(), 1.0});
@@ -90,12 +111,12 @@ double lowest_activation(const experiment::Experiment& experiment, const Optimiz
     return settings.lowest.value_or(experiment.limits.activation.value_or(sought_signals_policy.lowest_activation));
 }
 
-std::vector<std::string> unrecorded_levels(const setup::Setup& setup) {
+std::vector<std::string> unrecorded_levels(const setup::Setup& setup, const OptimizeSettings& settings) {
     const std::vector<experiment::MuscleLeader> leaders = experiment::muscle_leaders(setup.experiment);
     const std::vector<std::string> all = setup::actuator_names(setup.experiment);
     std::vector<std::string> names;
     for (std::size_t i = 0; i < all.size(); ++i)
-        if ((i >= leaders.size() || leaders[i].leader == i) &&
+        if ((i >= leaders.size() || leaders[i].leader == i) && is_sought(setup, settings, i) &&
             !level_is_on_record(setup.experiment, setup.experiment.trials.front(), i))
             names.push_back(all[i]);
     return names;
@@ -116,7 +137,10 @@ Eigen::MatrixXd first_values(const setup::Setup& setup, const inverse::SoughtSig
 std::vector<fibre::Signal> found_commands(const inverse::SoughtSignals& sought, const Eigen::MatrixXd& values) {
     std::vector<fibre::Signal> commands = inverse::commands_of(sought, values);
     if (sought.constant || sought.hold) return commands;
-    for (fibre::Signal& signal : commands) {
+    for (std::size_t g = 0; g < commands.size(); ++g) {
+        // A signal of the trial is no result and stays as it is.
+        if (sought.groups[g].own) continue;
+        fibre::Signal& signal = commands[g];
         const std::size_t count = signal.times_s.size();
         if (count < 2 || !(signal.times_s[count - 2] < sought.end_s && sought.end_s < signal.times_s[count - 1]))
             continue;
@@ -151,16 +175,12 @@ inverse::SoughtSignals sought_signals(const setup::Setup& setup, const OptimizeS
     sought.end_s = end_s;
     sought.hold = settings.hold;
     sought.constant = trial.hold;
-    if (!seeks_signals(settings)) {
-        for (std::size_t i = 0; i < setup::actuator_names(setup.experiment).size(); ++i)
-            sought.groups.push_back({.own = setup::actuator_signal(setup.experiment, trial.model, i)});
-        return sought;
-    }
-    sought.from_before = trial.options.start == dynamics::StartKind::equilibrium && !trial.hold;
     add_muscles(setup, settings, sought);
-    add_commands(setup, sought);
+    add_commands(setup, settings, sought);
+    if (sought.signals.empty()) return sought;
+    sought.from_before = trial.options.start == dynamics::StartKind::equilibrium && !trial.hold;
     // Levels before t = 0 are sought only if none is given; otherwise those on no record are taken as passive.
-    sought.seek_before = sought.from_before && unrecorded_levels(setup).size() == sought.signals.size();
+    sought.seek_before = sought.from_before && unrecorded_levels(setup, settings).size() == sought.signals.size();
     return sought;
 }
 

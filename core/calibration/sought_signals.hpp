@@ -8,16 +8,16 @@
 
 namespace myo::calibration {
 
-/// Actuators of a setup with a single trial that follow none and whose level before t = 0 is not given.
-std::vector<std::string> unrecorded_levels(const setup::Setup& setup);
+/// Actuators of a setup with a single trial whose signals are sought and whose level before t = 0 is not given.
+std::vector<std::string> unrecorded_levels(const setup::Setup& setup, const OptimizeSettings& settings);
 
 /// Lowest activation of any muscle: of the settings, of [limits], or 0.5.
 double lowest_activation(const experiment::Experiment& experiment, const OptimizeSettings& settings);
 
-/// One signal per muscle that follows none, per chamber and per tendon. The bounds of muscles keep their followers
-/// within the limits as well; those of chambers and tendons are declared in [limits] or 1.5 times the largest of the
-/// experiment's commands, see command_bounds(). A hold has one value of each signal. If no signals are sought, the
-/// actuators keep those of the trial.
+/// One signal per muscle that follows none, per chamber and per tendon, as far as they are sought. The bounds of
+/// muscles keep their followers within the limits as well; those of chambers and tendons are declared in [limits]
+/// or 1.5 times the largest of the experiment's commands, see command_bounds(). A hold has one value of each signal.
+/// Actuators whose signals are not sought, and their followers, keep those of the trial.
 ///
 /// @param end_s  last time that the signals reach
 /// Errors: none; a signal without a value between its bounds has lower >= upper.

@@ -8,18 +8,19 @@ std::vector<Actuator> actuators(const Experiment& experiment) {
     std::vector<Actuator> all;
     for (std::size_t i = 0; i < experiment.muscles.size(); ++i) {
         const std::string& name = experiment.muscles[i].name;
-        all.push_back({ActuatorKind::muscle, i, name, name, "", 1.0});
+        all.push_back({ActuatorKind::muscle, i, name, name, "", 1.0, experiment.muscles[i].sought});
     }
     for (std::size_t i = 0; i < experiment.chambers.size(); ++i) {
         const std::string& name = experiment.chambers[i].name;
-        all.push_back({ActuatorKind::chamber, i, name, name + "_Pa", "Pa", 0.0});
+        all.push_back({ActuatorKind::chamber, i, name, name + "_Pa", "Pa", 0.0, experiment.chambers[i].sought});
     }
     for (std::size_t i = 0; i < experiment.tendons.size(); ++i) {
         const std::string& name = experiment.tendons[i].name;
+        const bool sought = experiment.tendons[i].sought;
         if (experiment.tendons[i].drive == TendonDrive::tension)
-            all.push_back({ActuatorKind::tendon_tension, i, name, name + "_N", "N", 0.0});
+            all.push_back({ActuatorKind::tendon_tension, i, name, name + "_N", "N", 0.0, sought});
         else
-            all.push_back({ActuatorKind::tendon_shortening, i, name, name + "_m", "m", 0.0});
+            all.push_back({ActuatorKind::tendon_shortening, i, name, name + "_m", "m", 0.0, sought});
     }
     return all;
 }

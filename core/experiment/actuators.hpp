@@ -20,6 +20,7 @@ struct Actuator {
     std::string column;  // in an actuation file: "<muscle>", "<chamber>_Pa", "<tendon>_N", "<tendon>_m"
     std::string unit;    // of the signal: "" for an activation, "Pa", "N", "m"
     double rest = 0.0;   // value without a command: 1 for a muscle, else 0
+    bool sought = true;  // `sought` of its declaration
 };
 
 /// All actuators: muscles, then chambers, then tendons, each in the order of declaration.

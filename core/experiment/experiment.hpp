@@ -98,6 +98,7 @@ struct MuscleDeclaration {
     std::optional<FollowsDeclaration> follows;             // excludes `signal`
     std::optional<fibre::Signal> signal;  // a(t) in all trials; takes precedence over recorded actuation
     std::optional<std::filesystem::path> signal_file = {};  // the file `signal` was read from
+    bool sought = true;  // whether `optimize` seeks its signal, unless it is told otherwise; its leader's counts
 };
 
 /// How an unknown transformation from camera frame to mesh frame is treated: bounded parameters of the fit, or a rigid

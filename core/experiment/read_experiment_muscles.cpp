@@ -75,7 +75,8 @@ fibre::Signal read_signal(const toml::TomlReader& table, const std::filesystem::
 std::vector<MuscleDeclaration> read_muscles(const toml::TomlReader& document, const std::filesystem::path& folder) {
     std::vector<MuscleDeclaration> muscles;
     for (const toml::TomlReader& table : document.tables(
-             "muscle", {"name", "box_m", "mask", "line_m", "radius_m", "fibre", "stiffness_Pa", "follows", "signal"})) {
+             "muscle",
+             {"name", "box_m", "mask", "line_m", "radius_m", "fibre", "stiffness_Pa", "follows", "signal", "sought"})) {
         MuscleDeclaration muscle;
         muscle.name = read_actuator_name(table);
         muscle.part = read_part(table, folder);
@@ -87,6 +88,8 @@ std::vector<MuscleDeclaration> read_muscles(const toml::TomlReader& document, co
         // A follower takes its activation from the leader, so a signal of its own would contradict it.
         if (table.has("signal") && muscle.follows)
             table.fail("signal", "cannot be combined with follows; a muscle has one of the two");
+        if (muscle.follows) table.reject("sought", "belongs to the muscle that this one follows");
+        muscle.sought = table.boolean_or("sought", true);
         if (table.has("signal")) {
             muscle.signal = read_signal(table, folder, muscle.name);
             // The name of the file is kept for messages and for the list of input files in results.

@@ -21,6 +21,7 @@ namespace myo::experiment {
 struct ChamberDeclaration {
     std::string name;          // its column of an actuation file is "<name>_Pa"
     Eigen::Vector3d inside_m;  // any point of the cavity [m]
+    bool sought = true;        // whether `optimize` seeks its signal, unless it is told otherwise
 };
 
 /// What the motor of a tendon prescribes: the tension [N], or the length it takes in from the rest length [m].
@@ -34,6 +35,7 @@ struct TendonDeclaration {
     TendonDrive drive = TendonDrive::tension;
     std::optional<double> stiffness_N_m;  // of the whole thread, for `shortening`; absent: it does not stretch
     double friction = 0.0;                // capstan coefficient at the guides, >= 0
+    bool sought = true;                   // as for chambers
 };
 
 /// Part of the body with a material of its own; of parts that overlap, the later one counts.

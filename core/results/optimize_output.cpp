@@ -98,14 +98,14 @@ report::Json signals_json(const setup::Setup& setup, const inverse::SoughtSignal
     return signals;
 }
 
-/// Signal and factor of each muscle, so that followers can be reconstructed.
+/// Signal and factor of each muscle that does not keep its own, so that followers can be reconstructed.
 report::Json muscles_json(const setup::Setup& setup, const inverse::SoughtSignals& sought) {
     report::Json muscles = report::Json::array();
-    // Without sought signals there are no groups.
-    for (std::size_t g = 0; g < setup.experiment.muscles.size() && !sought.signals.empty(); ++g)
-        muscles.push_back({{"name", setup.experiment.muscles[g].name},
-                           {"signal", sought.signals[sought.groups[g].signal].name},
-                           {"factor", sought.groups[g].factor}});
+    for (std::size_t g = 0; g < setup.experiment.muscles.size() && g < sought.groups.size(); ++g)
+        if (!sought.groups[g].own)
+            muscles.push_back({{"name", setup.experiment.muscles[g].name},
+                               {"signal", sought.signals[sought.groups[g].signal].name},
+                               {"factor", sought.groups[g].factor}});
     return muscles;
 }
 

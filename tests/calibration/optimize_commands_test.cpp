@@ -166,6 +166,49 @@ TEST(OptimizeCommands, FindsTheTensionOfAHold) {
     test::record("tension_N", std::vector<double>{found.fit.values(0), found.deviations.deviations(0)});
 }
 
+/// A signal that is not sought stays as the trial has it, whether by its declaration or as another one is named.
+TEST(OptimizeCommands, SeeksOnlyWhatIsAskedFor) {
+    const test::Folder folder("commands_asked");
+    setup::Setup setup = driven_beam(folder, {});
+    const fibre::Signal pressure = setup::actuator_signal(setup.experiment, setup.trials[0].model, 0);
+    setup.experiment.chambers[0].sought = false;
+    OptimizeSettings settings = slow_signals();
+    settings.max_evaluations = 3;
+    Result<inverse::ActuationProblem> problem = actuation_problem(setup, settings);
+    ASSERT_TRUE(problem) << problem.error().text();
+    ASSERT_EQ(problem->sought.signals.size(), 1u);
+    EXPECT_EQ(problem->sought.signals[0].name, "cable");
+    ASSERT_EQ(problem->sought.groups.size(), 2u);
+    const MatrixXd start = first_values(setup, problem->sought);
+    const inverse::ActuationEvaluation at = inverse::evaluate_actuation(*problem, start);
+    ASSERT_TRUE(at.ok()) << at.message;
+    MatrixXd there = start, back = start;
+    there(0, 1) += 1e-4, back(0, 1) -= 1e-4;
+    const double slope = (inverse::evaluate_actuation(*problem, there).loss_m2 -
+                          inverse::evaluate_actuation(*problem, back).loss_m2) /
+                         2e-4;
+    EXPECT_NE(slope, 0.0);
+    EXPECT_NEAR(at.gradient(0, 1), slope, 1e-4 * std::abs(slope)) << "beside a signal that is kept";
+    const Optimization found = search_signals(setup, *problem, settings, start);
+    ASSERT_TRUE(found.usable()) << found.fit.message;
+    EXPECT_EQ(found_commands(problem->sought, found.fit.values)[0], pressure);
+    EXPECT_LT(found.fit.best.loss_m2, at.loss_m2);
+    // By its name it is sought in spite of the declaration.
+    const auto named = sought_items({"signals:upper"}, setup.experiment);
+    ASSERT_TRUE(named) << named.error().text();
+    settings.seek = *named;
+    problem = actuation_problem(setup, settings);
+    ASSERT_TRUE(problem) << problem.error().text();
+    ASSERT_EQ(problem->sought.signals.size(), 1u);
+    EXPECT_EQ(problem->sought.signals[0].name, "upper");
+    setup.experiment.tendons[0].sought = false;
+    settings.seek = {{SoughtKind::signals}};
+    problem = actuation_problem(setup, settings);
+    ASSERT_FALSE(problem);
+    EXPECT_NE(problem.error().what.find("no signal is left"), std::string::npos) << problem.error().text();
+    EXPECT_FALSE(sought_items({"signals:other"}, setup.experiment));
+}
+
 TEST(OptimizeCommands, KeepsToTheLimits) {
     const test::Folder folder("commands_limits");
     setup::Setup setup = driven_beam(folder, {});

@@ -1,6 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
+#include <string>
+
 #include "backend/workbench_backend.hpp"
 #include "experiment/new_trial.hpp"
 #include "support/experiment_folder.hpp"
@@ -101,6 +104,41 @@ TEST(DesignInWindow, PaintIsFoundAndUndone) {
     EXPECT_NE(driver.state().settings.muscles[0].paint->weights, painted.muscles[0].paint->weights);
     driver.workbench->execute(ui::commands::Undo{});
     EXPECT_EQ(driver.state().settings.muscles[0].paint, painted.muscles[0].paint);
+}
+
+/// What is not ticked is not sought: the tick stands in the declaration, so that project, folder and undo have it.
+TEST(DesignInWindow, ATendonWithoutItsTickKeepsItsTension) {
+    const test::Folder folder("kept_tendon");
+    ASSERT_TRUE(experiment::copy_experiment(std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/tendon_tentacle",
+                                            folder.path() / "tentacle"));
+    Driver driver(backend::make_core_backend(), 1280, 1400);
+    driver.window->open(folder.path() / "tentacle");
+    ASSERT_TRUE(driver.wait_for_job(60)) << driver.state().log.back().text;
+    driver.workbench->execute(ui::commands::ChooseTrial{2});
+    ui::commands::OptimizeRequest request = driver.state().optimize;
+    request.max_evaluations = 2;
+    driver.workbench->execute(ui::commands::ChangeOptimize{request});
+    const auto tension = [&](const char* name) {
+        return driver.state().scene_trial()->commands.at(name).signal.value(0.0);
+    };
+    const double left = tension("left"), right = tension("right");
+    driver.window->show_panel("fit");
+    driver.settle();
+    driver.click("fit/seek");
+    driver.click("fit/seek/signal/left");
+    driver.key(ImGuiKey_Escape);
+    ASSERT_EQ(driver.state().scene->declared.kept, std::set<std::string>{"left"}) << driver.state().refused;
+    EXPECT_THAT(*driver.state().settings.declaration.text, HasSubstr("sought = false"));
+    driver.click("fit/optimize");
+    ASSERT_TRUE(driver.wait_for_job(240));
+    ASSERT_TRUE(driver.state().found) << driver.state().log.back().text;
+    EXPECT_EQ(tension("left"), left);
+    EXPECT_NE(tension("right"), right);
+    driver.workbench->execute(ui::commands::Undo{});
+    EXPECT_EQ(tension("right"), right);
+    driver.workbench->execute(ui::commands::Undo{});
+    EXPECT_TRUE(driver.state().scene->declared.kept.empty());
+    EXPECT_FALSE(driver.state().can_undo);
 }
 
 /// A body with a chamber and no muscle: the pressure that is found stands in the trial as a curve.

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -41,9 +42,11 @@ struct DeclaredCommand {
 /// Parts of an experiment's declaration that panels and tools of the window edit.
 struct DeclaredParts {
     double max_standoff_m = 1e-3;       // of markers and guides that move with the body
-    std::vector<std::string> chambers;  // names in the order of declaration
+    std::vector<std::string> muscles;   // names in the order of declaration
+    std::vector<std::string> chambers;  // the same
     std::vector<DeclaredTendon> tendons;
     std::vector<SceneCavity> cavities;
+    std::set<std::string> kept;            // muscles, chambers and tendons whose signals are not sought
     std::map<std::string, double> limits;  // of sought signals, by key: "pressure_Pa", "tension_N", "shortening_m"
     std::vector<std::map<std::string, DeclaredCommand>> commands;  // per trial, by the name of chamber or tendon
 };

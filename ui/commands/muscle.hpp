@@ -19,6 +19,7 @@ struct Muscle {
     std::string follows;        // name of a muscle with its own signal that this one follows; empty: own signal
     double ratio = -1.0;        // (a - 1) relative to the followed muscle; negative: antagonists
     std::shared_ptr<const fibre::PaintedMask> paint;  // rest frame; null: as the experiment declares it, or nowhere
+    bool sought = true;                               // by Optimise; of a declared muscle its declaration says so
     std::optional<fibre::Signal> signal;              // a(t); empty: as the trials recorded it, otherwise passive
 
     bool operator==(const Muscle&) const = default;  // compares the pointer of paint, not its values

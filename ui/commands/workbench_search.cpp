@@ -3,6 +3,7 @@
 
 #include "base/letter_case.hpp"
 #include "commands/search_target.hpp"
+#include "commands/sought_signals.hpp"
 #include "commands/workbench.hpp"
 #include "plot/number_text.hpp"
 
@@ -126,6 +127,7 @@ void Workbench::on(const Optimize&) {
         return;
     }
     OptimizeRequest request_of = offered_request(*state_.scene, state_.settings, state_.optimize);
+    request_of.signals = request_of.signals && seeks_any_signal(*state_.scene, state_.settings);
     if (!request_of.signals && request_of.seek.empty()) {
         log(LogLevel::warning, has_actuators(*state_.scene, state_.settings)
                                    ? "Nothing to optimise: tick what the search may change."

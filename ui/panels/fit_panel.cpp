@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "commands/search_target.hpp"
+#include "commands/sought_signals.hpp"
 #include "panels/check_marks.hpp"
 #include "panels/limit_rows.hpp"
+#include "panels/signal_ticks.hpp"
 #include "platform/fonts.hpp"
 #include "plot/number_text.hpp"
 
@@ -51,10 +53,15 @@ const char* seek_explanation(const std::string& word) {
     return "Young's modulus E [kPa], from a tenth to ten times its present value.";
 }
 
-/// What is ticked, in short: "signals, 2 of the body".
-std::string seek_words(const commands::OptimizeRequest& request) {
+/// What is ticked, in short: "signals, 2 of the body", "1 of 3 signals".
+std::string seek_words(const commands::WorkbenchState& state, const commands::OptimizeRequest& request) {
     const std::size_t count = request.seek.size();
-    std::string words = request.signals ? "signals" : "";
+    const std::vector<commands::SignalChoice> all = commands::signal_choices(*state.scene, state.settings);
+    const auto sought = std::count_if(all.begin(), all.end(), [](const auto& choice) { return choice.sought; });
+    const bool every = sought == static_cast<std::ptrdiff_t>(all.size());
+    std::string words = !request.signals ? ""
+                        : every          ? "signals"
+                                         : std::to_string(sought) + " of " + std::to_string(all.size()) + " signals";
     if (count > 0) words += (words.empty() ? "" : ", ") + std::to_string(count) + " of the body";
     return words.empty() ? "nothing" : words;
 }
@@ -64,7 +71,7 @@ void draw_seek_row(PanelContext& context, commands::OptimizeRequest& request) {
     const commands::WorkbenchState& state = context.state;
     row_label(context.theme, "Change", "What the search may change: signals, and quantities of the body.");
     ImGui::SetNextItemWidth(-1.0f);
-    const bool open = ImGui::BeginCombo("##seek", seek_words(request).c_str());
+    const bool open = ImGui::BeginCombo("##seek", seek_words(state, request).c_str());
     context.items.mark("fit/seek");
     if (!open) return;
     // One entry of the list; the word identifies it in requests and tests.
@@ -75,8 +82,10 @@ void draw_seek_row(PanelContext& context, commands::OptimizeRequest& request) {
     };
     if (commands::has_actuators(*state.scene, state.settings))
         tick("Signals", "signals",
-             "Signals of all muscles that follow none, pressures of chambers, commands of tendons, at knots over time.",
+             "Signals of the muscles that follow none, pressures of chambers, commands of tendons, at knots over time: "
+             "of those that are ticked below.",
              request.signals);
+    if (request.signals) draw_signal_ticks(context);
     for (const commands::SeekChoice& choice : commands::seek_choices(state.scene->seekable, state.settings)) {
         // The request lists the words of what is sought; what is not listed keeps its value.
         const auto found = std::find(request.seek.begin(), request.seek.end(), choice.word);
