@@ -21,6 +21,9 @@ struct CaseRange {
     int threads = 1;            // cases in parallel, one thread each
 };
 
+/// Failure of a case that was cancelled; it counts as not run.
+inline const std::string cancelled_words = "cancelled";
+
 /// Numbers of the cases of a range, ascending. Shares interleave, so that processes started together finish together.
 std::vector<int> numbers_of(const CaseRange& range);
 

@@ -187,7 +187,7 @@ Result<BetterWay> better_way(const RingingBeam& beam, double lambda_of_ten_ms, c
 }
 
 /// Our beam and the published one.
-Result<Work> simulate_all(const ReproduceSettings& settings, const Progress& progress) {
+Result<Work> simulate_both(const ReproduceSettings& settings, const Progress& progress) {
     PaperBeam own;
     if (settings.coarse) own.cells = {7, 2, 2};
     Result<RingingBeam> honest = ringing_beam(own),
@@ -312,7 +312,7 @@ double largest_relative(const std::function<double(std::size_t)>& ours,
 Result<Reproduction> run_lambda(const ReproduceSettings& settings, const Progress& progress) {
     const Result<std::vector<BeamTrial>> trials = read_beam_trials(settings);
     if (!trials) return trials.error();
-    const Result<Work> done = simulate_all(settings, progress);
+    const Result<Work> done = simulate_both(settings, progress);
     if (!done) return done.error();
     const Work& work = *done;
     const double factor_kg = 2.0 * published_vertex_mass_kg();

@@ -9,7 +9,7 @@
 namespace myo::validation {
 namespace {
 
-constexpr NameTable<DefaultsAnswer, 5> answers{{{{DefaultsAnswer::right, "right"},
+constexpr NameTable<DefaultsAnswer, 5> answer_names{{{{DefaultsAnswer::right, "right"},
                                                  {DefaultsAnswer::cause_named, "cause named"},
                                                  {DefaultsAnswer::other_warning, "other warning"},
                                                  {DefaultsAnswer::silent, "silent"},
@@ -64,7 +64,7 @@ bool is_right(const FittedNumber& number) {
            defaults_judgement.relative * std::abs(number.truth) + defaults_judgement.deviations * deviation;
 }
 
-std::string to_string(DefaultsAnswer answer) { return answers.name(answer); }
+std::string to_string(DefaultsAnswer answer) { return answer_names.name(answer); }
 
 // Order matters: a refusal ends the judgement; right numbers outweigh remarks; then the named cause decides.
 DefaultsAnswer judged(const DefaultsRecord& record) {

@@ -15,8 +15,6 @@
 namespace myo::validation {
 namespace {
 
-const char* const cancelled_words = "cancelled";
-
 /// One line that characterises the true experiment, for tables.
 std::string facts_of(const DefaultsCase& d) {
     const SyntheticCase& c = d.truth;
@@ -167,7 +165,7 @@ DefaultsRecord run_defaults_case(std::uint64_t seed, int number, const std::file
         }
     }
     // A cancelled case is not recorded, see run_defaults_validation(): its numbers may be those of an unfinished fit.
-    if (progress.cancelled()) r.failure = cancelled_words;
+    if (progress.cancelled()) r.failure = cases::cancelled_words;
     r.failure = without_folder(r.failure, folder);
     r.refusal = without_folder(r.refusal, folder);
     for (Remark& remark : r.remarks) remark.sentence = without_folder(remark.sentence, folder);
@@ -180,7 +178,7 @@ Result<void> run_defaults_validation(const DefaultsValidationOptions& options, c
     if (const Result<void> mine = folder.claim({{"study", "defaults"}, {"seed", options.seed}}); !mine) return mine;
     const auto run = [&](int number) {
         const DefaultsRecord record = run_defaults_case(options.seed, number, folder.case_folder(number), progress);
-        return record.failure == cancelled_words ? report::Json() : record_json(record);
+        return record.failure == cases::cancelled_words ? report::Json() : record_json(record);
     };
     const auto tell = [&](const report::Json& json) {
         if (done) done(*defaults_record_from_json(json));

@@ -7,8 +7,6 @@
 namespace myo::validation {
 namespace {
 
-const char* const cancelled_words = "cancelled";
-
 /// Choice of a folder, compared by ValidationFolder::claim().
 report::Json choice_json(const CaseChoice& choice) {
     report::Json json{{"seed", choice.seed}, {"families", report::Json::array()}, {"effects", choice.effects}};
@@ -44,7 +42,7 @@ CaseRecord run_case(const ValidationOptions& options, int number, const std::fil
     const Result<MadeExperiment> made = make_experiment(options.choice, number, folder, silent);
     if (!made)
         return failed_case(drawn_case(options.choice, number),
-                           progress.cancelled() ? cancelled_words : made.error().text());
+                           progress.cancelled() ? cases::cancelled_words : made.error().text());
     const SyntheticCase& c = made->truth;
     if (const Result<void> file = report::write_json(folder / "truth.json", truth_json(*made)); !file)
         return failed_case(c, file.error().text());
@@ -58,7 +56,7 @@ CaseRecord run_case(const ValidationOptions& options, int number, const std::fil
     // A deleted effect is withheld from the diagnosis; the right answer is then "unknown".
     if (c.kind == CaseKind::deleted) settings.without.push_back(c.effect->id);
     const diagnosis::Diagnosis diagnosis = diagnosis::diagnose(*setup, settings, silent);
-    if (progress.cancelled()) return failed_case(c, cancelled_words);
+    if (progress.cancelled()) return failed_case(c, cases::cancelled_words);
     if (diagnosis.complete())
         if (const Result<void> file = report::write_json(folder / "report.json",
                                                          diagnosis::diagnosis_json(*setup, diagnosis, c.name()));
@@ -75,7 +73,7 @@ Result<void> run_validation(const ValidationOptions& options, const std::filesys
     const auto run = [&](int number) {
         const CaseRecord record = run_case(options, number, folder.case_folder(number), progress);
         // Null: a cancelled case has no record and is run again by the next call.
-        return record.failure == cancelled_words ? report::Json() : record_json(record);
+        return record.failure == cases::cancelled_words ? report::Json() : record_json(record);
     };
     const auto tell = [&](const report::Json& json) {
         if (done) done(*record_from_json(json));

@@ -81,7 +81,7 @@ Matrix3d positive_part_of(const Matrix3d& H) {
 }
 
 /// What differs between points.
-struct PointState {
+struct FieldPoint {
     Vector3d x = Vector3d::Zero(), v = Vector3d::Zero(), normal = Vector3d::Zero();
     double area_ratio = 1.0;
 };
@@ -90,7 +90,7 @@ struct PointState {
 struct Run {
     const law::Program& program;
     law::Program::Registers registers;
-    std::array<PointState, law::lane_count> states{};
+    std::array<FieldPoint, law::lane_count> states{};
 
     void fill(int variable, double value) {
         if (law::Lanes* const lanes = program.input(registers, variable)) lanes->fill(value);
@@ -273,8 +273,8 @@ private:
         return run;
     }
 
-    PointState state_of(const Site& site, const ForceState& at) const {
-        PointState state;
+    FieldPoint state_of(const Site& site, const ForceState& at) const {
+        FieldPoint state;
         state.normal = site.point->normal;
         // A constant force has a way as well.
         if (law_->uses_x || law_->potential == LawPotential::of_positions) state.x = field_at(site, at.x);
@@ -285,7 +285,7 @@ private:
         state.area_ratio = frame.measure / site.point->rest_measure;
         return state;
     }
-    static void set(const Site& site, std::size_t lane, const PointState& state, Run& run) {
+    static void set(const Site& site, std::size_t lane, const FieldPoint& state, Run& run) {
         run.set(Variable::x, lane, state.x);
         run.set(Variable::v, lane, state.v);
         run.set(Variable::X, lane, site.point->rest_m);
@@ -322,14 +322,14 @@ private:
     }
 
     /// Way of a point since rest, or since it had no velocity.
-    Vector3d way_of(const Site& site, const PointState& state, const ForceState& at) const {
+    Vector3d way_of(const Site& site, const FieldPoint& state, const ForceState& at) const {
         if (law_->potential != LawPotential::of_velocity) return state.x - site.point->rest_m;
         // Without a time step there is no way.
         return at.v && at.velocity_factor_1_s > 0.0 ? Vector3d(state.v / at.velocity_factor_1_s) : Vector3d::Zero();
     }
     /// State after a share of the way.
-    PointState on_way(const Site& site, const PointState& end, double share, const ForceState& at) const {
-        PointState state = end;
+    FieldPoint on_way(const Site& site, const FieldPoint& end, double share, const ForceState& at) const {
+        FieldPoint state = end;
         state.x = site.point->rest_m + share * (end.x - site.point->rest_m);
         if (law_->potential == LawPotential::of_velocity) state.v = share * end.v;
         if (law_->potential == LawPotential::of_both && at.v)
@@ -343,7 +343,7 @@ private:
         Run run = run_of(law_->force, at);
         for (std::size_t first = 0; first < sites_.size(); first += law::lane_count) {
             const std::size_t count = lanes_from(first);
-            std::array<PointState, law::lane_count> ends;
+            std::array<FieldPoint, law::lane_count> ends;
             for (std::size_t l = 0; l < count; ++l) ends[l] = state_of(sites_[first + l], at);
             for (std::size_t k = 0; k < way_points.size(); ++k) {
                 for (std::size_t l = 0; l < count; ++l)

@@ -17,6 +17,7 @@ namespace {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
+using std::numbers::pi;
 using model::GuidedNode;
 
 /// Nodes on the line across a section at mid-height.
@@ -105,7 +106,6 @@ TEST(Rollers, GiveNoForceAlongTheirFreeAxis) {
 TEST(Rollers, APinnedBeamRingsAtItsFirstFrequency) {
     for (const char* element : {"hex8", "tet10"}) {
         const test::BeamSpec spec = slender(element);
-        const double pi = std::numbers::pi;
         const double beam = pi * pi *
                             std::sqrt(spec.youngs_modulus_Pa * test::second_moment(spec) /
                                       (spec.density_kg_m3 * test::section_area(spec) * std::pow(spec.size(0), 4)));

@@ -173,6 +173,12 @@ void Driver::open_beam() {
     ASSERT_TRUE(state().body);
 }
 
+void run_a_beam(Driver& driver) {
+    driver.open_beam();
+    driver.click("run/run");
+    ASSERT_TRUE(driver.wait_for_job());
+}
+
 ImVec2 pixel_of(Driver& driver, const Eigen::Vector3d& point) {
     const ui::viewport::ViewportState& view = driver.window->viewport();
     const auto p = ui::viewport::project(view.camera, view.size(), point);

@@ -63,6 +63,9 @@ private:
     bool pixels_ = false;
 };
 
+/// Opens the beam and runs it.
+void run_a_beam(Driver& driver);
+
 /// Pixel of the window at which a point of the scene [m] is drawn. Fails the test if it is not visible.
 ImVec2 pixel_of(Driver& driver, const Eigen::Vector3d& point);
 

@@ -10,12 +10,6 @@ namespace {
 
 using test::Driver;
 
-void run_a_beam(Driver& driver) {
-    driver.open_beam();
-    driver.click("run/run");
-    ASSERT_TRUE(driver.wait_for_job());
-}
-
 void open_export(Driver& driver) {
     driver.click("menu/file");
     driver.click("menu/file.export");

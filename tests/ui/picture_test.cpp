@@ -29,12 +29,6 @@ platform::Image read_png(const fs::path& path) {
     return image;
 }
 
-void run_a_beam(Driver& driver) {
-    driver.open_beam();
-    driver.click("run/run");
-    ASSERT_TRUE(driver.wait_for_job());
-}
-
 /// What the dialogs hand to the window.
 panels::PictureRequest motion(const fs::path& path, double rate_Hz) {
     panels::PictureRequest request;

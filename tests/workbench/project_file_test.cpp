@@ -71,8 +71,9 @@ ui::commands::Project some_project(const fs::path& source) {
                                "",
                                -1.0,
                                std::make_shared<const fibre::PaintedMask>(mask),
+                               true,
                                fibre::Signal{{0.0, 0.5, 0.5}, {1.0, 0.8, 1.0}}};
-    ui::commands::Muscle lower{"lower", "", 1, 8e4, false, "upper / left", -0.5, nullptr, std::nullopt};
+    ui::commands::Muscle lower{"lower", "", 1, 8e4, false, "upper / left", -0.5, nullptr, false, std::nullopt};
     s.muscles = {upper, lower};
     return project;
 }

@@ -8,7 +8,7 @@
 namespace myo::ui::commands {
 namespace {
 
-constexpr int digits = 9;  // significant digits: a nanometre in a metre, far below the noise of any camera
+constexpr int written_digits = 9;  // significant digits: a nanometre in a metre, far below the noise of any camera
 
 /// Quotes a CSV field if it contains a character that would end it; quotes inside are doubled.
 /// Source: RFC 4180, section 2.
@@ -56,7 +56,7 @@ std::string table_of(const std::vector<Curve>& curves, double first_s, double la
     text += "\n";
     std::vector<Eigen::Index> next(curves.size(), 0);
     for (const double time : times) {
-        std::string line = format_number(time, digits);
+        std::string line = format_number(time, written_digits);
         for (std::size_t c = 0; c < curves.size(); ++c) {
             const Eigen::VectorXd& at = *curves[c].time_s;
             // Times ascend in the table and in each trial, so one pass with an index per trial suffices.
@@ -65,7 +65,7 @@ std::string table_of(const std::vector<Curve>& curves, double first_s, double la
             for (int axis = 0; axis < 3; ++axis)
                 line += "," + format_number(sampled ? curves[c].position_m(axis, next[c])
                                                     : std::numeric_limits<double>::quiet_NaN(),
-                                            digits);
+                                            written_digits);
         }
         // Lines outside of the range are made as well, as each advances the indices.
         if (time >= first_s && time <= last_s) text += line + "\n";
@@ -126,11 +126,11 @@ std::string marker_errors_csv(const std::vector<MarkerError>& errors) {
         "seen\n";
     for (const MarkerError& error : errors) {
         text += quoted(error.name);
-        for (const double value : {error.rms_m, error.largest_m}) text += "," + format_number(value, digits);
+        for (const double value : {error.rms_m, error.largest_m}) text += "," + format_number(value, written_digits);
         for (const Eigen::Vector3d* const axes : {&error.rms_axis_m, &error.largest_axis_m, &error.bias_m}) {
-            for (const double value : *axes) text += "," + format_number(value, digits);
+            for (const double value : *axes) text += "," + format_number(value, written_digits);
         }
-        text += "," + format_number(error.seen, digits) + "\n";
+        text += "," + format_number(error.seen, written_digits) + "\n";
     }
     return text;
 }

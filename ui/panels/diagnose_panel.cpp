@@ -18,7 +18,7 @@
 namespace myo::ui::panels {
 namespace {
 
-constexpr const char* times = "\xc3\x97";  // multiplication sign
+constexpr const char* times_sign = "\xc3\x97";  // multiplication sign
 
 /// Percentage with three digits; a dash if unknown, "0" below 0.05 %.
 std::string percent(double share) {
@@ -161,7 +161,7 @@ void set_up_ranking(const platform::Theme& theme) {
         {"Fitted value", "With one standard deviation, fitted together with the declared parameters."},
         {"Explains [%]", "Share of the squared residual that it can remove, after what the declared parameters absorb.",
          true},
-        {std::string("Held out [") + times + "]",
+        {std::string("Held out [") + times_sign + "]",
          "Error on blocks of data that the fit did not see, in units of the noise: 1 is perfect.", true},
         {"Weight [%]", "Share of the evidence among all that was fitted, the declared model included.", true}};
     ImGui::TableSetupColumn("rank", ImGuiTableColumnFlags_WidthFixed, ImGui::CalcTextSize("00").x);
