@@ -24,8 +24,10 @@ Result<ui::commands::BodyActuators> body_actuators(const experiment::Experiment&
     for (std::size_t i = 0; i < tendons.size(); ++i) {
         ui::commands::ShownTendon& tendon = shown.tendons.emplace_back();
         tendon.name = experiment.tendons[i].name;
-        for (const model::TendonGuide& guide : tendons[i].route.guides) {
+        for (std::size_t g = 0; g < tendons[i].route.guides.size(); ++g) {
+            const model::TendonGuide& guide = tendons[i].route.guides[g];
             ui::commands::ThreadGuide& place = tendon.guides.emplace_back();
+            place.declared = tendons[i].declared[g];
             place.rest_m = guide.rest_m;
             if (guide.on_body) place.nodes = guide.on_body->nodes, place.weights = guide.on_body->weights;
         }

@@ -76,7 +76,7 @@ ui::commands::DeclaredParts declared_parts(const setup::Setup& setup) {
     for (const experiment::ChamberDeclaration& chamber : experiment.chambers) parts.chambers.push_back(chamber.name);
     for (const experiment::TendonDeclaration& tendon : experiment.tendons)
         parts.tendons.push_back({tendon.name, tendon.path_m, tendon.drive == experiment::TendonDrive::shortening,
-                                 tendon.stiffness_N_m, tendon.friction});
+                                 tendon.stiffness_N_m, tendon.friction, tendon.channel});
     parts.cavities = scene_cavities(experiment, setup.surface);
     for (std::size_t t = 0; t < setup.trials.size(); ++t)
         parts.commands.push_back(commands_of(experiment, experiment.trials[t], setup.trials[t]));

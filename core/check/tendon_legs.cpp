@@ -120,22 +120,30 @@ Worst worst_leg(const CheckedJob& job, const std::vector<Leg>& legs) {
 }
 
 /// Finding for one tendon from its leg that changes most.
-Finding finding_of(const CheckedJob& job, const std::string& tendon, const Worst& worst) {
-    Finding finding = passed_finding(tendon,
-                                     "tendon " + tendon + ": straight between its guides, it keeps its lever arm");
+Finding finding_of(const CheckedJob& job, const experiment::TendonDeclaration& tendon, const Worst& worst) {
+    Finding finding = passed_finding(tendon.name,
+                                     "tendon " + tendon.name + ": straight between its guides, it keeps its lever arm");
     finding.figure = worst.changed;
     finding.threshold = tendon_legs_policy.max_changed;
     if (!(worst.changed > tendon_legs_policy.max_changed)) return finding;
     finding.level = CheckLevel::doubtful;
     const std::size_t guide = worst.leg->first_guide + 1;
-    finding.sentence = "tendon " + tendon + ": from guide " + std::to_string(guide) + " to " +
-                       std::to_string(guide + 1) + ", " + format_number(1e3 * worst.leg->length_m, 3) +
-                       " mm, it runs straight, up to " + format_number(1e3 * worst.sag_m, 2) +
-                       " mm off the material of the bent body in trial " + job.setup.trials[worst.trial].name +
-                       ", which changes its lever arm by " + format_number(100.0 * worst.changed, 2) +
-                       " %: on the inner side of a bend it grows, the body bends more, and may buckle between guides";
-    finding
-        .way_out = "if the thread runs in a channel, declare guides closer together; if it runs free, nothing is wrong";
+    const std::string straight = format_number(1e3 * worst.leg->length_m, 3) + " mm, it runs straight, up to " +
+                                 format_number(1e3 * worst.sag_m, 2) +
+                                 " mm off the material of the bent body in trial " +
+                                 job.setup.trials[worst.trial].name + ", which changes its lever arm by " +
+                                 format_number(100.0 * worst.changed, 2) + " %";
+    if (tendon.channel) {
+        finding.sentence = "tendon " + tendon.name + ": between two points that hold it in its channel, " + straight;
+        finding.way_out = "these points follow the cells: a finer mesh holds it more closely";
+        return finding;
+    }
+    finding.sentence = "tendon " + tendon.name + ": from guide " + std::to_string(guide) + " to " +
+                       std::to_string(guide + 1) + ", " + straight +
+                       ": on the inner side of a bend it grows, the body bends more, and may buckle between guides";
+    finding.way_out =
+        "if the thread runs in a channel of the body, say channel = true in its table; if it runs free, nothing is "
+        "wrong";
     return finding;
 }
 
@@ -150,7 +158,7 @@ std::vector<Finding> check_tendon_legs(const CheckedJob& job) {
     for (std::size_t i = 0; i < job.setup.tendons.size(); ++i) {
         const std::vector<Leg> legs = legs_on_body(job.setup.tendons[i], mesh, boundary, cells);
         if (legs.empty()) continue;
-        findings.push_back(finding_of(job, job.setup.experiment.tendons[i].name, worst_leg(job, legs)));
+        findings.push_back(finding_of(job, job.setup.experiment.tendons[i], worst_leg(job, legs)));
     }
     return findings;
 }

@@ -19,7 +19,7 @@ Eigen::Matrix3Xd read_path(const toml::TomlReader& table) {
 std::vector<TendonDeclaration> read_tendons(const toml::TomlReader& document) {
     std::vector<TendonDeclaration> tendons;
     for (const toml::TomlReader& table :
-         document.tables("tendon", {"name", "path_m", "drive", "stiffness_N_m", "friction", "sought"})) {
+         document.tables("tendon", {"name", "path_m", "drive", "stiffness_N_m", "friction", "channel", "sought"})) {
         TendonDeclaration tendon;
         tendon.name = read_actuator_name(table);
         tendon.path_m = read_path(table);
@@ -30,6 +30,7 @@ std::vector<TendonDeclaration> read_tendons(const toml::TomlReader& document) {
                          "belongs to drive = \"shortening\": a prescribed tension does not depend on it");
         tendon.stiffness_N_m = table.optional_number("stiffness_N_m", toml::positive());
         tendon.friction = table.number_or("friction", 0.0, toml::not_negative());
+        tendon.channel = table.boolean_or("channel", false);
         tendon.sought = table.boolean_or("sought", true);
         tendons.push_back(std::move(tendon));
     }

@@ -36,6 +36,7 @@ struct TendonDeclaration {
     std::optional<double> stiffness_N_m;  // of the whole thread, for `shortening`; absent: it does not stretch
     double friction = 0.0;                // capstan coefficient at the guides, >= 0
     bool sought = true;                   // as for chambers
+    bool channel = false;                 // between its guides it follows the material, as in a channel of the body
 };
 
 /// Part of the body with a material of its own; of parts that overlap, the later one counts.

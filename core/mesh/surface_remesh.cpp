@@ -145,7 +145,9 @@ SizedSurface sized_surface(const SurfaceMesh& surface, double edge, double most_
     const SurfaceDistance distance(surface);
     // From long edges to short ones: the first size within the deviation gives the fewest cells.
     double size = remesh_policy.first_size * edge;
-    for (int i = 0; i < remesh_policy.sizes && !progress.cancelled(); ++i, size *= remesh_policy.size_step) {
+    const double finest = mean_shortest_side(surface);
+    for (int i = 0; i < remesh_policy.sizes && size > finest && !progress.cancelled();
+         ++i, size *= remesh_policy.size_step) {
         progress.report({"coarser surface", double(i), double(remesh_policy.sizes), "sizes", ""});
         std::optional<SizedSurface> found = remeshed_to(
             size, surface, feature_lines(surface, size, remesh_policy.line_share * allowed), distance, topology.parts);

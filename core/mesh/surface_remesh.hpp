@@ -19,7 +19,7 @@ struct RemeshPolicy {
     /// than its triangles.
     double first_size = 1.2;
     double size_step = 0.84;           // from size to size while the deviation is too large: 0.7 of the area
-    int sizes = 9;                     // tried; the last is 0.3 of the edge asked for
+    int sizes = 24;                    // tried at most; a thin part may need a fiftieth of the edge asked for
     double worth = 0.7;                // of the triangles may remain, otherwise the surface is kept
     int iterations = 10;               // of remeshing; with half as many TetGen adds up to a fifth more cells
     int shifts = 2;                    // that restore the volume; the second changes it by a tenth of the first

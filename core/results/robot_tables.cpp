@@ -34,13 +34,6 @@ double rest_length_m(const setup::Tendon& tendon) {
     return length;
 }
 
-/// Number of guides that move with the body; the others are fixed in space.
-int moving_guides(const setup::Tendon& tendon) {
-    int moving = 0;
-    for (const model::TendonGuide& guide : tendon.route.guides) moving += guide.on_body ? 1 : 0;
-    return moving;
-}
-
 /// One row per chamber, in cm³, cm² and kPa.
 report::Table chamber_table(const setup::Setup& setup) {
     report::Table table{"Chambers: the declared cavities at rest, and their pressures in the trials.",
@@ -57,12 +50,20 @@ report::Table chamber_table(const setup::Setup& setup) {
 /// One row per tendon; commands are tensions or shortenings.
 report::Table tendon_table(const setup::Setup& setup) {
     report::Table table{"Tendons: their paths at rest, and their commands in the trials.",
-                        {{"Tendon"}, {"Length", "mm"}, {"Guides"}, {"Moving with the body"}, {"Friction"}, {"Command"}},
+                        {{"Tendon"},
+                         {"Length", "mm"},
+                         {"Guides"},
+                         {"Moving with the body"},
+                         {"Between them"},
+                         {"Friction"},
+                         {"Command"}},
                         {}};
     for (std::size_t t = 0; t < setup.tendons.size(); ++t) {
         const setup::Tendon& tendon = setup.tendons[t];
-        table.rows.push_back({setup.experiment.tendons[t].name, 1e3 * rest_length_m(tendon), tendon.route.guides.size(),
-                              moving_guides(tendon), tendon.route.friction,
+        table.rows.push_back({setup.experiment.tendons[t].name, 1e3 * rest_length_m(tendon),
+                              setup::declared_guides(tendon, false), setup::declared_guides(tendon, true),
+                              std::string(setup.experiment.tendons[t].channel ? "in a channel" : "straight"),
+                              tendon.route.friction,
                               std::string(tendon.by_shortening ? "shortening " : "tension ") +
                                   command_words(setup, setup.chambers.size() + t)});
     }
@@ -157,8 +158,9 @@ report::Json robot_json(const setup::Setup& setup) {
         json["tendons"].push_back({{"name", setup.experiment.tendons[t].name},
                                    {"drive", tendon.by_shortening ? "shortening" : "tension"},
                                    {"rest_length_m", report::json_number(rest_length_m(tendon))},
-                                   {"guides", tendon.route.guides.size()},
-                                   {"guides_on_body", moving_guides(tendon)},
+                                   {"guides", setup::declared_guides(tendon, false)},
+                                   {"guides_on_body", setup::declared_guides(tendon, true)},
+                                   {"channel", setup.experiment.tendons[t].channel},
                                    {"friction", tendon.route.friction},
                                    {range, range_json(setup.command_ranges[setup.chambers.size() + t])}});
     }

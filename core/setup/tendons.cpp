@@ -5,8 +5,33 @@
 
 #include "experiment/body_queries.hpp"
 #include "experiment/check_robot_parts.hpp"
+#include "mesh/quality.hpp"
 
 namespace myo::setup {
+namespace {
+
+/// A point of the path at rest [m].
+struct PathPoint {
+    Eigen::Vector3d place;
+    bool declared = true;
+};
+
+/// Guides of a tendon, and points at most `spacing_m` apart between those of a thread in a channel.
+std::vector<PathPoint> path_points(const experiment::TendonDeclaration& tendon, double spacing_m) {
+    std::vector<PathPoint> points;
+    for (Eigen::Index g = 0; g < tendon.path_m.cols(); ++g) {
+        const Eigen::Vector3d guide = tendon.path_m.col(g);
+        if (g > 0 && tendon.channel) {
+            const Eigen::Vector3d last = tendon.path_m.col(g - 1);
+            const int legs = static_cast<int>(std::ceil((guide - last).norm() / spacing_m));
+            for (int i = 1; i < legs; ++i) points.push_back({last + (guide - last) * i / legs, false});
+        }
+        points.push_back({guide, true});
+    }
+    return points;
+}
+
+}  // namespace
 
 std::vector<Tendon> find_tendons(const experiment::Experiment& experiment, const mesh::SurfaceMesh& surface,
                                  const BodyMesh& mesh) {
@@ -14,17 +39,20 @@ std::vector<Tendon> find_tendons(const experiment::Experiment& experiment, const
     if (experiment.tendons.empty()) return tendons;
     const experiment::BodyQueries body(surface);
     const mesh::BoundaryLocator boundary(mesh.mesh);
+    const double spacing_m = tendon_policy.channel_spacing * mesh::mean_edge_length(mesh.mesh);
     std::size_t coupling = 0;
     for (const experiment::TendonDeclaration& declared : experiment.tendons) {
         Tendon tendon;
         tendon.route = {{}, coupling, declared.friction, "tendon " + declared.name};
         tendon.by_shortening = declared.drive == experiment::TendonDrive::shortening;
-        for (const auto& declared_guide : declared.path_m.colwise()) {
-            const Eigen::Vector3d guide = declared_guide;
+        for (const PathPoint& point : path_points(declared, spacing_m)) {
+            const bool moves = experiment::guide_moves(experiment, body, point.place);
+            // Off the body and in the clamp box a thread in a channel is as straight as any other.
+            if (!moves && !point.declared) continue;
             model::TendonGuide& placed = tendon.route.guides.emplace_back();
-            placed.rest_m = point_on_mesh(mesh, guide);
-            if (experiment::guide_moves(experiment, body, guide))
-                placed.on_body = fem::material_point(mesh.mesh, boundary, placed.rest_m);
+            placed.rest_m = point_on_mesh(mesh, point.place);
+            if (moves) placed.on_body = fem::material_point(mesh.mesh, boundary, placed.rest_m);
+            tendon.declared.push_back(point.declared);
         }
         // Length of the thread at rest [m], and the axial stiffness E V / L^2 of a bar of the body's volume and that
         // length.
@@ -43,6 +71,13 @@ std::vector<Tendon> find_tendons(const experiment::Experiment& experiment, const
         tendons.push_back(std::move(tendon));
     }
     return tendons;
+}
+
+std::size_t declared_guides(const Tendon& tendon, bool moving) {
+    std::size_t count = 0;
+    for (std::size_t g = 0; g < tendon.declared.size(); ++g)
+        if (tendon.declared[g] && (!moving || tendon.route.guides[g].on_body)) ++count;
+    return count;
 }
 
 std::vector<std::vector<int>> couplings(const std::vector<Tendon>& tendons) {

@@ -13,6 +13,7 @@ namespace myo::setup {
 /// A tendon on the mesh of its body.
 struct Tendon {
     model::TendonRoute route;  // guides on the mesh or in space, friction, and the first coupling of the body
+    std::vector<bool> declared;  // per guide of the route: of the experiment, or one on the way through a channel
     bool by_shortening = false;
     double stiffness_N_m = 0.0;  // driven by shortening only
     double slack_m = 0.0;        // see model::tendon_of_shortening()
@@ -24,13 +25,20 @@ struct TendonPolicy {
     double rigid_stiffness = 1000.0;
     /// Strain of the body along the thread whose tension is smoothed around its onset.
     double smoothed_strain = 1e-4;
+    /// Distance of the points at which a thread in a channel is bound, over the mean edge of the cells: a quadratic cell
+    /// that bends is followed to a quarter of what one straight leg would leave.
+    double channel_spacing = 0.5;
 };
 inline constexpr TendonPolicy tendon_policy;
 
 /// All declared tendons: guides in the material or as close to it as markers may be move with it, the others stand
-/// still. Couplings are numbered from 0 in this order.
+/// still. A thread in a channel is bound to the material on its way between them, too. Couplings are numbered from 0 in
+/// this order.
 std::vector<Tendon> find_tendons(const experiment::Experiment& experiment, const mesh::SurfaceMesh& surface,
                                  const BodyMesh& mesh);
+
+/// Number of guides that the experiment declares; with `moving` of those alone that move with the body.
+std::size_t declared_guides(const Tendon& tendon, bool moving);
 
 /// Couplings of all tendons, for model::make_body().
 std::vector<std::vector<int>> couplings(const std::vector<Tendon>& tendons);

@@ -39,6 +39,27 @@ TEST(CheckTendonLegs, SeesStraightLegsLeaveTheMaterialOfABentBody) {
         EXPECT_EQ(findings[0].level, curvature_1_m > 10.0 ? CheckLevel::doubtful : CheckLevel::passed);
         if (curvature_1_m < 10.0) continue;
         EXPECT_THAT(findings[0].sentence, testing::HasSubstr("from guide 3 to 4, 35 mm, it runs straight"));
+        EXPECT_THAT(findings[0].way_out, testing::HasSubstr("channel = true"));
+    }
+}
+
+/// The points that bind a thread in a channel are close together: a bend that straight legs cut off is followed.
+TEST(CheckTendonLegs, PassesAThreadInAChannelUnlessCellsAreLarge) {
+    const test::Folder folder("channel_legs");
+    const setup::Setup setup = test::chambered_beam(folder, 0.1, [&](experiment::Experiment& e) {
+        e.chambers.clear();
+        e.tendons = {test::upper_tendon()};
+        e.tendons[0].channel = true;
+    });
+    for (const double curvature_1_m : {20.0, 60.0}) {
+        prediction::SetupRun run;
+        run.predictions.resize(setup.trials.size());
+        run.predictions[0].trace.positions = {bent(setup.mesh.mesh.nodes, curvature_1_m)};
+        const std::vector<Finding> findings = check_tendon_legs({setup, &run});
+        ASSERT_EQ(findings.size(), 1u);
+        EXPECT_EQ(findings[0].level, curvature_1_m < 50.0 ? CheckLevel::passed : CheckLevel::doubtful)
+            << findings[0].figure;
+        if (curvature_1_m > 50.0) EXPECT_THAT(findings[0].way_out, testing::HasSubstr("finer mesh"));
     }
 }
 

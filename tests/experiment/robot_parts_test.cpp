@@ -204,6 +204,19 @@ INSTANTIATE_TEST_SUITE_P(
                 "trial[2].actuation_step.left_N: ", "\"left\""}));
 
 // A tendon that is driven the other way than the constant says.
+TEST(RobotParts, AThreadIsStraightUnlessItRunsInAChannel) {
+    const Folder folder("channel");
+    write_robot(folder, testing_support::replaced(robot_toml, "friction = 0.2", "friction = 0.2\nchannel = true"));
+    const Result<Experiment> read = read_experiment(folder.path());
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_TRUE(read->tendons[0].channel);
+    EXPECT_FALSE(read->tendons[1].channel);
+    write_robot(folder, testing_support::replaced(robot_toml, "friction = 0.2", "channel = 1"));
+    const Result<Experiment> refused = read_experiment(folder.path());
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().text().find("tendon[0].channel"), std::string::npos) << refused.error().text();
+}
+
 TEST(RobotParts, ConstantsOfTheOtherDriveAreRefused) {
     for (const auto& [from, to, key] :
          {std::tuple<std::string, std::string, std::string>{"drive = \"shortening\"\nstiffness_N_m = 4000.0",

@@ -119,6 +119,25 @@ TEST(SizedSurface, WallsDoNotMeet) {
         EXPECT_TRUE(std::abs(x.norm() - 0.022) < 0.00045 || std::abs(x.norm() - 0.025) < 0.00045) << x.norm();
 }
 
+/// Cells larger than the body is thick cannot be had; the surface then becomes as coarse as its shape allows, not as
+/// fine as it was drawn.
+TEST(SizedSurface, CellsThickerThanTheBodyTakeTheCoarsestSurface) {
+    SurfaceMesh slender = weld(test::sphere(5, 0.015));
+    slender.vertices.row(2) *= 6.0;
+    const double deviation = 1e-3;
+    Eigen::Index last = slender.triangles.cols();
+    for (const double edge : {0.02, 0.06, 0.2}) {
+        const SizedSurface sized = sized_surface(slender, edge, deviation);
+        ASSERT_TRUE(sized.remeshed) << edge;
+        expect_sound(sized.surface, 1);
+        EXPECT_LE(sized.deviation_m, deviation);
+        EXPECT_LT(sized.surface.triangles.cols(), slender.triangles.cols() / 4) << edge;
+        // Sizes are tried in steps of 0.84, so that two edges may end a step apart.
+        EXPECT_LT(sized.surface.triangles.cols(), 3 * last / 2) << edge;
+        last = sized.surface.triangles.cols();
+    }
+}
+
 TEST(SizedSurface, WhatCannotBeCoarsenedIsKeptAndTold) {
     SurfaceMesh rough = weld(test::sphere(4, 0.025));
     // Every second vertex a spike: all edges are sharp.

@@ -41,6 +41,43 @@ TEST(Holds, AreOnePoseForAllSamples) {
     EXPECT_GT(tip(2, 0), predict_trial(loose, 0, declared_values(loose)).positions_m[0](2, 0) + 0.002);
 }
 
+/// A thread in a channel follows the material between two guides far apart, as if guides stood close together.
+TEST(Holds, AThreadInAChannelBendsTheBodyAsCloseGuidesDo) {
+    enum class Path { straight, channel, close_guides };
+    const auto tip = [](Path path, experiment::TendonDrive drive) {
+        const test::Folder folder("channel_hold");
+        const setup::Setup setup = test::chambered_beam(folder, 0.1, [&](Experiment& e) {
+            e.chambers.clear();
+            const Eigen::Vector3d from(0.0, 0.015, 0.028), to(0.095, 0.015, 0.028);
+            experiment::TendonDeclaration tendon;
+            tendon.name = "upper";
+            tendon.drive = drive;
+            tendon.channel = path == Path::channel;
+            const int legs = path == Path::close_guides ? 12 : 1;
+            tendon.path_m.resize(3, legs + 1);
+            for (int i = 0; i <= legs; ++i) tendon.path_m.col(i) = from + (to - from) * i / legs;
+            e.tendons = {tendon};
+            e.trials[0].hold = true;
+            e.trials[0].start = experiment::StartState::equilibrium;
+            e.trials[0].constant_commands = {{"upper", drive == experiment::TendonDrive::tension ? 6.0 : 0.008}};
+        });
+        if (path == Path::channel) {
+            EXPECT_EQ(setup::declared_guides(setup.tendons[0], false), 2u);
+            EXPECT_EQ(setup::declared_guides(setup.tendons[0], true), 1u);
+            EXPECT_GT(setup.tendons[0].route.guides.size(), 6u);
+        }
+        const TrialPrediction held = predict_trial(setup, 0, declared_values(setup));
+        EXPECT_TRUE(held.ok()) << held.message;
+        return Eigen::Vector3d(held.positions_m[0].col(0) - setup.trials[0].model.body->mesh.nodes.rowwise().mean());
+    };
+    for (const auto drive : {experiment::TendonDrive::tension, experiment::TendonDrive::shortening}) {
+        const Eigen::Vector3d channel = tip(Path::channel, drive), close = tip(Path::close_guides, drive),
+                              straight = tip(Path::straight, drive);
+        EXPECT_LT((channel - close).norm(), 5e-5);
+        EXPECT_GT((straight - close).norm(), 20.0 * (channel - close).norm());
+    }
+}
+
 /// A signal in another clock is told of tendons, too.
 TEST(TendonSignals, ThatMissTheTrialAreFound) {
     const test::Folder folder("tendon_signal");

@@ -48,7 +48,8 @@ TEST_F(RobotTables, ShowWhatIsDeclared) {
     EXPECT_NEAR(number(row(1)[1]), 95.0, 1e-9);
     EXPECT_EQ(number(row(1)[2]), 4.0);
     EXPECT_EQ(number(row(1)[3]), 3.0);
-    EXPECT_EQ(words(row(1)[5]), "tension 0 … 1.50 N");
+    EXPECT_EQ(words(row(1)[4]), "straight");
+    EXPECT_EQ(words(row(1)[6]), "tension 0 … 1.50 N");
     EXPECT_EQ(number(row(2)[1]), 600.0);
     EXPECT_NEAR(number(row(2)[4]), 4.0, 1e-12) << "the material's damping";
     EXPECT_EQ(words(row(3)[0]), "sphere of radius 20.0 mm");
@@ -56,6 +57,7 @@ TEST_F(RobotTables, ShowWhatIsDeclared) {
     EXPECT_EQ(json["chambers"][0]["pressure_range_Pa"], report::Json({-1000.0, 5000.0}));
     EXPECT_EQ(json["tendons"][0]["drive"], "tension");
     EXPECT_EQ(json["tendons"][0]["guides_on_body"], 3);
+    EXPECT_EQ(json["tendons"][0]["channel"], false);
     EXPECT_EQ(json["tendons"][0]["tension_range_N"], report::Json({0.0, 1.5}));
 }
 

@@ -269,6 +269,12 @@ TEST(PlacingInWindow, ATendonIsDrawnAlongTheBodyPulledAndItsGuideDragged) {
     driver.click("tendon/drive");
     driver.click("tendon/drive/shortening");
     EXPECT_TRUE(window.scene().declared.tendons[0].by_shortening) << driver.state().refused;
+    const std::size_t guides = driver.state().actuators.tendons[0].guides.size();
+    driver.click("tendon/channel");
+    EXPECT_TRUE(window.scene().declared.tendons[0].channel) << driver.state().refused;
+    EXPECT_GT(driver.state().actuators.tendons[0].guides.size(), guides) << "bound on its way, too";
+    driver.click("tendon/channel");
+    EXPECT_FALSE(window.scene().declared.tendons[0].channel) << driver.state().refused;
     driver.click("tendon/remove");
     EXPECT_TRUE(window.scene().declared.tendons.empty()) << driver.state().refused;
 }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -85,18 +86,23 @@ Vector3d place_of(const ThreadGuide& guide, const Matrix3Xd& positions) {
     return place;
 }
 
-/// Adds the thread, and a small cross at each guide.
+/// Adds the thread, and a small cross at each declared guide.
 void add_tendon(viewport::DrawnScene& drawn, const ShownTendon& tendon, const viewport::Color& color) {
     viewport::DrawnLine thread{Matrix3Xd(3, static_cast<Index>(tendon.guides.size())), color, 2.5}, marks = thread;
+    const auto declared = std::count_if(tendon.guides.begin(), tendon.guides.end(),
+                                        [](const ThreadGuide& guide) { return guide.declared; });
     // Three bars along the axes, each of two points and a gap.
-    marks.points.resize(3, 9 * thread.points.cols());
+    marks.points.resize(3, 9 * declared);
     const double half = 0.5 * guide_length * drawn.extent.size().norm();
+    Index mark = 0;
     for (Index i = 0; i < thread.points.cols(); ++i) {
-        thread.points.col(i) = place_of(tendon.guides[static_cast<std::size_t>(i)], drawn.positions);
+        const ThreadGuide& guide = tendon.guides[static_cast<std::size_t>(i)];
+        thread.points.col(i) = place_of(guide, drawn.positions);
+        if (!guide.declared) continue;
         for (Index axis = 0; axis < 3; ++axis) {
-            marks.points.col(9 * i + 3 * axis) = thread.points.col(i) - half * Vector3d::Unit(axis);
-            marks.points.col(9 * i + 3 * axis + 1) = thread.points.col(i) + half * Vector3d::Unit(axis);
-            marks.points.col(9 * i + 3 * axis + 2).setConstant(std::numeric_limits<double>::quiet_NaN());
+            marks.points.col(mark++) = thread.points.col(i) - half * Vector3d::Unit(axis);
+            marks.points.col(mark++) = thread.points.col(i) + half * Vector3d::Unit(axis);
+            marks.points.col(mark++).setConstant(std::numeric_limits<double>::quiet_NaN());
         }
     }
     drawn.lines.push_back(std::move(thread));

@@ -12,6 +12,7 @@ struct ThreadGuide {
     std::vector<int> nodes;                            // of the mesh; none: it stands still
     Eigen::VectorXd weights;                           // per node, sum to 1
     Eigen::Vector3d rest_m = Eigen::Vector3d::Zero();  // place at rest [m], mesh frame
+    bool declared = true;                              // otherwise a point on the way through a channel
 };
 
 /// A tendon on the meshed body.

@@ -20,6 +20,7 @@ struct DeclaredTendon {
     bool by_shortening = false;           // what the motor prescribes; otherwise the tension
     std::optional<double> stiffness_N_m;  // empty: the thread does not stretch
     double friction = 0.0;                // capstan coefficient at the guides
+    bool channel = false;                 // follows the material between its guides
 };
 
 /// A closed cavity of the body's surface.

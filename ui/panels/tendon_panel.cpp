@@ -116,6 +116,16 @@ void TendonPanel::draw_drive(PanelContext& context, std::size_t t) {
         }
         context.items.mark("tendon/stretches");
     }
+    bool channel = tendon.channel;
+    row_label(context.theme, "In a channel",
+              "Ticked: it follows the material between its guides. Not ticked: it is straight between them.");
+    if (ImGui::Checkbox("##tendon/channel", &channel)) {
+        const toml::TomlPath path{"tendon", t, "channel"};
+        const commands::DeclarationEdit edit = channel ? commands::DeclarationEdit(commands::SetDeclared{path, "true"})
+                                                       : commands::RemoveDeclared{path};
+        context.emit(commands::EditDeclaration{{edit}, "tendon/channel"});
+    }
+    context.items.mark("tendon/channel");
     bool goes_on = false;
     if (tendon.stiffness_N_m) {
         double stiffness = *tendon.stiffness_N_m;
