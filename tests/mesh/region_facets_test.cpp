@@ -117,7 +117,8 @@ TEST(RegionFacets, MeetCurvedSurfaces) {
     const SurfaceMesh ball = weld(test::sphere(3, 0.02));
     for (const double at : {-0.01, 0.0, 0.0023})
         expect_conforming(ball, {below(0, at)}, 0.006, {.volume = 1e-3, .growth = 5.0});
-    expect_conforming(ball, {{{-0.01, -0.012, 0.003}, {0.011, 0.2, 0.2}}}, 0.006, {.volume = 1e-3, .growth = 5.0});
+    // Without the box angles are bounded weakly here, see crowded_policy: 280 nodes, of which 258 are the surface's.
+    expect_conforming(ball, {{{-0.01, -0.012, 0.003}, {0.011, 0.2, 0.2}}}, 0.006, {.volume = 1e-3, .growth = 6.0});
 }
 
 TEST(RegionFacets, MeetFacesThatLieInThePlaneOrNearIt) {

@@ -12,6 +12,7 @@
 #include "mesh/quality.hpp"
 #include "mesh/surface_check.hpp"
 #include "mesh/surface_reader.hpp"
+#include "mesh/surface_remesh.hpp"
 #include "mesh/test_meshes.hpp"
 #include "mesh/test_surfaces.hpp"
 #include "support/shared_data.hpp"
@@ -56,6 +57,21 @@ TEST_F(Tetrahedralize, FillsBodiesExactly) {
             EXPECT_NEAR(report.mean_edge, 0.004, 0.0012);
         }
     }
+}
+
+/// The edges of the surface, and not the bounds on angles, set the number of cells of a slender body.
+TEST_F(Tetrahedralize, SlenderBodiesOfShortEdgesAreNotCrowded) {
+    SurfaceMesh fine = weld(test::sphere(5, 0.01));
+    fine.vertices.row(2) *= 6.0;
+    const SurfaceMesh slender = sized_surface(fine, 0.03, 1e-3).surface;
+    const auto mesh = tetrahedralize(slender, with_edge(0.03));
+    ASSERT_TRUE(mesh) << mesh.error().text();
+    // With angles of 15 degrees everywhere there are six times as many cells as triangles.
+    EXPECT_LT(mesh->cell_count(), 3 * slender.triangles.cols());
+    const QualityReport report = mesh_quality(*mesh, &slender);
+    EXPECT_LT(std::abs(*report.volume_error), 1e-12);
+    EXPECT_GT(report.least, 0.1);
+    EXPECT_GT(report.mean, 0.6);
 }
 
 TEST_F(Tetrahedralize, IsRepeatable) {
