@@ -32,7 +32,9 @@ double phase_in(const EffectParameters& parameters, std::size_t trial) {
 }
 
 /// Adds a sinusoidal motion of the mount; the run sees it as inertia forces, the cameras as a motion of the clamp.
+/// The pose of a hold is that of a body at rest.
 void apply(const TrialContext& context, const EffectParameters& parameters, Affected& affected) {
+    if (context.hold) return;
     affected.mount_vibrations.push_back(
         {number(parameters, "amplitude_m") * vector(parameters, "direction").normalized(),
          number(parameters, "frequency_Hz"), phase_in(parameters, context.number)});
@@ -77,16 +79,20 @@ EffectParameters joined(const std::vector<EffectParameters>& columns, const Vect
 
 /// Six columns per trial and frequency: three directions, in phase with the sine and a quarter turn ahead.
 std::vector<EffectProbe> probes(const EffectSearch& search) {
+    const auto moving = std::find_if(search.trials.begin(), search.trials.end(),
+                                     [](const TrialContext& trial) { return !trial.hold; });
+    if (moving == search.trials.end()) return {};
     std::vector<double> frequencies = search.residual_lines_Hz;
     frequencies.resize(std::min(frequencies.size(), base_vibration_policy.frequencies));
     if (frequencies.empty()) {
-        const double end_s = search.trials.front().end_s;
+        const double end_s = moving->end_s;
         frequencies.push_back(base_vibration_policy.cycles / (end_s > 0.0 ? end_s : 1.0));
     }
     std::vector<EffectProbe> list;
     for (const double frequency : frequencies) {
         EffectProbe& probe = list.emplace_back();
-        for (const TrialContext& trial : search.trials)
+        for (const TrialContext& trial : search.trials) {
+            if (trial.hold) continue;
             for (int axis = 0; axis < 3; ++axis)
                 for (const double phase : {0.0, 0.5 * pi}) {
                     // The last entry is that of the trial, which joined() reads.
@@ -99,6 +105,7 @@ std::vector<EffectProbe> probes(const EffectSearch& search) {
                     if (search.trials.size() > 1) column["trial"] = trial.trial;
                     probe.columns.push_back(std::move(column));
                 }
+        }
         probe.joined = joined;
     }
     return list;

@@ -67,6 +67,7 @@ struct TrialContext {
     dynamics::StartKind start = dynamics::StartKind::straight;
     double interval_s = 0.01;  // between samples of the recording
     double end_s = 0.0;        // end of the trial
+    bool hold = false;         // at rest all along: statics
 };
 
 /// What an effect may change: model, start and options of the run, the motion of the mount, and the recording.

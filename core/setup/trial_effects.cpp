@@ -29,6 +29,7 @@ effect::TrialContext trial_context(const Setup& setup, std::size_t index) {
     context.start = trial.options.start;
     context.interval_s = sampling_interval_s(trial);
     context.end_s = trial.options.end_s;
+    context.hold = trial.hold;
     return context;
 }
 

@@ -98,6 +98,18 @@ TEST(MarkerScan, FindsASlipWithItsVector) {
     EXPECT_LT((std::get<VectorXd>(found.best.effect.at("shift_m")) - slip).norm(), 0.1 * test::made_noise_m);
 }
 
+/// Three numbers of a marker explain its one place in a hold, whatever the body does.
+TEST(MarkerScan, SeesNoSlipInAHold) {
+    Still still;
+    still.measured_off(0, 2, {3e-4, -1e-4, 2e-4});
+    still.setup.trials[0].hold = true;
+    const EffectScore found = still.best("marker_slip");
+    EXPECT_FALSE(found.usable() && effect::has(found.best.effect, "trial") &&
+                 effect::text(found.best.effect, "trial") == "first");
+    still.setup.trials[1].hold = true;
+    EXPECT_FALSE(still.best("marker_slip").usable());
+}
+
 TEST(MarkerScan, AnEventInAllTrialsNamesNone) {
     Still still;
     for (const int trial : {0, 1}) still.measured_off(trial, 2, {3e-4, 0.0, 0.0});

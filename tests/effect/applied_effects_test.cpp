@@ -163,6 +163,10 @@ TEST(AppliedEffects, VibrateByThePhaseOfTheirTrial) {
     EXPECT_EQ(phase(3, list), 0.1) << "the first for trials beyond the list";
     EXPECT_EQ(phase(1, VectorXd()), 0.0);
     EXPECT_EQ(phase(1, 0.7), 0.7);
+    beam.context.hold = true;
+    const Affected resting = with(
+        beam, {{"base_vibration", {{"amplitude_m", 2e-3}, {"frequency_Hz", 8.0}, {"direction", at(0, 0, 1)}}}});
+    EXPECT_TRUE(resting.mount_vibrations.empty()) << "a hold is at rest";
 }
 
 /// On a moving mount forces from outside are seen from it, what joins the body to it is not, and inertia comes last.

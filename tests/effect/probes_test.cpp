@@ -144,6 +144,9 @@ TEST(ProbesOfTheCatalogue, TakeTheirSizeFromTheExperiment) {
     EXPECT_EQ(number(lines[2].columns[0], "frequency_Hz"), 11.0);
     search.residual_lines_Hz.clear();
     EXPECT_NEAR(number(probes_of("base_vibration", search).at(0).columns[0], "frequency_Hz"), 2.0 / 0.1, 1e-12);
+    // A body at rest tells nothing of them.
+    for (TrialContext& trial : search.trials) trial.hold = true;
+    EXPECT_TRUE(probes_of("base_vibration", search).empty());
 }
 
 TEST(JoinedProbes, OfTiltsAddLikeVectors) {

@@ -145,8 +145,12 @@ void scan_slips(const setup::Setup& setup, const FitData& data, const JointFit& 
                 const statistics::NuisanceSpace& nuisance, const std::string& id, const ScreeningPolicy& policy,
                 std::vector<EffectScore>& scores) {
     const VectorXd outside = nuisance.outside(fit.residual);
+    // A hold has one place per marker, which a displacement of its own would explain whatever the body does.
+    const auto is_hold = [&](std::size_t trial) { return setup.trials[trial].hold; };
+    const bool only_holds = std::all_of(data.trials.begin(), data.trials.end(), is_hold);
     for (int marker = 0; marker < static_cast<int>(setup.marker_names.size()); ++marker)
         for (const std::optional<std::size_t>& choice : trial_choices(data)) {
+            if (choice ? is_hold(*choice) : only_holds) continue;
             std::vector<Moment> moments;
             for (const statistics::ResidualSeries& series : data.layout.series)
                 if (in_choice(choice, series) && series.marker == marker)
