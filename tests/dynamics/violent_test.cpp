@@ -41,7 +41,7 @@ Matrix3Xd noise(Eigen::Index nodes, double deviation, unsigned seed) {
     return Matrix3Xd::NullaryExpr(3, nodes, [&]() { return normal(random); });
 }
 
-Trace run(const model::Model& model, const InitialState& initial, double end_s) {
+Trace run_from(const model::Model& model, const InitialState& initial, double end_s) {
     SimulationOptions options;  // the defaults, but for the step
     options.h_s = h;
     options.end_s = end_s;
@@ -113,7 +113,7 @@ TEST_P(Violent, RandomInitialVelocities) {
     const Case c = GetParam();
     for (const double lengths_1_s : {5.0, 20.0}) {
         const model::Model model = beam(c);
-        const Trace trace = run(model, {{}, noise(model.body->node_count(), 0.1 * lengths_1_s, 1)}, 1.0);
+        const Trace trace = run_from(model, {{}, noise(model.body->node_count(), 0.1 * lengths_1_s, 1)}, 1.0);
         expect_stable(c, "thrown_" + std::to_string(std::lround(lengths_1_s)), model, trace, 0.0);
     }
 }
@@ -126,7 +126,7 @@ TEST_P(Violent, ABeatenBeam) {
     Matrix3Xd v = Matrix3Xd::Zero(3, X.cols());
     v.row(1) = 30.0 * X.row(0);
     v.row(2) = 10.0 * X.row(0);
-    expect_stable(c, "beaten", model, run(model, {{}, v}, 1.0), 0.0);
+    expect_stable(c, "beaten", model, run_from(model, {{}, v}, 1.0), 0.0);
 }
 
 /// Cells turned inside out by noise of the size of a cell.
@@ -134,7 +134,7 @@ TEST_P(Violent, ANoisyStart) {
     const Case c = GetParam();
     const model::Model model = beam(c);
     const Matrix3Xd& X = model.body->mesh.nodes;
-    expect_stable(c, "noisy", model, run(model, {X + noise(X.cols(), 0.015, 2), {}}, 1.0), h);
+    expect_stable(c, "noisy", model, run_from(model, {X + noise(X.cols(), 0.015, 2), {}}, 1.0), h);
 }
 
 /// The whole beam is its own mirror image, where the law has no energy.
@@ -144,7 +144,7 @@ TEST_P(Violent, AMirroredStart) {
         const model::Model model = beam(c);
         Matrix3Xd x = model.body->mesh.nodes;
         x.row(axis) = (axis == 0 ? 0.0 : 0.03) - x.row(axis).array();
-        expect_stable(c, "mirrored_" + std::string(1, "xyz"[axis]), model, run(model, {x, {}}, 1.0), h);
+        expect_stable(c, "mirrored_" + std::string(1, "xyz"[axis]), model, run_from(model, {x, {}}, 1.0), h);
     }
 }
 
@@ -164,7 +164,7 @@ TEST_P(Violent, AHundredG) {
                       direction(1) > 0.0   ? "pulled"
                       : direction(0) < 0.0 ? "crushed"
                                            : "heavy",
-                      model, run(model, {}, 1.2), load.until_s);
+                      model, run_from(model, {}, 1.2), load.until_s);
     }
 }
 

@@ -14,10 +14,11 @@ using testing::HasSubstr;
 using testing::StartsWith;
 using namespace testing_support;
 
-const std::string planned = good_toml +
-                            "\n[[trial]]\nname = \"planned\"\nrole = \"simulate\"\nduration_s = 1.0\nstart = "
-                            "\"straight\"\n";
-const std::string held_toml = good_toml + "\n[[trial]]\nname = \"held\"\nrole = \"simulate\"\nhold = true\n";
+// Functions: good_toml is made at the start of the program, in no order with constants of this file.
+std::string planned() {
+    return good_toml + "\n[[trial]]\nname = \"planned\"\nrole = \"simulate\"\nduration_s = 1.0\nstart = \"straight\"\n";
+}
+std::string held_toml() { return good_toml + "\n[[trial]]\nname = \"held\"\nrole = \"simulate\"\nhold = true\n"; }
 
 /// Writes the experiment with goals of its last trial, and the path of the tip.
 void write_goals(const Folder& folder, const std::string& toml) {
@@ -38,7 +39,7 @@ std::vector<GoalDeclaration> goals_of(const std::string& toml) {
 
 TEST(TrialGoals, AreAPlaceAtATimeOrUntilAnother) {
     const std::vector<GoalDeclaration> goals = goals_of(
-        planned +
+        planned() +
         "[[trial.goal]]\nmarker = \"tip\"\nplace_m = [0.09, 0.0, 0.01]\ntime_s = 0.5\n"
         "[[trial.goal]]\nmarker = \"tip\"\nplace_m = [0.08, 0.0, 0.0]\ntime_s = 0.8\nuntil_s = 1.0\n"
         "weight = 2.5\naxes = [\"z\", \"x\"]\n");
@@ -57,7 +58,7 @@ TEST(TrialGoals, AreAPlaceAtATimeOrUntilAnother) {
 
 TEST(TrialGoals, ArePathsFromAFileOrFromLists) {
     const std::vector<GoalDeclaration> goals = goals_of(
-        planned +
+        planned() +
         "[[trial.goal]]\nmarker = \"tip\"\npath = \"goal.csv\"\n"
         "[[trial.goal]]\nmarker = \"side\"\ntimes_s = [0.0, 0.5]\nplaces_m = [[0.05, 0.036, 0.006], [0.05, 0.036, "
         "0.0]]\n");
@@ -73,14 +74,14 @@ TEST(TrialGoals, ArePathsFromAFileOrFromLists) {
 TEST(TrialGoals, StandBesideARecordingAndInAHold) {
     const std::string goal = "[[trial.goal]]\nmarker = \"tip\"\nplace_m = [0.1, 0.0, 0.0]\n";
     EXPECT_EQ(goals_of(good_toml + goal + "time_s = 3.0\n").size(), 1u);
-    const std::vector<GoalDeclaration> goals = goals_of(held_toml + goal);
+    const std::vector<GoalDeclaration> goals = goals_of(held_toml() + goal);
     ASSERT_EQ(goals.size(), 1u);
     EXPECT_EQ(goals[0].times_s, Eigen::VectorXd::Zero(1));
 }
 
 TEST(TrialGoals, StayInACopyOfTheExperiment) {
     const Folder folder("goals_copied");
-    write_goals(folder, planned + "[[trial.goal]]\nmarker = \"tip\"\npath = \"goal.csv\"\n");
+    write_goals(folder, planned() + "[[trial.goal]]\nmarker = \"tip\"\npath = \"goal.csv\"\n");
     const auto copy = folder.path().parent_path() / (folder.path().filename().string() + "_copy");
     ASSERT_TRUE(copy_experiment(folder.path(), copy));
     const Result<Experiment> read = read_experiment(copy);
@@ -120,29 +121,32 @@ const std::string tip = "marker = \"tip\"\n", here = "place_m = [0.1, 0.0, 0.0]\
 INSTANTIATE_TEST_SUITE_P(
     Keys, BadGoals,
     testing::Values(
-        BadGoal{planned, "marker = \"tipp\"\n" + here + "time_s = 0.5\n", "\"tipp\"", "0.marker", "\"tip\""},
-        BadGoal{planned, "marker = \"base\"\n" + here + "time_s = 0.5\n", "\"base\"\nplace", "0.marker", "on the body"},
-        BadGoal{planned, tip + here, "[[trial.goal]]", "0.time_s", "missing"},
-        BadGoal{planned, tip + "time_s = 0.5\n", "[[trial.goal]]", "0.place_m", "missing"},
-        BadGoal{planned, tip + here + "time_s = 1.5\n", "time_s = 1.5", "0.time_s", "after the end of the trial"},
-        BadGoal{planned, tip + here + "time_s = -0.5\n", "time_s = -0.5", "0.time_s", ""},
-        BadGoal{planned, tip + here + "time_s = 0.5\nuntil_s = 0.4\n", "until_s = 0.4", "0.until_s", "after time_s"},
-        BadGoal{planned, tip + here + "time_s = 0.5\nuntil_s = 1.4\n", "until_s = 1.4", "0.until_s", "after the end"},
-        BadGoal{planned, tip + here + "time_s = 0.5\nweight = 0.0\n", "weight", "0.weight", ""},
-        BadGoal{planned, tip + here + "time_s = 0.5\naxes = [\"q\"]\n", "axes", "0.axes", "at most once"},
-        BadGoal{planned, tip + here + "time_s = 0.5\naxes = []\n", "axes", "0.axes", "at least one"},
-        BadGoal{planned, tip + here + "path = \"goal.csv\"\n", "path = ", "0.path", "beside place_m"},
-        BadGoal{planned, tip + "path = \"goal.csv\"\ntime_s = 0.1\n", "time_s = 0.1", "0.time_s", "its own times"},
-        BadGoal{planned, "marker = \"side\"\npath = \"goal.csv\"\n", "path = ", "0.path", "not numbers"},
-        BadGoal{planned, tip + "path = \"none.csv\"\n", "path = ", "0.path", "none.csv"},
-        BadGoal{planned, tip + "times_s = [0.1]\nplaces_m = [[0, 0, 0], [1, 0, 0]]\n", "times_s = ", "0.times_s", "2"},
-        BadGoal{planned, tip + "times_s = [0.2, 0.1]\nplaces_m = [[0, 0, 0], [1, 0, 0]]\n", "times_s = ", "0.times_s",
+        BadGoal{planned(), "marker = \"tipp\"\n" + here + "time_s = 0.5\n", "\"tipp\"", "0.marker", "\"tip\""},
+        BadGoal{planned(), "marker = \"base\"\n" + here + "time_s = 0.5\n", "\"base\"\nplace", "0.marker",
+                "on the body"},
+        BadGoal{planned(), tip + here, "[[trial.goal]]", "0.time_s", "missing"},
+        BadGoal{planned(), tip + "time_s = 0.5\n", "[[trial.goal]]", "0.place_m", "missing"},
+        BadGoal{planned(), tip + here + "time_s = 1.5\n", "time_s = 1.5", "0.time_s", "after the end of the trial"},
+        BadGoal{planned(), tip + here + "time_s = -0.5\n", "time_s = -0.5", "0.time_s", ""},
+        BadGoal{planned(), tip + here + "time_s = 0.5\nuntil_s = 0.4\n", "until_s = 0.4", "0.until_s", "after time_s"},
+        BadGoal{planned(), tip + here + "time_s = 0.5\nuntil_s = 1.4\n", "until_s = 1.4", "0.until_s", "after the end"},
+        BadGoal{planned(), tip + here + "time_s = 0.5\nweight = 0.0\n", "weight", "0.weight", ""},
+        BadGoal{planned(), tip + here + "time_s = 0.5\naxes = [\"q\"]\n", "axes", "0.axes", "at most once"},
+        BadGoal{planned(), tip + here + "time_s = 0.5\naxes = []\n", "axes", "0.axes", "at least one"},
+        BadGoal{planned(), tip + here + "path = \"goal.csv\"\n", "path = ", "0.path", "beside place_m"},
+        BadGoal{planned(), tip + "path = \"goal.csv\"\ntime_s = 0.1\n", "time_s = 0.1", "0.time_s", "its own times"},
+        BadGoal{planned(), "marker = \"side\"\npath = \"goal.csv\"\n", "path = ", "0.path", "not numbers"},
+        BadGoal{planned(), tip + "path = \"none.csv\"\n", "path = ", "0.path", "none.csv"},
+        BadGoal{planned(), tip + "times_s = [0.1]\nplaces_m = [[0, 0, 0], [1, 0, 0]]\n", "times_s = ", "0.times_s",
+                "2"},
+        BadGoal{planned(), tip + "times_s = [0.2, 0.1]\nplaces_m = [[0, 0, 0], [1, 0, 0]]\n", "times_s = ", "0.times_s",
                 "ascend"},
-        BadGoal{planned, tip + "times_s = [0.2]\nplaces_m = [[0, 0, 0]]\n", "times_s = ", "0.times_s", "less than two"},
-        BadGoal{planned, tip + here + "time_s = 0.5\nuntil_s = 0.8\n[[trial.goal]]\n" + tip + here + "time_s = 0.6\n",
+        BadGoal{planned(), tip + "times_s = [0.2]\nplaces_m = [[0, 0, 0]]\n", "times_s = ", "0.times_s",
+                "less than two"},
+        BadGoal{planned(), tip + here + "time_s = 0.5\nuntil_s = 0.8\n[[trial.goal]]\n" + tip + here + "time_s = 0.6\n",
                 "marker = \"tip\"\nplace_m = [0.1, 0.0, 0.0]\ntime_s = 0.6", "1.marker", "another goal"},
-        BadGoal{held_toml, tip + here + "time_s = 0.0\n", "time_s = 0.0\n", "0.time_s", "hold"},
-        BadGoal{held_toml, tip + "path = \"goal.csv\"\n", "[[trial.goal]]", "0.place_m", "one pose"}));
+        BadGoal{held_toml(), tip + here + "time_s = 0.0\n", "time_s = 0.0\n", "0.time_s", "hold"},
+        BadGoal{held_toml(), tip + "path = \"goal.csv\"\n", "[[trial.goal]]", "0.place_m", "one pose"}));
 
 }  // namespace
 }  // namespace myo::experiment

@@ -142,7 +142,8 @@ TEST(SettingsDifferences, OfMusclesAreTheirPlaceStiffnessAndSignal) {
     follower.follows = "upper";
     follower.ratio = -0.5;
     EXPECT_EQ(differences({with({declared, follower}), with({declared})}),
-              (Texts{"lower, place: nowhere | –", "lower, stiffness: 80 kPa | –", "lower, signal: −0.5 × upper | –"}));
+              (Texts{"lower, place: nowhere | –", "lower, stiffness: 80 kPa | –", "lower, sought: yes | –",
+                     "lower, signal: −0.5 × upper | –"}));
     // A signal of its own does not count while the muscle follows another.
     commands::Muscle with_signal = follower;
     with_signal.signal = fibre::Signal::constant(0.5);
