@@ -17,8 +17,8 @@ namespace {
 
 using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
-using std::numbers::pi;
 using model::GuidedNode;
+using std::numbers::pi;
 
 /// Nodes on the line across a section at mid-height.
 std::vector<int> line_at(const mesh::VolumeMesh& mesh, const test::BeamSpec& spec, double x) {
