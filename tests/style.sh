@@ -71,7 +71,7 @@ unused_using "${units[@]}" || status=1
 checked=()
 options=(--checks=-clang-analyzer-*)   # the analyzer takes as long as all other checks; --all runs it
 if $all; then
-  # A batch parses the libraries' headers once for 16 files.
+  # A batch parses the libraries' headers once for 40 files.
   mapfile -t checked < <(find "$build"/{app,core,ui} -path '*/Unity/*.cxx' 2>/dev/null | sort)
   ((${#checked[@]})) || { echo "style.sh: --all needs a configured build folder (cmake --preset release)" >&2; exit 1; }
   mapfile -t outside < <(comm -23 <(printf '%s\n' "${units[@]}" | grep -v '^tests/') \

@@ -10,10 +10,10 @@ namespace myo::validation {
 namespace {
 
 constexpr NameTable<DefaultsAnswer, 5> answer_names{{{{DefaultsAnswer::right, "right"},
-                                                 {DefaultsAnswer::cause_named, "cause named"},
-                                                 {DefaultsAnswer::other_warning, "other warning"},
-                                                 {DefaultsAnswer::silent, "silent"},
-                                                 {DefaultsAnswer::failed, "failed"}}}};
+                                                      {DefaultsAnswer::cause_named, "cause named"},
+                                                      {DefaultsAnswer::other_warning, "other warning"},
+                                                      {DefaultsAnswer::silent, "silent"},
+                                                      {DefaultsAnswer::failed, "failed"}}}};
 
 /// Checks that explain wrong numbers of a correct declaration: discretisation, and data that do not determine them.
 const std::vector<std::string> checks_without_slip{"mesh", "markers", "step", "pose", "inside_out", "influence"};

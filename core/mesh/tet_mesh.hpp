@@ -11,8 +11,8 @@
 
 namespace myo::mesh {
 
-/// Quality and limits of a tetrahedral mesh. The bounds on angles are weaker where they, and not the edge asked for, set
-/// the number of cells.
+/// Quality and limits of a tetrahedral mesh. The bounds on angles are weaker where they, and not the edge asked for,
+/// set the number of cells.
 struct TetOptions {
     CellType type = CellType::tet4;  // tet4 or tet10
     std::optional<double> edge;      // [m] target mean edge length

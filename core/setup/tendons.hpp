@@ -12,7 +12,7 @@ namespace myo::setup {
 
 /// A tendon on the mesh of its body.
 struct Tendon {
-    model::TendonRoute route;  // guides on the mesh or in space, friction, and the first coupling of the body
+    model::TendonRoute route;    // guides on the mesh or in space, friction, and the first coupling of the body
     std::vector<bool> declared;  // per guide of the route: of the experiment, or one on the way through a channel
     bool by_shortening = false;
     double stiffness_N_m = 0.0;  // driven by shortening only
@@ -25,8 +25,8 @@ struct TendonPolicy {
     double rigid_stiffness = 1000.0;
     /// Strain of the body along the thread whose tension is smoothed around its onset.
     double smoothed_strain = 1e-4;
-    /// Distance of the points at which a thread in a channel is bound, over the mean edge of the cells: a quadratic cell
-    /// that bends is followed to a quarter of what one straight leg would leave.
+    /// Distance of the points at which a thread in a channel is bound, over the mean edge of the cells: a quadratic
+    /// cell that bends is followed to a quarter of what one straight leg would leave.
     double channel_spacing = 0.5;
 };
 inline constexpr TendonPolicy tendon_policy;
