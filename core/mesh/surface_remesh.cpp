@@ -136,7 +136,8 @@ std::optional<std::string> kept_as_it_is(const SurfaceMesh& surface, double edge
 
 SizedSurface sized_surface(const SurfaceMesh& surface, double edge, double most_deviation, const Progress& progress) {
     SizedSurface unchanged{surface};
-    if (!(edge > remesh_policy.finer * mean_shortest_side(surface))) return unchanged;
+    const double finest = mean_shortest_side(surface);
+    if (!(edge > remesh_policy.finer * finest)) return unchanged;
     const SurfaceTopology topology = surface_topology(surface);
     // The mesher says what is wrong with a broken surface.
     if (!topology.closed || !topology.manifold || !topology.oriented) return unchanged;
@@ -145,7 +146,6 @@ SizedSurface sized_surface(const SurfaceMesh& surface, double edge, double most_
     const SurfaceDistance distance(surface);
     // From long edges to short ones: the first size within the deviation gives the fewest cells.
     double size = remesh_policy.first_size * edge;
-    const double finest = mean_shortest_side(surface);
     for (int i = 0; i < remesh_policy.sizes && size > finest && !progress.cancelled();
          ++i, size *= remesh_policy.size_step) {
         progress.report({"coarser surface", double(i), double(remesh_policy.sizes), "sizes", ""});

@@ -108,11 +108,22 @@ std::vector<double> cavity_points(const SurfaceMesh& surface, const SurfaceTopol
 // TetGen may merge flat facets and re-triangulate them: better cells, but it occasionally fails.
 enum class FlatFacets { joined, kept };
 
+struct AnglePolicy {
+    double radius_edge_ratio = 1.414;  // circumradius over shortest edge, where nothing is asked for
+    // Weaker bounds of a crowded mesh. TetGen's own are 2.0 and none (Si 2015, ACM TOMS 41(2), 11:1).
+    double crowded = 0.7;  // mean edge over the one asked for, below which angles set the number of cells
+    double crowded_radius_edge = 2.0;
+    double crowded_dihedral_deg = 5.0;
+    double least_quality = 0.1;  // mean ratio of every cell, unless the first ones are worse
+};
+constexpr AnglePolicy angle_policy;
+
 /// Command line of TetGen: p piecewise linear complex, q quality, S Steiner points, Q quiet, M no merging of facets, a
 /// volume.
 std::string switches_for(const TetOptions& options, double max_volume, FlatFacets flat) {
     char text[128];
-    std::snprintf(text, sizeof text, "pq%.4g/%.4gS%dQ", std::max(1.2, options.radius_edge_ratio),
+    std::snprintf(text, sizeof text, "pq%.4g/%.4gS%dQ",
+                  std::max(1.2, options.radius_edge_ratio.value_or(angle_policy.radius_edge_ratio)),
                   std::clamp(options.min_dihedral_deg, 0.0, 20.0), std::max(1, options.steiner_cap));
     std::string switches = text;
     if (flat == FlatFacets::kept) switches += "M";
@@ -241,14 +252,6 @@ Result<VolumeMesh> run_tetgen(const RegionFacets& facets, FlatFacets flat, doubl
     return with_positive_cells(std::move(mesh), "TetGen");
 }
 
-struct CrowdedPolicy {
-    double crowded = 0.7;            // mean edge over the one asked for, below which angles set the number of cells
-    double radius_edge_ratio = 2.0;  // TetGen's own (Si 2015, ACM TOMS 41(2), 11:1)
-    double min_dihedral_deg = 5.0;   // TetGen asks for none
-    double least_quality = 0.1;      // mean ratio of every cell, unless the first ones are worse
-};
-constexpr CrowdedPolicy crowded_policy;
-
 /// Replaces cells that are much smaller than asked for by those of weaker bounds on their angles, if there are fewer.
 ///
 /// Where a surface has short or uneven edges, the points that TetGen adds for angles of 15 degrees multiply the cells:
@@ -257,16 +260,17 @@ constexpr CrowdedPolicy crowded_policy;
 Result<void> relax_crowded_cells(const RegionFacets& facets, FlatFacets flat, double max_volume,
                                  const TetOptions& options, const Stopwatch& watch, const Progress& progress,
                                  VolumeMesh& mesh) {
-    if (!options.edge || options.max_volume || mean_edge_length(mesh) > crowded_policy.crowded * *options.edge)
-        return {};
+    // Bounds that somebody asks for are kept.
+    if (!options.edge || options.max_volume || options.radius_edge_ratio) return {};
+    if (mean_edge_length(mesh) > angle_policy.crowded * *options.edge) return {};
     TetOptions weaker = options;
-    weaker.radius_edge_ratio = std::max(options.radius_edge_ratio, crowded_policy.radius_edge_ratio);
-    weaker.min_dihedral_deg = std::min(options.min_dihedral_deg, crowded_policy.min_dihedral_deg);
+    weaker.radius_edge_ratio = angle_policy.crowded_radius_edge;
+    weaker.min_dihedral_deg = std::min(options.min_dihedral_deg, angle_policy.crowded_dihedral_deg);
     Result<VolumeMesh> eased = run_tetgen(facets, flat, max_volume, weaker, options.time_limit_s - watch.seconds(),
                                           progress);
     if (!eased && progress.cancelled()) return eased.error();
     if (eased && eased->cell_count() < mesh.cell_count() &&
-        cell_shapes(*eased).minCoeff() >= std::min(crowded_policy.least_quality, cell_shapes(mesh).minCoeff()))
+        cell_shapes(*eased).minCoeff() >= std::min(angle_policy.least_quality, cell_shapes(mesh).minCoeff()))
         mesh = std::move(*eased);
     return {};
 }

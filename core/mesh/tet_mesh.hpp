@@ -11,15 +11,15 @@
 
 namespace myo::mesh {
 
-/// Quality and limits of a tetrahedral mesh. The bounds on angles are weaker where they, and not the edge asked for,
-/// set the number of cells.
+/// Quality and limits of a tetrahedral mesh.
 struct TetOptions {
     CellType type = CellType::tet4;  // tet4 or tet10
     std::optional<double> edge;      // [m] target mean edge length
     // Largest cell volume [m3]; takes precedence over `edge`. Neither: determined by the surface
     std::optional<double> max_volume;
-    // Circumradius over shortest edge; clamped to >= 1.2, below which TetGen may not terminate
-    double radius_edge_ratio = 1.414;
+    // Circumradius over shortest edge; clamped to >= 1.2, below which TetGen may not terminate. Empty: 1.414, or weaker
+    // where bounds on angles, and not the edge asked for, would set the number of cells
+    std::optional<double> radius_edge_ratio{};
     double min_dihedral_deg = 15.0;   // target, not guaranteed; clamped to [0, 20]
     int steiner_cap = 500'000;        // largest number of added points
     double time_limit_s = 60.0;       // for all runs together

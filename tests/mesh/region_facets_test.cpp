@@ -115,7 +115,7 @@ TEST(RegionFacets, MeetCurvedSurfaces) {
         expect_conforming(test::cylinder(24, 0.015, 0.06), {below(2, at)}, 0.006);
     expect_conforming(test::cylinder(24, 0.015, 0.06), {below(0, 0.004)}, 0.006, {.volume = 1e-3});
     const SurfaceMesh ball = weld(test::sphere(3, 0.02));
-    // Uncut, its angles are bounded weakly, see crowded_policy: 280 nodes, of which 258 are the surface's.
+    // Uncut, its angles are bounded weakly, see angle_policy: 280 nodes, of which 258 are the surface's.
     for (const double at : {-0.01, 0.0, 0.0023})
         expect_conforming(ball, {below(0, at)}, 0.006, {.volume = 1e-3, .growth = 6.0});
     expect_conforming(ball, {{{-0.01, -0.012, 0.003}, {0.011, 0.2, 0.2}}}, 0.006, {.volume = 1e-3, .growth = 6.0});

@@ -72,6 +72,12 @@ TEST_F(Tetrahedralize, SlenderBodiesOfShortEdgesAreNotCrowded) {
     EXPECT_LT(std::abs(*report.volume_error), 1e-12);
     EXPECT_GT(report.least, 0.1);
     EXPECT_GT(report.mean, 0.6);
+    // A ratio that is asked for is kept, with the angles that belong to it.
+    TetOptions strict = with_edge(0.03);
+    strict.radius_edge_ratio = 1.414;
+    const auto fine_cells = tetrahedralize(slender, strict);
+    ASSERT_TRUE(fine_cells) << fine_cells.error().text();
+    EXPECT_GT(fine_cells->cell_count(), 3 * slender.triangles.cols());
 }
 
 TEST_F(Tetrahedralize, IsRepeatable) {
