@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "workbench/by_hand.hpp"
+#include "workbench/example_copy.hpp"
 #include "workbench/opened_beam.hpp"
 
 // Curves over time, and bounds of unknown values, edited in rows.
@@ -55,9 +56,7 @@ TEST(LoadCurveInWindow, AForceIsGivenAWindowAndThenACurve) {
 TEST(CommandCurveInWindow, ThePressureOfAChamberFollowsRows) {
     Driver driver(backend::make_core_backend(), 1280, 1400);
     const test::Folder folder("command_curve");
-    ASSERT_TRUE(experiment::copy_experiment(std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/pneumatic_finger",
-                                            folder.path() / "finger"));
-    driver.window->open(folder.path() / "finger");
+    driver.window->open(test::example_copy(folder, "pneumatic_finger"));
     ASSERT_TRUE(driver.wait_for_job(60));
     ASSERT_TRUE(driver.state().scene) << driver.state().log.back().text;
     const std::string name = driver.state().scene->declared.chambers.at(0), item = "chamber/" + name + "/pressure";

@@ -5,11 +5,11 @@
 #include <string>
 
 #include "backend/workbench_backend.hpp"
-#include "experiment/new_trial.hpp"
 #include "support/experiment_folder.hpp"
 #include "support/folder.hpp"
 #include "ui/driver.hpp"
 #include "workbench/arm.hpp"
+#include "workbench/example_copy.hpp"
 
 // Optimise changes the body: ticks in the window, a result that is one edit.
 
@@ -106,13 +106,11 @@ TEST(DesignInWindow, PaintIsFoundAndUndone) {
     EXPECT_EQ(driver.state().settings.muscles[0].paint, painted.muscles[0].paint);
 }
 
-/// What is not ticked is not sought: the tick stands in the declaration, so that project, folder and undo have it.
+/// A signal without its tick is not sought; ticks stand in the declaration, so that project, folder and undo have them.
 TEST(DesignInWindow, ATendonWithoutItsTickKeepsItsTension) {
     const test::Folder folder("kept_tendon");
-    ASSERT_TRUE(experiment::copy_experiment(std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/tendon_tentacle",
-                                            folder.path() / "tentacle"));
     Driver driver(backend::make_core_backend(), 1280, 1400);
-    driver.window->open(folder.path() / "tentacle");
+    driver.window->open(test::example_copy(folder, "tendon_tentacle"));
     ASSERT_TRUE(driver.wait_for_job(60)) << driver.state().log.back().text;
     driver.workbench->execute(ui::commands::ChooseTrial{2});
     ui::commands::OptimizeRequest request = driver.state().optimize;
@@ -144,10 +142,8 @@ TEST(DesignInWindow, ATendonWithoutItsTickKeepsItsTension) {
 /// A body with a chamber and no muscle: the pressure that is found stands in the trial as a curve.
 TEST(DesignInWindow, APressureIsFoundWithoutAnyMuscle) {
     const test::Folder folder("pressure_in_window");
-    ASSERT_TRUE(experiment::copy_experiment(std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/pneumatic_finger",
-                                            folder.path() / "finger"));
     Driver driver(backend::make_core_backend(), 1280, 1400);
-    driver.window->open(folder.path() / "finger");
+    driver.window->open(test::example_copy(folder, "pneumatic_finger"));
     ASSERT_TRUE(driver.wait_for_job(60)) << driver.state().log.back().text;
     ui::commands::OptimizeRequest request = driver.state().optimize;
     request.max_evaluations = 3;

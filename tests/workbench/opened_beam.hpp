@@ -7,9 +7,9 @@
 
 #include "backend/workbench_backend.hpp"
 #include "base/files.hpp"
-#include "experiment/new_trial.hpp"
 #include "support/folder.hpp"
 #include "ui/driver.hpp"
+#include "workbench/example_copy.hpp"
 
 namespace myo::test {
 
@@ -20,9 +20,7 @@ struct OpenedBeam {
     std::filesystem::path copy;
 
     explicit OpenedBeam(const std::string& name)
-        : folder(name), driver(backend::make_core_backend(), 1280, 1400), copy(folder.path() / "beam") {
-        EXPECT_TRUE(
-            experiment::copy_experiment(std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/silicone_beam", copy));
+        : folder(name), driver(backend::make_core_backend(), 1280, 1400), copy(example_copy(folder, "silicone_beam")) {
         driver.window->open(copy);
         EXPECT_TRUE(driver.wait_for_job(60));
         ui::commands::Settings coarse = driver.state().settings;

@@ -4,11 +4,11 @@
 #include <set>
 
 #include "backend/workbench_backend.hpp"
-#include "experiment/new_trial.hpp"
 #include "panels/layout.hpp"
 #include "support/folder.hpp"
 #include "ui/drawn_text.hpp"
 #include "ui/driver.hpp"
+#include "workbench/example_copy.hpp"
 
 // Every panel and dialog, in windows of several sizes: no text is cut off or lies over another one, and nothing
 // reaches beyond its part of the window.
@@ -148,9 +148,7 @@ TEST_F(PanelLayout, OfATentacleWithTendons) {
 /// Everything that can be added with one click is added; what was added is open.
 TEST_F(PanelLayout, OfWhatIsAdded) {
     const test::Folder folder("panel_layout");
-    ASSERT_TRUE(experiment::copy_experiment(std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/silicone_beam",
-                                            folder.path() / "beam"));
-    ASSERT_NO_FATAL_FAILURE(open(folder.path() / "beam"));
+    ASSERT_NO_FATAL_FAILURE(open(test::example_copy(folder, "silicone_beam")));
     for (const auto& [panel, item] :
          std::vector<std::pair<std::string, std::string>>{{"obstacle", "obstacle/add_plane"},
                                                           {"obstacle", "obstacle/add_sphere"},

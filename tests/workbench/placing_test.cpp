@@ -3,11 +3,11 @@
 
 #include "backend/workbench_backend.hpp"
 #include "base/files.hpp"
-#include "experiment/new_trial.hpp"
 #include "mesh/surface_mesh.hpp"
 #include "mesh/vtk_writer.hpp"
 #include "support/folder.hpp"
 #include "ui/driver.hpp"
+#include "workbench/example_copy.hpp"
 
 // Places of the declaration are set by clicks on the body: markers and probes, the support, loads, tendons, chambers.
 
@@ -32,11 +32,7 @@ struct PlacingWindow {
         ASSERT_TRUE(driver.wait_for_job(60));
         ASSERT_TRUE(driver.state().body) << driver.state().log.back().text;
     }
-    void open_example(const std::string& name) {
-        ASSERT_TRUE(experiment::copy_experiment(std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/" + name,
-                                                folder.path() / name));
-        open(folder.path() / name);
-    }
+    void open_example(const std::string& name) { open(test::example_copy(folder, name)); }
     void open_bar() {
         ASSERT_TRUE(mesh::write_stl(folder.path() / "bar.stl",
                                     mesh::box_surface(Box{{0.0, 0.0, 0.0}, {0.08, 0.02, 0.02}}), 1.0));
@@ -301,20 +297,19 @@ TEST(PlacingInWindow, AChamberIsListedWithItsCavityAndKeptWhereATrialNeedsIt) {
 
 TEST(PlacingInWindow, TheWallOfACavityIsClickedInsideTheCutBody) {
     PlacingWindow window("placing_cavity");
-    ASSERT_TRUE(experiment::copy_experiment(std::string(MYOLOOP_SOURCE_DIR) + "/assets/examples/pneumatic_finger",
-                                            window.folder.path() / "finger"));
+    const std::filesystem::path finger = test::example_copy(window.folder, "pneumatic_finger");
     // The finger as it comes from a drawing program: a body and its support, without a chamber.
-    const std::string text = *read_file(window.folder.path() / "finger" / "experiment.toml");
+    const std::string text = *read_file(finger / "experiment.toml");
     const auto table = [&](const std::string& header) {
         const std::size_t from = text.find(header), to = text.find("\n[", from + 1);
         return text.substr(from, to - from) + "\n";
     };
-    ASSERT_TRUE(write_file(window.folder.path() / "finger" / "experiment.toml",
+    ASSERT_TRUE(write_file(finger / "experiment.toml",
                            "schema = \"experiment/1\"\nname = \"finger\"\n" + table("[geometry]") + table("[clamp]") +
                                table("[material]") +
                                "[[trial]]\nname = \"blown\"\nrole = \"simulate\"\nduration_s = 0.3\n"
                                "start = \"straight\"\n"));
-    ASSERT_NO_FATAL_FAILURE(window.open(window.folder.path() / "finger"));
+    ASSERT_NO_FATAL_FAILURE(window.open(finger));
     Driver& driver = window.driver;
     ASSERT_EQ(window.scene().declared.cavities.size(), 1u);
     EXPECT_TRUE(window.scene().declared.cavities[0].chamber.empty());
