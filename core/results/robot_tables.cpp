@@ -61,7 +61,7 @@ report::Table tendon_table(const setup::Setup& setup) {
     for (std::size_t t = 0; t < setup.tendons.size(); ++t) {
         const setup::Tendon& tendon = setup.tendons[t];
         table.rows.push_back({setup.experiment.tendons[t].name, 1e3 * rest_length_m(tendon),
-                              setup::declared_guides(tendon, false), setup::declared_guides(tendon, true),
+                              setup.experiment.tendons[t].path_m.cols(), setup::moving_guides(tendon),
                               std::string(setup.experiment.tendons[t].channel ? "in a channel" : "straight"),
                               tendon.route.friction,
                               std::string(tendon.by_shortening ? "shortening " : "tension ") +
@@ -158,8 +158,8 @@ report::Json robot_json(const setup::Setup& setup) {
         json["tendons"].push_back({{"name", setup.experiment.tendons[t].name},
                                    {"drive", tendon.by_shortening ? "shortening" : "tension"},
                                    {"rest_length_m", report::json_number(rest_length_m(tendon))},
-                                   {"guides", setup::declared_guides(tendon, false)},
-                                   {"guides_on_body", setup::declared_guides(tendon, true)},
+                                   {"guides", setup.experiment.tendons[t].path_m.cols()},
+                                   {"guides_on_body", setup::moving_guides(tendon)},
                                    {"channel", setup.experiment.tendons[t].channel},
                                    {"friction", tendon.route.friction},
                                    {range, range_json(setup.command_ranges[setup.chambers.size() + t])}});

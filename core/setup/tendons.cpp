@@ -47,7 +47,7 @@ std::vector<Tendon> find_tendons(const experiment::Experiment& experiment, const
         tendon.by_shortening = declared.drive == experiment::TendonDrive::shortening;
         for (const PathPoint& point : path_points(declared, spacing_m)) {
             const bool moves = experiment::guide_moves(experiment, body, point.place);
-            // Off the body and in the clamp box a thread in a channel is as straight as any other.
+            // A channel holds a thread in the material that moves: not off the body, not in the clamp box.
             if (!moves && !point.declared) continue;
             model::TendonGuide& placed = tendon.route.guides.emplace_back();
             placed.rest_m = point_on_mesh(mesh, point.place);
@@ -73,10 +73,10 @@ std::vector<Tendon> find_tendons(const experiment::Experiment& experiment, const
     return tendons;
 }
 
-std::size_t declared_guides(const Tendon& tendon, bool moving) {
+std::size_t moving_guides(const Tendon& tendon) {
     std::size_t count = 0;
     for (std::size_t g = 0; g < tendon.declared.size(); ++g)
-        if (tendon.declared[g] && (!moving || tendon.route.guides[g].on_body)) ++count;
+        if (tendon.declared[g] && tendon.route.guides[g].on_body) ++count;
     return count;
 }
 

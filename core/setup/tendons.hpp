@@ -37,8 +37,8 @@ inline constexpr TendonPolicy tendon_policy;
 std::vector<Tendon> find_tendons(const experiment::Experiment& experiment, const mesh::SurfaceMesh& surface,
                                  const BodyMesh& mesh);
 
-/// Number of guides that the experiment declares; with `moving` of those alone that move with the body.
-std::size_t declared_guides(const Tendon& tendon, bool moving);
+/// Number of declared guides that move with the body; the others stand still.
+std::size_t moving_guides(const Tendon& tendon);
 
 /// Couplings of all tendons, for model::make_body().
 std::vector<std::vector<int>> couplings(const std::vector<Tendon>& tendons);

@@ -63,6 +63,10 @@ Rise energy_rise(const model::Model& model, const Trace& trace, double from_s) {
         total.push_back(energy(model, mass, trace.positions[n], trace.velocities[n], trace.times_s[n]).total_J());
         EXPECT_TRUE(std::isfinite(total.back())) << n;
     }
+    if (total.empty()) {
+        ADD_FAILURE() << "no state from " << from_s << " s on";
+        return {};
+    }
     Rise rise;
     double least = total.front();
     for (const double now : total) {

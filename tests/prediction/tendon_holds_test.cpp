@@ -62,13 +62,12 @@ TEST(Holds, AThreadInAChannelBendsTheBodyAsCloseGuidesDo) {
             e.trials[0].constant_commands = {{"upper", drive == experiment::TendonDrive::tension ? 6.0 : 0.008}};
         });
         if (path == Path::channel) {
-            EXPECT_EQ(setup::declared_guides(setup.tendons[0], false), 2u);
-            EXPECT_EQ(setup::declared_guides(setup.tendons[0], true), 1u);
+            EXPECT_EQ(setup::moving_guides(setup.tendons[0]), 1u);
             EXPECT_GT(setup.tendons[0].route.guides.size(), 6u);
         }
         const TrialPrediction held = predict_trial(setup, 0, declared_values(setup));
         EXPECT_TRUE(held.ok()) << held.message;
-        return Eigen::Vector3d(held.positions_m[0].col(0) - setup.trials[0].model.body->mesh.nodes.rowwise().mean());
+        return Eigen::Vector3d(held.positions_m[0].col(0));
     };
     for (const auto drive : {experiment::TendonDrive::tension, experiment::TendonDrive::shortening}) {
         const Eigen::Vector3d channel = tip(Path::channel, drive), close = tip(Path::close_guides, drive),

@@ -165,7 +165,11 @@ void add_muscles(const std::vector<const Settings*>& of, Rows& rows) {
             "stiffness", [](const Muscle& m) { return plot::plain_label(1e-3 * m.stiffness_Pa, 6) + " kPa"; },
             [](const Muscle& a, const Muscle& b) { return a.stiffness_Pa == b.stiffness_Pa; });
         add(
-            "sought", [](const Muscle& m) { return std::string(m.sought ? "yes" : "no"); },
+            "sought",
+            [](const Muscle& m) {
+                // The declaration of a declared muscle says whether its signal is sought.
+                return std::string(!m.declared.empty() ? "as declared" : m.sought ? "yes" : "no");
+            },
             [](const Muscle& a, const Muscle& b) { return a.sought == b.sought; });
         add("signal", signal_text, [](const Muscle& a, const Muscle& b) {
             return a.follows == b.follows && (a.follows.empty() ? a.signal == b.signal : a.ratio == b.ratio);
