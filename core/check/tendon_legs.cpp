@@ -6,6 +6,8 @@
 #include "check/checks.hpp"
 #include "fem/material_point.hpp"
 #include "mesh/volume_mesh.hpp"
+#include "model/tendon.hpp"
+#include "prediction/prediction.hpp"
 
 namespace myo::check {
 namespace {
@@ -66,10 +68,9 @@ Vector3d centroid_of_slice(const Cells& cells, const Vector3d& middle, const Vec
 
 /// Legs of a tendon with both guides on the body and a lever arm: those outside run in space, without material to
 /// leave.
-std::vector<Leg> legs_on_body(const setup::Tendon& tendon, const mesh::VolumeMesh& mesh,
+std::vector<Leg> legs_on_body(const std::vector<model::TendonGuide>& guides, const mesh::VolumeMesh& mesh,
                               const mesh::BoundaryLocator& boundary, const Cells& cells) {
     std::vector<Leg> legs;
-    const std::vector<model::TendonGuide>& guides = tendon.route.guides;
     for (std::size_t g = 0; g + 1 < guides.size(); ++g) {
         // Between the body and a fixed guide the thread runs free, as it is simulated.
         if (!guides[g].on_body || !guides[g + 1].on_body) continue;
@@ -120,7 +121,10 @@ Worst worst_leg(const CheckedJob& job, const std::vector<Leg>& legs) {
 }
 
 /// Finding for one tendon from its leg that changes most.
-Finding finding_of(const CheckedJob& job, const experiment::TendonDeclaration& tendon, const Worst& worst) {
+///
+/// @param in_channel  its points between the guides are those of a channel
+Finding finding_of(const CheckedJob& job, const experiment::TendonDeclaration& tendon, bool in_channel,
+                   const Worst& worst) {
     Finding finding = passed_finding(tendon.name,
                                      "tendon " + tendon.name + ": straight between its guides, it keeps its lever arm");
     finding.figure = worst.changed;
@@ -133,7 +137,7 @@ Finding finding_of(const CheckedJob& job, const experiment::TendonDeclaration& t
                                  " mm off the material of the bent body in trial " +
                                  job.setup.trials[worst.trial].name + ", which changes its lever arm by " +
                                  format_number(100.0 * worst.changed, 2) + " %";
-    if (tendon.channel) {
+    if (in_channel) {
         finding.sentence = "tendon " + tendon.name + ": between two points that hold it in its channel, " + straight;
         finding.way_out = "these points follow the cells: a finer mesh holds it more closely";
         return finding;
@@ -142,8 +146,8 @@ Finding finding_of(const CheckedJob& job, const experiment::TendonDeclaration& t
                        std::to_string(guide + 1) + ", " + straight +
                        ": on the inner side of a bend it grows, the body bends more, and may buckle between guides";
     finding.way_out =
-        "if the thread runs in a channel of the body, say channel = true in its table; if it runs free, nothing is "
-        "wrong";
+        "if the thread runs in a channel of the body, say channel = true in its table, or let diagnose try it; if it "
+        "runs free, nothing is wrong";
     return finding;
 }
 
@@ -155,10 +159,15 @@ std::vector<Finding> check_tendon_legs(const CheckedJob& job) {
     const mesh::VolumeMesh& mesh = job.setup.mesh.mesh;
     const mesh::BoundaryLocator boundary(mesh);
     const Cells cells = cells_at_rest(mesh);
+    // A declared effect may lead the threads elsewhere.
+    const model::Model model = prediction::affected_trial(job.setup, 0, job.run->values).model;
     for (std::size_t i = 0; i < job.setup.tendons.size(); ++i) {
-        const std::vector<Leg> legs = legs_on_body(job.setup.tendons[i], mesh, boundary, cells);
+        const experiment::TendonDeclaration& tendon = job.setup.experiment.tendons[i];
+        const model::TendonRoute& route = *model::tendon_route(*model.force_elements[job.setup.chambers.size() + i]);
+        const std::vector<Leg> legs = legs_on_body(route.guides, mesh, boundary, cells);
         if (legs.empty()) continue;
-        findings.push_back(finding_of(job, job.setup.experiment.tendons[i], worst_leg(job, legs)));
+        const bool in_channel = tendon.channel || route.guides.size() > job.setup.tendons[i].route.guides.size();
+        findings.push_back(finding_of(job, tendon, in_channel, worst_leg(job, legs)));
     }
     return findings;
 }

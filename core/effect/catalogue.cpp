@@ -22,6 +22,7 @@ namespace myo::effect {
     entry(hung_mass) \
     entry(gravity_tilt) \
     entry(tendon_friction) \
+    entry(tendon_channel) \
     entry(base_vibration) \
     entry(clamp_compliance) \
     entry(clamp_slip) \

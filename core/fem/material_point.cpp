@@ -64,4 +64,6 @@ MaterialPoint material_point(const mesh::VolumeMesh& mesh, const mesh::BoundaryL
     return point;
 }
 
+bool contains(const mesh::VolumeMesh& mesh, const Vector3d& point_m) { return containing_cell(mesh, point_m) >= 0; }
+
 }  // namespace myo::fem

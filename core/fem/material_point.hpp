@@ -25,4 +25,7 @@ struct MaterialPoint {
 MaterialPoint material_point(const mesh::VolumeMesh& mesh, const mesh::BoundaryLocator& boundary,
                              const Eigen::Vector3d& rest_m);
 
+/// Whether a cell contains the point [m]; points on the boundary count.
+bool contains(const mesh::VolumeMesh& mesh, const Eigen::Vector3d& point_m);
+
 }  // namespace myo::fem

@@ -6,6 +6,7 @@
 
 #include "base/text.hpp"
 #include "model/command.hpp"
+#include "model/one_sided.hpp"
 #include "model/taking_in.hpp"
 #include "model/tendon_path.hpp"
 
@@ -18,17 +19,6 @@ using Eigen::Matrix3Xd;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-/// Positive part of a stretch with a parabola between -d and d.
-struct Tautness {
-    double potential, value, derivative;
-};
-Tautness tautness(double stretch, double d) {
-    if (stretch <= -d) return {0.0, 0.0, 0.0};
-    if (stretch >= d) return {0.5 * stretch * stretch + d * d / 6.0, stretch, 1.0};
-    const double s = stretch + d;
-    return {s * s * s / (12.0 * d), s * s / (4.0 * d), s / (2.0 * d)};
-}
 
 /// Nodes that carry a guide and their weights; a fixed guide has none.
 struct Carrier {
@@ -54,6 +44,12 @@ void merge(const TendonGuide& guide, std::vector<int>& nodes) {
     if (!guide.on_body) return;
     for (const int node : guide.on_body->nodes)
         if (std::find(nodes.begin(), nodes.end(), node) == nodes.end()) nodes.push_back(node);
+}
+
+VectorXd no_shifts(const std::vector<TendonGuide>& guides) {
+    const auto carried = std::count_if(guides.begin(), guides.end(),
+                                       [](const TendonGuide& guide) { return guide.on_body.has_value(); });
+    return VectorXd::Zero(3 * carried);
 }
 
 /// Law of a thread apart from its guides and its command.
@@ -98,7 +94,7 @@ public:
     void add(const Body& body, const ForceState& at, HessianKind kind, InternalEnergy& out) const override {
         const Tensions now = tensions(at);
         if (thread_.stiffness_N_m)
-            out.energy += *thread_.stiffness_N_m * taut(now.path, at).potential;
+            out.energy += *thread_.stiffness_N_m * taut(now.path, at).value;
         else
             out.energy += now.legs.dot(now.path.length - rest_path_.length);
         if (now.motor == 0.0) return;
@@ -194,6 +190,12 @@ public:
         });
     }
 
+    const TendonRoute& route() const { return route_; }
+    bool by_shortening() const { return thread_.stiffness_N_m.has_value(); }
+    ForceElementPointer with_route(TendonRoute route) const {
+        VectorXd still = no_shifts(route.guides);
+        return std::make_shared<Tendon>(std::move(route), command_, thread_, std::move(still));
+    }
     ForceElementPointer with_added_friction(double added) const {
         TendonRoute route = route_;
         route.friction += added;
@@ -262,8 +264,10 @@ private:
         }
     }
 
-    Tautness taut(const TendonPath& path, const ForceState& at) const {
-        return tautness(path.total - rest_path_.total + command_value(command_, at), thread_.slack_m);
+    /// Smoothed positive part of the stretch, zero up to -slack_m.
+    OneSided taut(const TendonPath& path, const ForceState& at) const {
+        const double stretch = path.total - rest_path_.total + command_value(command_, at);
+        return one_sided(stretch + thread_.slack_m, 2.0 * thread_.slack_m);
     }
 
     Tensions tensions(const ForceState& at) const {
@@ -274,7 +278,7 @@ private:
         now.friction = route_.friction * sense_.at(at.time_s, at.before_jump);
         now.factors = capstan_factors(now.path, now.friction);
         now.mean_factor = now.factors.dot(rest_path_.length) / rest_path_.total;
-        now.motor = thread_.stiffness_N_m ? *thread_.stiffness_N_m * taut(now.path, at).value / now.mean_factor
+        now.motor = thread_.stiffness_N_m ? *thread_.stiffness_N_m * taut(now.path, at).slope / now.mean_factor
                                           : std::max(0.0, command_value(command_, at));
         now.legs = now.motor * now.factors;
         return now;
@@ -282,7 +286,7 @@ private:
 
     /// Derivative of the motor's tension by the length of the path [N/m].
     double along(const Tensions& now, const ForceState& at) const {
-        return thread_.stiffness_N_m ? *thread_.stiffness_N_m * taut(now.path, at).derivative / now.mean_factor : 0.0;
+        return thread_.stiffness_N_m ? *thread_.stiffness_N_m * taut(now.path, at).second / now.mean_factor : 0.0;
     }
 
     /// Derivatives of the legs' tensions.
@@ -297,7 +301,7 @@ private:
                                    now.mean_factor * d_total) /
                                   rest_path_.total;
             d_motor = along(now, at) * (d.command + lengthening(now.path, d.dp).sum() - d_total) +
-                      (d.stiffness * taut(now.path, at).value - now.motor * d_mean) / now.mean_factor;
+                      (d.stiffness * taut(now.path, at).slope - now.motor * d_mean) / now.mean_factor;
         }
         return d_motor * now.factors + now.motor * d_factors;
     }
@@ -344,10 +348,10 @@ private:
     std::vector<Group> groups_;
 };
 
-VectorXd no_shifts(const std::vector<TendonGuide>& guides) {
-    const auto carried = std::count_if(guides.begin(), guides.end(),
-                                       [](const TendonGuide& guide) { return guide.on_body.has_value(); });
-    return VectorXd::Zero(3 * carried);
+const Tendon& as_tendon(const ForceElement& element) {
+    const auto* const tendon = dynamic_cast<const Tendon*>(&element);
+    assert(tendon);
+    return *tendon;
 }
 
 }  // namespace
@@ -372,11 +376,18 @@ ForceElementPointer tendon_of_shortening(const TendonRoute& route, const fibre::
     return std::make_shared<Tendon>(route, shortening_m, Thread{stiffness_N_m, slack_m}, no_shifts(route.guides));
 }
 
-TendonState tendon_state(const ForceElement& tendon, const ForceState& at) {
-    const auto* const element = dynamic_cast<const Tendon*>(&tendon);
-    assert(element);
-    return element->state(at);
+TendonState tendon_state(const ForceElement& tendon, const ForceState& at) { return as_tendon(tendon).state(at); }
+
+const TendonRoute* tendon_route(const ForceElement& element) {
+    const auto* const tendon = dynamic_cast<const Tendon*>(&element);
+    return tendon ? &tendon->route() : nullptr;
 }
+
+ForceElementPointer with_route(const ForceElement& tendon, TendonRoute route) {
+    return as_tendon(tendon).with_route(std::move(route));
+}
+
+bool is_driven_by_shortening(const ForceElement& tendon) { return as_tendon(tendon).by_shortening(); }
 
 ForceElementPointer with_added_friction(const ForceElement& element, double added) {
     const auto* const tendon = dynamic_cast<const Tendon*>(&element);

@@ -58,6 +58,13 @@ struct TendonState {
 /// State of a tendon at node positions x; asserts that the element is a tendon.
 TendonState tendon_state(const ForceElement& tendon, const ForceState& at);
 
+/// Route of a tendon; null if the element is none.
+const TendonRoute* tendon_route(const ForceElement& element);
+/// Copy of a tendon on another route, with its command and its law; asserts that the element is a tendon.
+ForceElementPointer with_route(const ForceElement& tendon, TendonRoute route);
+/// Whether a tendon has a prescribed shortening; asserts that the element is a tendon.
+bool is_driven_by_shortening(const ForceElement& tendon);
+
 /// Copy of a tendon with `added` to its capstan coefficient; null if the element is no tendon.
 ForceElementPointer with_added_friction(const ForceElement& element, double added);
 

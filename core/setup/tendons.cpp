@@ -1,11 +1,11 @@
 #include "setup/tendons.hpp"
 
-#include <cmath>
 #include <utility>
 
 #include "experiment/body_queries.hpp"
 #include "experiment/check_robot_parts.hpp"
 #include "mesh/quality.hpp"
+#include "model/tendon_channel.hpp"
 
 namespace myo::setup {
 namespace {
@@ -16,14 +16,14 @@ struct PathPoint {
     bool declared = true;
 };
 
-/// Guides of a tendon, and points at most `spacing_m` apart between those of a thread in a channel.
-std::vector<PathPoint> path_points(const experiment::TendonDeclaration& tendon, double spacing_m) {
+/// Guides of a tendon, and the points between those of a thread in a channel.
+std::vector<PathPoint> path_points(const experiment::TendonDeclaration& tendon, const mesh::VolumeMesh& mesh) {
     std::vector<PathPoint> points;
     for (Eigen::Index g = 0; g < tendon.path_m.cols(); ++g) {
         const Eigen::Vector3d guide = tendon.path_m.col(g);
         if (g > 0 && tendon.channel) {
             const Eigen::Vector3d last = tendon.path_m.col(g - 1);
-            const int legs = static_cast<int>(std::ceil((guide - last).norm() / spacing_m));
+            const int legs = model::channel_legs(mesh, (guide - last).norm());
             for (int i = 1; i < legs; ++i) points.push_back({last + (guide - last) * i / legs, false});
         }
         points.push_back({guide, true});
@@ -39,13 +39,12 @@ std::vector<Tendon> find_tendons(const experiment::Experiment& experiment, const
     if (experiment.tendons.empty()) return tendons;
     const experiment::BodyQueries body(surface);
     const mesh::BoundaryLocator boundary(mesh.mesh);
-    const double spacing_m = tendon_policy.channel_spacing * mesh::mean_edge_length(mesh.mesh);
     std::size_t coupling = 0;
     for (const experiment::TendonDeclaration& declared : experiment.tendons) {
         Tendon tendon;
         tendon.route = {{}, coupling, declared.friction, "tendon " + declared.name};
         tendon.by_shortening = declared.drive == experiment::TendonDrive::shortening;
-        for (const PathPoint& point : path_points(declared, spacing_m)) {
+        for (const PathPoint& point : path_points(declared, mesh.mesh)) {
             const bool moves = experiment::guide_moves(experiment, body, point.place);
             // A channel holds a thread in the material that moves: not off the body, not in the clamp box.
             if (!moves && !point.declared) continue;

@@ -25,9 +25,6 @@ struct TendonPolicy {
     double rigid_stiffness = 1000.0;
     /// Strain of the body along the thread whose tension is smoothed around its onset.
     double smoothed_strain = 1e-4;
-    /// Distance of the points at which a thread in a channel is bound, over the mean edge of the cells: a quadratic
-    /// cell that bends is followed to a quarter of what one straight leg would leave.
-    double channel_spacing = 0.5;
 };
 inline constexpr TendonPolicy tendon_policy;
 

@@ -29,6 +29,7 @@ TEST(CheckTendonLegs, SeesStraightLegsLeaveTheMaterialOfABentBody) {
     const double leg_m = 0.035, lever_m = 0.013;  // of the last leg, the longest
     for (const double curvature_1_m : {8.0, 20.0}) {
         prediction::SetupRun run;
+        run.values = prediction::declared_values(setup);
         run.predictions.resize(setup.trials.size());
         run.predictions[0].trace.positions = {setup.mesh.mesh.nodes, bent(setup.mesh.mesh.nodes, curvature_1_m)};
         const std::vector<Finding> findings = check_tendon_legs({setup, &run});
@@ -55,6 +56,7 @@ TEST(CheckTendonLegs, PassesAThreadInAChannel) {
         // A channel whose points are as far apart as the guides is told in its own words.
         setup.experiment.tendons[0].channel = true;
         prediction::SetupRun run;
+        run.values = prediction::declared_values(setup);
         run.predictions.resize(setup.trials.size());
         run.predictions[0].trace.positions = {bent(setup.mesh.mesh.nodes, 20.0)};
         const std::vector<Finding> findings = check_tendon_legs({setup, &run});
@@ -62,6 +64,23 @@ TEST(CheckTendonLegs, PassesAThreadInAChannel) {
         EXPECT_EQ(findings[0].level, bound ? CheckLevel::passed : CheckLevel::doubtful) << findings[0].figure;
         if (!bound) EXPECT_THAT(findings[0].way_out, testing::HasSubstr("finer mesh"));
     }
+}
+
+/// A declared effect that leads the threads through channels counts as one.
+TEST(CheckTendonLegs, PassesAThreadThatAnEffectPutsInAChannel) {
+    const test::Folder folder("affected_legs");
+    const setup::Setup setup = test::chambered_beam(folder, 0.1, [&](experiment::Experiment& e) {
+        e.chambers.clear();
+        e.tendons = {test::upper_tendon()};
+        e.effects = {{"tendon_channel", {{"share", 1.0}}}};
+    });
+    prediction::SetupRun run;
+    run.values = prediction::declared_values(setup);
+    run.predictions.resize(setup.trials.size());
+    run.predictions[0].trace.positions = {bent(setup.mesh.mesh.nodes, 20.0)};
+    const std::vector<Finding> findings = check_tendon_legs({setup, &run});
+    ASSERT_EQ(findings.size(), 1u);
+    EXPECT_EQ(findings[0].level, CheckLevel::passed) << findings[0].figure;
 }
 
 }  // namespace

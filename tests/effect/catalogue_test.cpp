@@ -53,10 +53,10 @@ const std::set<std::string> seen_alone{"clock_offset", "frame_rate_error", "scal
                                        "marker_swap",  "marker_offset",    "marker_slip"};
 
 /// What a body without tendons does not show; tested with one in tests/prediction.
-const std::set<std::string> of_tendons{"tendon_friction"};
+const std::set<std::string> of_tendons{"tendon_friction", "tendon_channel"};
 
 TEST(EffectCatalogue, NamesAreUniqueAndEntriesComplete) {
-    EXPECT_EQ(effect_catalogue().size(), 33u);
+    EXPECT_EQ(effect_catalogue().size(), 34u);
     for (const Effect& effect : effect_catalogue()) {
         EXPECT_EQ(find_effect(effect.id), &effect);
         EXPECT_FALSE(effect.parameters.empty()) << effect.id;

@@ -48,6 +48,7 @@ TEST(PowerMap, NeedsNoRecording) {
     }
     EXPECT_THAT(power_of(map, "actuation_lag").unseen, HasSubstr("muscle, chamber or tendon"));
     EXPECT_THAT(power_of(map, "tendon_friction").unseen, HasSubstr("tendon"));
+    EXPECT_THAT(power_of(map, "tendon_channel").unseen, HasSubstr("tendon"));
     EXPECT_EQ(power_of(map, "quadratic_drag").unseen, "");
     EXPECT_THAT(power_lines(map), HasSubstr("not to be seen in this experiment:"));
     EXPECT_EQ(power_json(map, "beam", {}).at("effects").size(), map.effects.size());

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
+#include <optional>
 
 #include "mesh/surface_mesh.hpp"
 #include "prediction/parameter_tangent.hpp"
@@ -50,7 +52,8 @@ TEST(MarkerOffset, MovesTheMarkerOnTheBody) {
 }
 
 setup::Setup tendon_beam(const test::Folder& folder, double friction,
-                         const std::vector<effect::EffectDeclaration>& effects) {
+                         const std::vector<effect::EffectDeclaration>& effects,
+                         const std::function<void(Experiment&)>& change = {}) {
     return test::chambered_beam(folder, 0.1, [&](Experiment& e) {
         e.chambers.clear();
         e.effects = effects;
@@ -60,6 +63,7 @@ setup::Setup tendon_beam(const test::Folder& folder, double friction,
         e.trials[0].hold = true;
         e.trials[0].start = experiment::StartState::equilibrium;
         e.trials[0].constant_commands = {{"upper", 4.0}};
+        if (change) change(e);
     });
 }
 
@@ -78,6 +82,30 @@ TEST(TendonFriction, AddsToWhatIsDeclared) {
     EXPECT_LT((added - declared_tip).norm(), 1e-9);
     EXPECT_LT((named - declared_tip).norm(), 1e-9);
     EXPECT_GT((tip(tendon_beam(folder, 0.1, {})) - declared_tip).norm(), 1e-5) << "it matters";
+}
+
+/// A whole share is a declared channel; none leaves the declared thread; in between the pose is in between.
+TEST(TendonChannel, IsTheDeclaredChannelAtAWholeShare) {
+    const test::Folder folder("tendon_channel");
+    const auto tip = [&](const std::optional<double>& share, bool channel) {
+        std::vector<effect::EffectDeclaration> effects;
+        if (share) effects.push_back(declared("tendon_channel", {{"share", *share}}));
+        const setup::Setup setup = tendon_beam(folder, 0.0, effects, [&](Experiment& e) {
+            e.tendons[0].path_m = Eigen::Matrix3Xd(e.tendons[0].path_m(Eigen::all, {0, 3}));  // one leg
+            e.tendons[0].channel = channel;
+        });
+        const TrialPrediction prediction = predict_trial(setup, 0, declared_values(setup));
+        EXPECT_TRUE(prediction.ok()) << prediction.message;
+        return Eigen::Vector3d(prediction.positions_m[0].col(0));
+    };
+    const Eigen::Vector3d straight = tip({}, false), channel = tip({}, true);
+    const double apart = (straight - channel).norm();
+    EXPECT_GT(apart, 1e-4) << "it matters";
+    EXPECT_LT((tip(0.0, false) - straight).norm(), 1e-9);
+    EXPECT_LT((tip(1.0, false) - channel).norm(), 0.02 * apart);
+    const double half = (tip(0.5, false) - straight).norm();
+    EXPECT_GT(half, 0.3 * apart);
+    EXPECT_LT(half, 0.7 * apart);
 }
 
 /// Beyond the body the nearest point of its surface stays where it is, so that a fit would wander there.
