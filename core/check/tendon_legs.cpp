@@ -146,8 +146,8 @@ Finding finding_of(const CheckedJob& job, const experiment::TendonDeclaration& t
                        std::to_string(guide + 1) + ", " + straight +
                        ": on the inner side of a bend it grows, the body bends more, and may buckle between guides";
     finding.way_out =
-        "if the thread runs in a channel of the body, say channel = true in its table, or let diagnose try it; if it "
-        "runs free, nothing is wrong";
+        "if the thread runs in a channel of the body, say channel = true in its table, or, for a wide or soft channel, "
+        "declare the effect of channels; if it runs free, nothing is wrong";
     return finding;
 }
 
