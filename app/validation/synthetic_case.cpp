@@ -54,8 +54,9 @@ bool may_be_held_deep(BodyFamily family) { return family != BodyFamily::tail; }
 /// Whether a body of the family can have what an effect needs.
 bool fits(BodyFamily family, const effect::EffectNeeds& needs) {
     const bool threaded = family == BodyFamily::threaded;
-    // The trials of a thread have no other loads.
-    return (!needs.tendon || threaded) && (!needs.hung_weight || !threaded) &&
+    // The trials of a thread have no other loads. No body is bent far between two guides: between them a straight
+    // thread and one in a channel are the same within the noise.
+    return !needs.far_guides && (!needs.tendon || threaded) && (!needs.hung_weight || !threaded) &&
            (!needs.muscles || may_have_muscles(family)) && (!needs.deep_clamp || may_be_held_deep(family));
 }
 
@@ -290,7 +291,8 @@ Result<void> check_choice(const CaseChoice& choice) {
         if (effect::find_effect(id) == nullptr) return Error{"no effect '" + id + "' is known", "--effects"};
         if (!can_show(choice, id))
             return Error{
-                id + (effect_draw(id).needs.tendon        ? " needs a tendon, which only threaded has"
+                id + (effect_draw(id).needs.far_guides    ? " needs a body that a thread bends far, which none is"
+                      : effect_draw(id).needs.tendon      ? " needs a tendon, which only threaded has"
                       : effect_draw(id).needs.hung_weight ? " needs a hung weight, which threaded has not"
                       : effect_draw(id).needs.muscles     ? " needs muscles, which only beam and tail have"
                                                       : " needs a clamp over a part of the length, which tail has not"),

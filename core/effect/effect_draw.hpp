@@ -18,6 +18,7 @@ namespace myo::effect {
 struct EffectNeeds {
     bool muscles = false;
     bool tendon = false;       // pulled tight around its guides
+    bool far_guides = false;   // of that tendon, in a body that it bends far
     bool deep_clamp = false;   // otherwise clamped at the face
     bool hung_weight = false;  // a permanent force
     bool known_damping = false;

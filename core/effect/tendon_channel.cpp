@@ -56,7 +56,7 @@ Effect tendon_channel() {
             .parameters = {fitted_number(share, 0.0, 1.0, 0.2, true)},
             .apply = apply,
             .probes = probes,
-            .draw = {.needs = {.tendon = true}, .amount = share, .lowest = 0.1, .highest = 1.0}};
+            .draw = {.needs = {.tendon = true, .far_guides = true}, .amount = share, .lowest = 0.1, .highest = 1.0}};
 }
 
 }  // namespace myo::effect
