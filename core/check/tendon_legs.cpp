@@ -155,7 +155,7 @@ Finding finding_of(const CheckedJob& job, const experiment::TendonDeclaration& t
 
 std::vector<Finding> check_tendon_legs(const CheckedJob& job) {
     std::vector<Finding> findings;
-    if (job.setup.tendons.empty()) return findings;
+    if (job.setup.tendons.empty() || job.setup.trials.empty()) return findings;
     const mesh::VolumeMesh& mesh = job.setup.mesh.mesh;
     const mesh::BoundaryLocator boundary(mesh);
     const Cells cells = cells_at_rest(mesh);

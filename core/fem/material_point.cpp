@@ -42,13 +42,14 @@ int containing_cell(const mesh::VolumeMesh& mesh, const Vector3d& point) {
 
 }  // namespace
 
-MaterialPoint material_point(const mesh::VolumeMesh& mesh, const mesh::BoundaryLocator& boundary,
-                             const Vector3d& rest_m) {
+std::optional<MaterialPoint> material_point_within(const mesh::VolumeMesh& mesh, const mesh::BoundaryLocator& boundary,
+                                                   const Vector3d& rest_m, double distance_m) {
     MaterialPoint point;
     Vector3d on_mesh = rest_m;
     point.cell = containing_cell(mesh, rest_m);
     if (point.cell < 0) {
         const mesh::BoundaryPoint nearest = mesh::closest_boundary_point(boundary, rest_m);
+        if (nearest.distance > distance_m) return std::nullopt;
         point.cell = nearest.cell;
         on_mesh = nearest.point;
     }
@@ -64,6 +65,9 @@ MaterialPoint material_point(const mesh::VolumeMesh& mesh, const mesh::BoundaryL
     return point;
 }
 
-bool contains(const mesh::VolumeMesh& mesh, const Vector3d& point_m) { return containing_cell(mesh, point_m) >= 0; }
+MaterialPoint material_point(const mesh::VolumeMesh& mesh, const mesh::BoundaryLocator& boundary,
+                             const Vector3d& rest_m) {
+    return *material_point_within(mesh, boundary, rest_m, std::numeric_limits<double>::infinity());
+}
 
 }  // namespace myo::fem

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <vector>
 
 #include "mesh/closest_point.hpp"
@@ -25,7 +26,8 @@ struct MaterialPoint {
 MaterialPoint material_point(const mesh::VolumeMesh& mesh, const mesh::BoundaryLocator& boundary,
                              const Eigen::Vector3d& rest_m);
 
-/// Whether a cell contains the point [m]; points on the boundary count.
-bool contains(const mesh::VolumeMesh& mesh, const Eigen::Vector3d& point_m);
+/// material_point() of a position in the mesh or at most `distance_m` off its boundary; empty farther away.
+std::optional<MaterialPoint> material_point_within(const mesh::VolumeMesh& mesh, const mesh::BoundaryLocator& boundary,
+                                                   const Eigen::Vector3d& rest_m, double distance_m);
 
 }  // namespace myo::fem

@@ -34,44 +34,30 @@ void add(const MaterialPoint& point, double factor, MaterialPoint& sum) {
     }
 }
 
-/// The point of the material at a place at rest [m]; empty off the mesh.
-std::optional<MaterialPoint> in_material(const Eigen::Vector3d& rest_m, const mesh::VolumeMesh& mesh,
-                                         const mesh::BoundaryLocator& boundary) {
-    if (!fem::contains(mesh, rest_m) && mesh::closest_boundary_point(boundary, rest_m).distance >
-                                            tendon_channel_policy.close * mesh::mean_edge_length(mesh))
-        return std::nullopt;
-    return fem::material_point(mesh, boundary, rest_m);
-}
-
-/// The guide as a point of the material; empty if it stands still off the body.
-std::optional<MaterialPoint> carried(const TendonGuide& guide, const mesh::VolumeMesh& mesh,
-                                     const mesh::BoundaryLocator& boundary) {
-    return guide.on_body ? guide.on_body : in_material(guide.rest_m, mesh, boundary);
-}
-
 }  // namespace
 
-int channel_legs(const mesh::VolumeMesh& mesh, double length_m) {
-    return std::max(
-        1, static_cast<int>(std::ceil(length_m / (tendon_channel_policy.spacing * mesh::mean_edge_length(mesh)))));
+int channel_legs(double mean_edge_m, double length_m) {
+    return std::max(1, static_cast<int>(std::ceil(length_m / (tendon_channel_policy.spacing * mean_edge_m))));
 }
 
 TendonRoute in_channel(const TendonRoute& route, const mesh::VolumeMesh& mesh, double share) {
     const mesh::BoundaryLocator boundary(mesh);
-    const double way = std::sqrt(std::max(0.0, share));
+    const double edge_m = mesh::mean_edge_length(mesh), way = std::sqrt(std::max(0.0, share));
+    const auto in_material = [&](const Eigen::Vector3d& rest_m) {
+        return fem::material_point_within(mesh, boundary, rest_m, tendon_channel_policy.close * edge_m);
+    };
     TendonRoute result = route;
     result.guides.clear();
-    for (std::size_t g = 0; g < route.guides.size(); ++g) {
-        const TendonGuide& guide = route.guides[g];
-        if (g > 0) {
-            const TendonGuide& last = route.guides[g - 1];
-            const std::optional<MaterialPoint> from = carried(last, mesh, boundary),
-                                               to = carried(guide, mesh, boundary);
-            const int legs = from && to ? channel_legs(mesh, (guide.rest_m - last.rest_m).norm()) : 1;
+    std::optional<MaterialPoint> from;  // the guide before, as a point of the material
+    for (const TendonGuide& guide : route.guides) {
+        const std::optional<MaterialPoint> to = guide.on_body ? guide.on_body : in_material(guide.rest_m);
+        if (from && to) {
+            const Eigen::Vector3d start_m = result.guides.back().rest_m;
+            const int legs = channel_legs(edge_m, (guide.rest_m - start_m).norm());
             for (int i = 1; i < legs; ++i) {
                 const double s = static_cast<double>(i) / legs;
-                TendonGuide point{MaterialPoint{}, (1.0 - s) * last.rest_m + s * guide.rest_m};
-                const std::optional<MaterialPoint> here = in_material(point.rest_m, mesh, boundary);
+                TendonGuide point{MaterialPoint{}, (1.0 - s) * start_m + s * guide.rest_m};
+                const std::optional<MaterialPoint> here = in_material(point.rest_m);
                 if (!here) continue;  // free, in a cavity
                 point.on_body->cell = here->cell;
                 add(*here, way, *point.on_body);
@@ -81,6 +67,7 @@ TendonRoute in_channel(const TendonRoute& route, const mesh::VolumeMesh& mesh, d
             }
         }
         result.guides.push_back(guide);
+        from = to;
     }
     return result;
 }

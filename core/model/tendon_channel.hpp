@@ -17,7 +17,9 @@ struct TendonChannelPolicy {
 inline constexpr TendonChannelPolicy tendon_channel_policy;
 
 /// Number of legs, >= 1, into which a straight leg of this length at rest [m] is divided for a thread in a channel.
-int channel_legs(const mesh::VolumeMesh& mesh, double length_m);
+///
+/// @param mean_edge_m  of the cells
+int channel_legs(double mean_edge_m, double length_m);
 
 /// Route of a thread that lies between its straight path and a channel of the body.
 ///

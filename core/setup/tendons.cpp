@@ -17,13 +17,13 @@ struct PathPoint {
 };
 
 /// Guides of a tendon, and the points between those of a thread in a channel.
-std::vector<PathPoint> path_points(const experiment::TendonDeclaration& tendon, const mesh::VolumeMesh& mesh) {
+std::vector<PathPoint> path_points(const experiment::TendonDeclaration& tendon, double mean_edge_m) {
     std::vector<PathPoint> points;
     for (Eigen::Index g = 0; g < tendon.path_m.cols(); ++g) {
         const Eigen::Vector3d guide = tendon.path_m.col(g);
         if (g > 0 && tendon.channel) {
             const Eigen::Vector3d last = tendon.path_m.col(g - 1);
-            const int legs = model::channel_legs(mesh, (guide - last).norm());
+            const int legs = model::channel_legs(mean_edge_m, (guide - last).norm());
             for (int i = 1; i < legs; ++i) points.push_back({last + (guide - last) * i / legs, false});
         }
         points.push_back({guide, true});
@@ -39,12 +39,13 @@ std::vector<Tendon> find_tendons(const experiment::Experiment& experiment, const
     if (experiment.tendons.empty()) return tendons;
     const experiment::BodyQueries body(surface);
     const mesh::BoundaryLocator boundary(mesh.mesh);
+    const double mean_edge_m = mesh::mean_edge_length(mesh.mesh);
     std::size_t coupling = 0;
     for (const experiment::TendonDeclaration& declared : experiment.tendons) {
         Tendon tendon;
         tendon.route = {{}, coupling, declared.friction, "tendon " + declared.name};
         tendon.by_shortening = declared.drive == experiment::TendonDrive::shortening;
-        for (const PathPoint& point : path_points(declared, mesh.mesh)) {
+        for (const PathPoint& point : path_points(declared, mean_edge_m)) {
             const bool moves = experiment::guide_moves(experiment, body, point.place);
             // A channel holds a thread in the material that moves: not off the body, not in the clamp box.
             if (!moves && !point.declared) continue;
