@@ -20,6 +20,15 @@ Eigen::Matrix3Xd bent(const Eigen::Matrix3Xd& rest, double curvature_1_m) {
     return x;
 }
 
+/// What the check finds of a run that ends in these node positions.
+std::vector<Finding> findings_at(const setup::Setup& setup, const std::vector<Eigen::Matrix3Xd>& states) {
+    prediction::SetupRun run;
+    run.values = prediction::declared_values(setup);
+    run.predictions.resize(setup.trials.size());
+    run.predictions[0].trace.positions = states;
+    return check_tendon_legs({setup, &run});
+}
+
 TEST(CheckTendonLegs, SeesStraightLegsLeaveTheMaterialOfABentBody) {
     const test::Folder folder("tendon_legs");
     const setup::Setup setup = test::chambered_beam(folder, 0.1, [&](experiment::Experiment& e) {
@@ -28,11 +37,8 @@ TEST(CheckTendonLegs, SeesStraightLegsLeaveTheMaterialOfABentBody) {
     });
     const double leg_m = 0.035, lever_m = 0.013;  // of the last leg, the longest
     for (const double curvature_1_m : {8.0, 20.0}) {
-        prediction::SetupRun run;
-        run.values = prediction::declared_values(setup);
-        run.predictions.resize(setup.trials.size());
-        run.predictions[0].trace.positions = {setup.mesh.mesh.nodes, bent(setup.mesh.mesh.nodes, curvature_1_m)};
-        const std::vector<Finding> findings = check_tendon_legs({setup, &run});
+        const Eigen::Matrix3Xd& rest = setup.mesh.mesh.nodes;
+        const std::vector<Finding> findings = findings_at(setup, {rest, bent(rest, curvature_1_m)});
         ASSERT_EQ(findings.size(), 1u);
         const double sag_m = (1.0 / curvature_1_m - lever_m) * (1.0 - std::cos(0.5 * curvature_1_m * leg_m));
         // Cells of 15 mm follow the arc by chords.
@@ -55,11 +61,7 @@ TEST(CheckTendonLegs, PassesAThreadInAChannel) {
         });
         // A channel whose points are as far apart as the guides is told in its own words.
         setup.experiment.tendons[0].channel = true;
-        prediction::SetupRun run;
-        run.values = prediction::declared_values(setup);
-        run.predictions.resize(setup.trials.size());
-        run.predictions[0].trace.positions = {bent(setup.mesh.mesh.nodes, 20.0)};
-        const std::vector<Finding> findings = check_tendon_legs({setup, &run});
+        const std::vector<Finding> findings = findings_at(setup, {bent(setup.mesh.mesh.nodes, 20.0)});
         ASSERT_EQ(findings.size(), 1u);
         EXPECT_EQ(findings[0].level, bound ? CheckLevel::passed : CheckLevel::doubtful) << findings[0].figure;
         if (!bound) EXPECT_THAT(findings[0].way_out, testing::HasSubstr("finer mesh"));
@@ -74,11 +76,7 @@ TEST(CheckTendonLegs, PassesAThreadThatAnEffectPutsInAChannel) {
         e.tendons = {test::upper_tendon()};
         e.effects = {{"tendon_channel", {{"share", 1.0}}}};
     });
-    prediction::SetupRun run;
-    run.values = prediction::declared_values(setup);
-    run.predictions.resize(setup.trials.size());
-    run.predictions[0].trace.positions = {bent(setup.mesh.mesh.nodes, 20.0)};
-    const std::vector<Finding> findings = check_tendon_legs({setup, &run});
+    const std::vector<Finding> findings = findings_at(setup, {bent(setup.mesh.mesh.nodes, 20.0)});
     ASSERT_EQ(findings.size(), 1u);
     EXPECT_EQ(findings[0].level, CheckLevel::passed) << findings[0].figure;
 }
