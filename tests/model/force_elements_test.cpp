@@ -107,8 +107,8 @@ Model model_with(const ForceCase& c) {
     if (element == "capstan_shortening")
         test::pull_by_shortening(path, fibre::Signal{{0.0, 1.0}, {2e-3, 3e-3}}, 900.0, model, 0.3);
     if (element == "shortening") test::pull_by_shortening(path, fibre::Signal{{0.0, 1.0}, {2e-3, 3e-3}}, 900.0, model);
-    // Between its straight path and the material. Without friction: nearly straight legs lie at its smoothed corner, and
-    // need steps of differences a tenth as long (then it passes, too).
+    // Between its straight path and the material. Without friction: nearly straight legs lie at its smoothed corner,
+    // and need steps of differences a tenth as long (then it passes, too).
     if (element == "channel" || element == "channel_shortening") {
         const bool by_shortening = element == "channel_shortening";
         if (by_shortening)
