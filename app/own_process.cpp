@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <fstream>
 
+#include "interrupt.hpp"
+
 namespace myo::app {
 namespace {
 
@@ -41,6 +43,7 @@ OwnProcessResult run_in_own_process(const std::function<std::string()>& work) {
     // The child returns its peak memory and its text through a pipe; _exit() skips destructors of the parent's objects.
     const pid_t child = fork();
     if (child == 0) {
+        take_terminations_again();
         close(ends[0]);
         const long start = resident_bytes();
         const std::string text = work();

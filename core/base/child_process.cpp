@@ -35,7 +35,12 @@ int spawn(const ChildCall& call, pid_t& child) {
     posix_spawn_file_actions_addclosefrom_np(&actions, 3);
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
-    if (call.grace_s > 0.0) posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    // What this program blocks, a child would never hear.
+    sigset_t nothing;
+    sigemptyset(&nothing);
+    posix_spawnattr_setsigmask(&attributes, &nothing);
+    const int group = call.grace_s > 0.0 ? POSIX_SPAWN_SETPGROUP : 0;
+    posix_spawnattr_setflags(&attributes, static_cast<short>(POSIX_SPAWN_SETSIGMASK | group));
     const int failure = posix_spawn(&child, call.program.c_str(), &actions, &attributes, argv.data(), environ);
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);

@@ -36,6 +36,19 @@ double seconds_since(Clock::time_point start) { return std::chrono::duration<dou
     ::_exit(127);
 }
 
+/// Threads of a process that do not block a signal, by proc(5).
+int open_threads(pid_t process, int signal) {
+    int open = 0;
+    for (const fs::directory_entry& thread : fs::directory_iterator("/proc/" + std::to_string(process) + "/task")) {
+        const std::string status = content_of(thread.path() / "status"), key = "SigBlk:\t";
+        const std::size_t at = status.find(key);
+        if (at == std::string::npos) continue;  // it has just ended
+        const unsigned long long blocked = std::stoull(status.substr(at + key.size(), 16), nullptr, 16);
+        if ((blocked >> (signal - 1) & 1) == 0) ++open;
+    }
+    return open;
+}
+
 }  // namespace
 
 std::string content_of(const fs::path& path) {
@@ -65,6 +78,7 @@ ProgramRun run_program(const std::vector<std::string>& arguments, const std::str
     while (::waitpid(child, &status, WNOHANG) == 0) {
         if (waiting_for_text && content_of(err).find(interrupt_when) != std::string::npos) {
             waiting_for_text = false;
+            run.open_threads = open_threads(child, signal);
             signalled = Clock::now();
             ::kill(child, signal);
         }

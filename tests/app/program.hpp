@@ -13,6 +13,7 @@ struct ProgramRun {
     std::string out;                    // standard output
     std::string err;                    // standard error
     double seconds_after_signal = 0.0;  // from the signal to the end, when one was sent
+    int open_threads = 0;               // at the time of the signal: threads that did not block it
 };
 
 /// Runs `myoloop` with these arguments and no display. The test fails when it does not end within `limit_s`.

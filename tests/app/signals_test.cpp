@@ -88,6 +88,18 @@ INSTANTIATE_TEST_SUITE_P(All, StoppedRuns,
                              return std::string(one.param.command) + (one.param.signal == SIGINT ? "_int" : "_term");
                          });
 
+/// The library that orders the unknowns (METIS) catches SIGTERM while it runs, and its handler crashes in a thread that
+/// is not in it. So only one thread, which waits for the signal, may receive it.
+TEST(Signals, ATerminationReachesOneThreadOnly) {
+    const Folder folder("one_thread");
+    write_small_experiment(folder, 4.0);
+    const ProgramRun run = run_program({"calibrate", folder.str("exp"), "--out", folder.str("out"), "--resolution",
+                                        "0.005", "--dt", "0.001", "--json-progress"},
+                                       "\"task\":\"fit\"", 60.0, SIGTERM);
+    EXPECT_EQ(run.open_threads, 1);
+    EXPECT_EQ(run.status, 130) << run.err;
+}
+
 /// A hang-up is not caught: the program ends by the signal. What it may leave are a lock, which the system has
 /// released, and no result.
 TEST(Signals, ASignalThatIsNotCaughtLeavesNoResult) {

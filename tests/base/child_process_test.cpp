@@ -49,6 +49,20 @@ TEST(ChildProcess, ACancelledChildMayTidyUpWithinItsGrace) {
     EXPECT_EQ(*read_file(call.output), "ready\ntidied\n");
 }
 
+TEST(ChildProcess, AChildHearsWhatItsParentBlocks) {
+    const Folder folder("child_mask");
+    sigset_t termination;
+    sigemptyset(&termination);
+    sigaddset(&termination, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &termination, nullptr);
+    ChildCall call = shell("kill -TERM $$; sleep 60");
+    call.time_limit_s = 20.0;
+    const ChildEnd end = run_child(call, never);
+    pthread_sigmask(SIG_UNBLOCK, &termination, nullptr);
+    EXPECT_EQ(end.how, ChildEnd::How::signalled);
+    EXPECT_EQ(end.code, SIGTERM);
+}
+
 TEST(ChildProcess, ADeafChildIsKilledAfterItsGrace) {
     const Folder folder("child_deaf");
     ChildCall call = shell("trap '' TERM; echo ready; while :; do sleep 0.01; done");
