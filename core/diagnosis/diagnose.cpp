@@ -166,6 +166,16 @@ bool is_explained_by_set(const RankedFits& fits, const Baseline& baseline) {
     return !explained(fits.candidates, baseline) && is_explained(fits, baseline);
 }
 
+/// "the first 25 % of every recording", or of poses "the 25 % of the poses with the smallest motion".
+std::string words_of_beginning(const DiagnosisContext& context, double share) {
+    const std::vector<std::size_t>& trials = context.data.trials;
+    const bool poses = std::all_of(trials.begin(), trials.end(),
+                                   [&](std::size_t t) { return context.setup.trials[t].hold; });
+    const std::string percent = format_number(100.0 * share, 2) + " %";
+    return poses ? "the " + percent + " of the poses with the smallest motion"
+                 : "the first " + percent + " of every recording";
+}
+
 /// Search on beginnings of the recordings, screening and search of one effect, and search of a set; of a set first,
 /// where no single effect comes near. Returns the shift with which the last fits were made.
 PredictionShift search(const DiagnosisContext& context, FitStore& store, PhaseLog& log, Record& record) {
@@ -188,8 +198,8 @@ PredictionShift search(const DiagnosisContext& context, FitStore& store, PhaseLo
     if (!fits.sets.empty() && !explained(fits.candidates, baseline)) search_larger();
     if (explained(fits.candidates, baseline, Leniency::strict) || is_explained_by_set(fits, baseline))
         // Screening would take scores at the declared fit, whose residual is too large for its derivatives.
-        record.enter_note("effects are scored on the first " + format_number(100.0 * beginnings.share, 2) +
-                          " % of every recording, where so large a residual still follows their derivatives");
+        record.enter_note("effects are scored on " + words_of_beginning(context, beginnings.share) +
+                          ", where so large a residual still follows their derivatives");
     else if (!log.cancelled()) {
         const Screening screening = screen_effects(context, store, log);
         if (log.cancelled()) return shift;
@@ -211,6 +221,8 @@ PredictionShift search(const DiagnosisContext& context, FitStore& store, PhaseLo
             if (!far || min_left(fits.candidates) < context.policy().sets.new_start * left) search_larger();
         }
     }
+    // Single effects that were fitted after the sets are among them, too: all weights are shares of one sum.
+    if (!fits.sets.empty()) fits = with_ranked_sets(std::move(fits), baseline);
     record.enter(fits);
     record.enter(find_confusions(fits.candidates, context.declared.fit, context.policy().confusion));
     return shift;

@@ -224,7 +224,9 @@ struct BeginningPolicy {
     /// in it, and after each search.
     double first_share = 0.25;
     double growth = 2.0;
-    int min_samples = 8;       // of a trial
+    int min_samples = 8;  // of a trial
+    /// Poses of the first beginning: a modulus and an effect are told apart by two of different size.
+    std::size_t min_poses = 2;
     std::size_t kept = 3;      // best fits of a beginning, from which the longer one is fitted
     double kept_factor = 4.0;  // of their squared residual over the smallest
     Effort refit{15, 1e-3};    // on the longer one

@@ -112,6 +112,8 @@ DiagnosisContext counting(Eigen::Index first) {
     context.setup.trials.resize(1);
     context.setup.trials[0].measured.time_s = VectorXd::LinSpaced(20, 0.0, 0.19);
     context.setup.trials[0].first_sample = first;
+    context.data.trials = {0};
+    context.declared.fit.predictions.resize(1);
     context.declared.fit.residual.resize(20 - first);
     for (Eigen::Index s = first; s < 20; ++s) {
         context.data.layout.sample.push_back(static_cast<int>(s));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "diagnosis/diagnose_settings.hpp"
@@ -16,15 +17,8 @@
 
 namespace myo::test {
 
-/// The beam whose traces hold a motion with the effects, and noise.
-/// @param share_of_noise  factor on the noise of the swung beam, of the traces and as declared
-inline setup::Setup recorded_with(const Folder& folder, const std::vector<effect::EffectDeclaration>& effects,
-                                  double share_of_noise = 1.0) {
-    setup::Setup setup = swung_beam(folder);
-    setup.noise_m *= share_of_noise;
-    prediction::ParameterValues truth = prediction::declared_values(setup);
-    truth.youngs_modulus_Pa *= 1.08;
-    truth.effects = effects;
+/// The setup whose traces, which hold the markers at rest, are replaced by what these values give, with noise.
+inline setup::Setup recorded(setup::Setup setup, const prediction::ParameterValues& truth) {
     std::mt19937_64 random(3);
     std::normal_distribution<double> noise;
     for (std::size_t t = 0; t < setup.trials.size(); ++t) {
@@ -37,6 +31,18 @@ inline setup::Setup recorded_with(const Folder& folder, const std::vector<effect
         }
     }
     return setup;
+}
+
+/// The beam whose traces hold a motion with the effects, and noise.
+/// @param share_of_noise  factor on the noise of the swung beam, of the traces and as declared
+inline setup::Setup recorded_with(const Folder& folder, const std::vector<effect::EffectDeclaration>& effects,
+                                  double share_of_noise = 1.0) {
+    setup::Setup setup = swung_beam(folder);
+    setup.noise_m *= share_of_noise;
+    prediction::ParameterValues truth = prediction::declared_values(setup);
+    truth.youngs_modulus_Pa *= 1.08;
+    truth.effects = effects;
+    return recorded(std::move(setup), truth);
 }
 
 /// Few effects may be named, so that a test is short.

@@ -8,13 +8,14 @@
 
 namespace myo::diagnosis {
 
-/// Rms of the residual over the beginnings of all trials, the given share of the samples of each [noise levels].
+/// Rms of the residual over the beginnings of the fit trials [noise levels]: the given share of the samples of each
+/// that moves, and of the poses (hold = true) the share with the smallest motion, at least BeginningPolicy::min_poses.
 double residual_in_beginnings(const DiagnosisContext& context, double share);
 
 /// The context on the beginnings of the fit trials, with a declared fit of its own and the numerical error of the whole
 /// one.
 ///
-/// @param share  of the samples of each fit trial that moves, > 0
+/// @param share  of the samples and poses, > 0, as in residual_in_beginnings()
 /// @return       empty if the fit is not usable, or cancelled
 std::optional<DiagnosisContext> beginning_context(const DiagnosisContext& context, double share, FitStore& store,
                                                   PhaseLog& log);
