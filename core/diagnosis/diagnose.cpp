@@ -7,6 +7,7 @@
 #include "diagnosis/fit/declared_fit.hpp"
 #include "diagnosis/fit/store_words.hpp"
 #include "diagnosis/screening/screen_effects.hpp"
+#include "diagnosis/search/beginning_context.hpp"
 #include "diagnosis/search/search_beginnings.hpp"
 #include "diagnosis/search/search_decisions.hpp"
 #include "diagnosis/search/search_effects.hpp"
@@ -166,16 +167,6 @@ bool is_explained_by_set(const RankedFits& fits, const Baseline& baseline) {
     return !explained(fits.candidates, baseline) && is_explained(fits, baseline);
 }
 
-/// "the first 25 % of every recording", or of poses "the 25 % of the poses with the smallest motion".
-std::string words_of_beginning(const DiagnosisContext& context, double share) {
-    const std::vector<std::size_t>& trials = context.data.trials;
-    const bool poses = std::all_of(trials.begin(), trials.end(),
-                                   [&](std::size_t t) { return context.setup.trials[t].hold; });
-    const std::string percent = format_number(100.0 * share, 2) + " %";
-    return poses ? "the " + percent + " of the poses with the smallest motion"
-                 : "the first " + percent + " of every recording";
-}
-
 /// Search on beginnings of the recordings, screening and search of one effect, and search of a set; of a set first,
 /// where no single effect comes near. Returns the shift with which the last fits were made.
 PredictionShift search(const DiagnosisContext& context, FitStore& store, PhaseLog& log, Record& record) {
@@ -198,7 +189,7 @@ PredictionShift search(const DiagnosisContext& context, FitStore& store, PhaseLo
     if (!fits.sets.empty() && !explained(fits.candidates, baseline)) search_larger();
     if (explained(fits.candidates, baseline, Leniency::strict) || is_explained_by_set(fits, baseline))
         // Screening would take scores at the declared fit, whose residual is too large for its derivatives.
-        record.enter_note("effects are scored on " + words_of_beginning(context, beginnings.share) +
+        record.enter_note("effects are scored on " + beginning_words(context, beginnings.share) +
                           ", where so large a residual still follows their derivatives");
     else if (!log.cancelled()) {
         const Screening screening = screen_effects(context, store, log);

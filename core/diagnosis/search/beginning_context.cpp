@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/text.hpp"
 #include "diagnosis/fit/stored_fit.hpp"
 #include "measurement/marker_binding.hpp"
 #include "prediction/predict_trials.hpp"
@@ -80,6 +81,16 @@ PredictionShift of_beginnings(PredictionShift shift, const setup::Setup& setup) 
 }
 
 }  // namespace
+
+std::string beginning_words(const DiagnosisContext& context, double share) {
+    const std::vector<std::size_t> trials = trials_of_beginning(context, share);
+    const auto poses = std::count_if(trials.begin(), trials.end(),
+                                     [&](std::size_t t) { return context.setup.trials[t].hold; });
+    const std::string of_motions = "the first " + format_number(100.0 * share, 2) + " % of every recording",
+                      of_poses = "the " + std::to_string(poses) + " poses with the smallest motion";
+    if (poses == 0) return of_motions;
+    return static_cast<std::size_t>(poses) == trials.size() ? of_poses : of_motions + " and " + of_poses;
+}
 
 double residual_in_beginnings(const DiagnosisContext& context, double share) {
     const statistics::ResidualLayout& layout = context.data.layout;
