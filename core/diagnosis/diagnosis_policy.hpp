@@ -146,6 +146,12 @@ struct CandidateFitPolicy {
     double large_reduction = 0.3;
     /// Candidates whose predicted reduction is at least this share of the leader's are pruned later.
     double comparable_reduction = 0.9;
+    /// Of these, an unfinished fit that leaves less than this share of the base's squares is not pruned while the
+    /// smallest exceeds the noise by the second factor, a systematic part as large as the noise. The derivatives of the
+    /// base mislead: those of the right effect left 0.08 where they predicted 0.05, a mimic's 0.001
+    /// (beginnings of example_clamp_compliance).
+    double promising = 0.3;
+    double noise_like = 2.0;
     /// Fits that are continued between two looks at what they may prune: as many on every machine, since the result
     /// must not depend on the number of threads.
     std::size_t fitted_together = 2;

@@ -178,6 +178,19 @@ TEST(Pruning, IsLaterForEffectsThatPromiseAsMuchAsTheBest) {
     }
 }
 
+/// A promising fit is not ended by a mimic that leaves three times the noise; by one that leaves noise it is.
+TEST(Pruning, KeepsPromisingFitsUntilTheNoiseIsReached) {
+    PruningInput in{{{100.0, 0.8, false}, {9000.0, 0.79, true}, {9000.0, 0.5, true}}, 1e9, 100.0 / 3.0, 2.0, 0.9};
+    EXPECT_THAT(continued(in), IsEmpty());
+    in.promising_squares = 9000.0 * above;
+    EXPECT_THAT(continued(in), ElementsAre(1)) << "the other effect predicts less";
+    in.promising_squares = 9000.0 * below;
+    EXPECT_THAT(continued(in), IsEmpty());
+    in.promising_squares = 9000.0 * above;
+    in.samples = 100.0 / in.noise_like;
+    EXPECT_THAT(continued(in), IsEmpty()) << "the best leaves what noise does";
+}
+
 TEST(Pruning, AsksForTheNextStepOnlyAboveTheLimit) {
     std::vector<std::size_t> asked;
     const PruningInput in{{{100.0, 0.9, true}, {900.0, 0.1, true}, {900.0, 0.1, false}}, 1e9, 100.0, 4.0, 0.9};

@@ -202,7 +202,13 @@ void continue_best(const CandidateFitInput& in, Rounds& rounds) {
     std::vector<bool> continued(count, false);
     // Each round prunes with the smallest residual so far, so that a good leader saves most of the others.
     for (bool first = true;; first = false) {
-        PruningInput pruning{{}, in.least_so_far, in.base.samples(), in.pruning_factor, policy.comparable_reduction};
+        PruningInput pruning{{},
+                             in.least_so_far,
+                             in.base.samples(),
+                             in.pruning_factor,
+                             policy.comparable_reduction,
+                             policy.promising * in.base.squares(),
+                             policy.noise_like};
         for (std::size_t i = 0; i < count; ++i)
             pruning.fits.push_back(
                 {rounds.fit(i).usable() ? rounds.fit(i).fit.squares() : std::numeric_limits<double>::infinity(),

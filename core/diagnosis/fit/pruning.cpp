@@ -21,7 +21,8 @@ std::vector<std::size_t> fits_worth_continuing(const PruningInput& in,
         if (!fit.open) continue;
         // Scores within a few percent do not rank effects: these fits get the highest limit.
         const bool comparable = fit.predicted_reduction > in.comparable_reduction * reduction_of_best;
-        if (fit.squares < (comparable ? std::max(squared, limit) : limit) * least ||
+        const bool promising = comparable && fit.squares < in.promising_squares && least > in.noise_like * in.samples;
+        if (promising || fit.squares < (comparable ? std::max(squared, limit) : limit) * least ||
             predicted_squares(i) < factor * least)
             next.push_back(i);
     }
