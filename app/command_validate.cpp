@@ -105,9 +105,9 @@ int run_validate(ValidateCall call) {
     if (call.out.empty()) return console.refuse({"name a folder for the results", "--out"});
     const validation::CaseChoice& choice = call.options.choice;
     // Options of the validation of the diagnosis would be ignored silently.
-    if (call.defaults && !(choice.families.empty() && choice.effects.empty()))
+    if (call.defaults && !(choice.families.empty() && choice.effects.empty() && choice.together == 1))
         return console.refuse(
-            {"draws its own bodies and has no effects; leave --geometry and --effects out", "--defaults"});
+            {"draws its own bodies and has no effects; leave --geometry, --effects and --together out", "--defaults"});
     if (const Result<void> fine = check_slurm_options(call.slurm, call.options.range.share); !fine)
         return console.refuse(fine.error());
     // Tasks of the array run the cases; this process only submits.
@@ -176,6 +176,8 @@ std::function<int()> declare_validate(CLI::App& app) {
         ->type_name("A,B");
     add_effect_list(app, "--effects", call->options.choice.effects,
                     "effects to draw from (default: all of the catalogue)");
+    add_count(app, "--together", call->options.choice.together,
+              "effects that act at once in the cases with known effects, at most 4 (default: 1)");
     add_work_options(app, call->work);
     add_slurm_options(app, call->slurm);
     return [call] { return run_validate(*call); };

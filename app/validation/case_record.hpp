@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,10 @@ namespace myo::validation {
 /// Error of one parameter of an effect.
 struct ParameterError {
     std::string name;
-    double absolute = 0.0;  // norm of the difference, in the unit of the parameter
-    double relative = 0.0;  // over the norm of the truth; NaN for positions and where the truth is 0
+    double absolute = 0.0;        // norm of the difference, in the unit of the parameter
+    double relative = 0.0;        // over the norm of the truth; NaN for positions and where the truth is 0
+    std::string effect;           // id
+    std::optional<bool> covered;  // whether the 95 % interval holds the truth; empty: a vector, or no interval
 };
 /// Whether a parameter of this name is a position, whose relative error would depend on the choice of the origin.
 bool is_place(const std::string& parameter);
@@ -26,17 +29,18 @@ struct CaseRecord {
     // Body, see to_string(BodyFamily).
     std::string family;
     bool muscles = false;
-    std::string truth;   // id of the effect; "none"
-    double level = 0.0;  // size of the effect, in noise levels
-    // Parameters of the true effect by name; empty without an effect.
+    std::string truth;   // id of the effect; of several in alphabetical order, "a + b"; "none"
+    double level = 0.0;  // size of the effect, of several that of the smallest, in noise levels
+    // Parameters of the true effect by name, of several under their ids; empty without an effect.
     report::Json truth_parameters = report::Json::object();
     /// Ids of the asserted effects; or "none" or "unknown" alone.
     std::vector<std::string> answer;
     report::Json answer_parameters = report::Json::object();  // of the first asserted effect
     std::vector<std::string> ranking;                         // first five entries
     double confidence = 0.0;                                  // stated by the verdict, 0 ... 1
+    std::map<std::string, double> probabilities;              // that an effect acts, stated by the verdict
     std::vector<std::string> group;                           // effects declared indistinguishable from the truth
-    std::vector<ParameterError> errors;                       // if the answer is right
+    std::vector<ParameterError> errors;                       // of asserted effects that act
     double before_over_noise = 0.0;                           // rms of the validation trials over noise, declared model
     double after_over_noise = 0.0;                            // the same with the answer
     double fit_over_noise = 0.0;                              // rms of the fit trials with the answer, over noise
@@ -46,13 +50,17 @@ struct CaseRecord {
     std::string failure;                                      // reason for a missing answer
 
     bool answered() const { return failure.empty(); }
-    /// The right answer: the effect's id, "none", or "unknown" for an effect withheld from the diagnosis.
-    std::string expected() const;
-    bool right() const { return answered() && answer.size() == 1 && answer.front() == expected(); }
-    /// Whether the right answer is among the first `places` of the ranking; five places are stored.
+    /// Ids of the effects that act, in alphabetical order; empty for "none".
+    std::vector<std::string> members() const;
+    /// The right answer: the effects' ids in alphabetical order, "none", or "unknown" for an effect withheld from the
+    /// diagnosis.
+    std::vector<std::string> expected() const;
+    /// Whether the answer is the right one, in any order.
+    bool right() const;
+    /// Whether the right answer, of a single effect, is among the first `places` of the ranking; five are stored.
     bool right_within(int places) const;
     bool grouped() const { return !group.empty(); }
-    /// Whether the answer is right, or declared indistinguishable from the truth in this experiment.
+    /// Whether the answer is right, or each effect of it acts or is declared indistinguishable from one that does.
     bool right_or_grouped() const;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "prediction/predict_trials.hpp"
 #include "validation/synthetic_effects.hpp"
@@ -50,16 +51,41 @@ EffectLevel::EffectLevel(const SyntheticCase& c, setup::Setup setup, const Progr
     without_effect_ = fit.residual;
 }
 
-std::optional<EffectLevel::Level> EffectLevel::of(const effect::EffectDeclaration& effect) const {
+std::optional<Eigen::VectorXd> EffectLevel::change_by(const effect::EffectDeclaration& effect,
+                                                      std::vector<prediction::TrialPrediction>& with) const {
     prediction::ParameterValues values = without_;
     values.effects.push_back(effect);
-    std::vector<prediction::TrialPrediction> with = prediction::predict_trials_with(setup_, values, data_.trials,
-                                                                                    progress_);
+    with = prediction::predict_trials_with(setup_, values, data_.trials, progress_);
     if (!prediction::all_ok(with)) return {};
+    Eigen::VectorXd change = diagnosis::flat_residual(data_, with) - without_effect_;
+    return change.allFinite() ? std::optional(std::move(change)) : std::nullopt;
+}
+
+std::optional<EffectLevel::Level> EffectLevel::of(const effect::EffectDeclaration& effect) const {
+    Level level;
+    const std::optional<Eigen::VectorXd> change = change_by(effect, level.with);
+    if (!change) return {};
     // Projection onto the complement of the parameter space: what a linear recalibration cannot absorb.
-    const Eigen::VectorXd outside = recalibrated_->outside(diagnosis::flat_residual(data_, with) - without_effect_);
-    if (!outside.allFinite()) return {};
-    return Level{rms(outside), std::move(with)};
+    level.first_order = rms(recalibrated_->outside(*change));
+    return level;
+}
+
+std::optional<double> EffectLevel::least_of_set(const std::vector<effect::EffectDeclaration>& effects) const {
+    const Eigen::MatrixXd& declared = warm_start_.columns;
+    const auto count = static_cast<Eigen::Index>(effects.size());
+    Eigen::MatrixXd all(declared.rows(), declared.cols() + count - 1), changes(declared.rows(), count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+        std::vector<prediction::TrialPrediction> with;
+        const std::optional<Eigen::VectorXd> change = change_by(effects[static_cast<std::size_t>(i)], with);
+        if (!change) return {};
+        changes.col(i) = *change;
+    }
+    double least = std::numeric_limits<double>::infinity();
+    for (Eigen::Index i = 0; i < count; ++i) {
+        all << declared, changes.leftCols(i), changes.rightCols(count - 1 - i);
+        least = std::min(least, rms(statistics::NuisanceSpace(all).outside(changes.col(i))));
+    }
+    return least;
 }
 
 double EffectLevel::fitted(const Level& level) const {
@@ -73,10 +99,10 @@ double EffectLevel::fitted(const Level& level) const {
     return fit.usable() && fit.residual.allFinite() ? rms(fit.residual) : 0.0;
 }
 
-std::optional<effect::EffectDeclaration> visible_effect(const SyntheticCase& c, const EffectLevel& levels,
-                                                        double& level) {
-    const effect::EffectDraw& draw = effect_draw(c.effect->id);
-    effect::EffectDeclaration effect = *c.effect;
+std::optional<effect::EffectDeclaration> visible_effect(const SyntheticCase& c, std::size_t which,
+                                                        const EffectLevel& levels, double& level) {
+    effect::EffectDeclaration effect = c.effects[which];
+    const effect::EffectDraw& draw = effect_draw(effect.id);
     std::optional<EffectLevel::Level> found = levels.of(effect);
     // An effect without amount is visible as it is, or the case is drawn again.
     if (draw.amount.empty()) {
@@ -85,7 +111,7 @@ std::optional<effect::EffectDeclaration> visible_effect(const SyntheticCase& c, 
     }
     double power = draw.grows ? 1.0 : -1.0;  // level ~ amount^power, refined by secants of the logarithms
     double last_amount = 0.0, last_level = 0.0;
-    double wanted = c.wanted_level;
+    double wanted = c.wanted_levels[which];
     for (int round = 0; round < max_rounds; ++round) {
         const double amount = effect_amount(effect);
         const double there = found ? found->first_order : 0.0;
@@ -110,7 +136,7 @@ std::optional<effect::EffectDeclaration> visible_effect(const SyntheticCase& c, 
             last_level = found->first_order;
             next = amount * std::pow(wanted / found->first_order, 1.0 / power);
         }
-        next = std::clamp(next, draw.lowest, max_amount(c));
+        next = std::clamp(next, draw.lowest, max_amount(c, effect.id));
         // At a limit of the amount: nothing else can be tried.
         if (next == amount) return {};
         effect = with_amount(effect, next);

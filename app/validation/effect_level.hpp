@@ -29,7 +29,15 @@ public:
     /// Level after a nonlinear fit [noise levels], needed if the phase drifts; 0 if the fit fails.
     double fitted(const Level& level) const;
 
+    /// Smallest first-order level of an effect that all others of a set do not absorb either [noise levels]; empty if a
+    /// trial with one of them does not run.
+    std::optional<double> least_of_set(const std::vector<effect::EffectDeclaration>& effects) const;
+
 private:
+    /// Change of the residual by one more effect; empty if a trial with it does not run.
+    std::optional<Eigen::VectorXd> change_by(const effect::EffectDeclaration& effect,
+                                             std::vector<prediction::TrialPrediction>& with) const;
+
     setup::Setup setup_;
     Progress progress_;
     prediction::ParameterValues without_;
@@ -39,10 +47,11 @@ private:
     Eigen::VectorXd without_effect_;  // residual of the fit trials without the effect
 };
 
-/// The effect of a case with an amount whose level is close to the wanted one; empty if no plausible amount has one.
+/// An effect of a case with an amount whose level is close to the wanted one; empty if no plausible amount has one.
 ///
+/// @param which  index of the effect
 /// @param level  receives the level reached [noise levels]
-std::optional<effect::EffectDeclaration> visible_effect(const SyntheticCase& c, const EffectLevel& levels,
-                                                        double& level);
+std::optional<effect::EffectDeclaration> visible_effect(const SyntheticCase& c, std::size_t which,
+                                                        const EffectLevel& levels, double& level);
 
 }  // namespace myo::validation

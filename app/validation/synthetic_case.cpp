@@ -1,13 +1,9 @@
 #include "validation/synthetic_case.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 
-#include "base/name_table.hpp"
-#include "effect/catalogue.hpp"
 #include "mesh/surface_mesh.hpp"
 #include "validation/synthetic_effects.hpp"
 
@@ -15,80 +11,6 @@ namespace myo::validation {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr NameTable<CaseKind, 3> kinds{
-    {{{CaseKind::none, "none"}, {CaseKind::named, "named"}, {CaseKind::deleted, "deleted"}}}};
-/// A cycle of cases: none, named, named, deleted, named, named.
-constexpr int round_length = 6, deleted_at = 3, named_in_round = 4;
-
-/// Second part of the key of a random stream.
-enum Purpose : std::uint64_t { order_of_effects = 1, the_case = 2, the_noise = 3 };
-
-/// Kind of a case by its place in the cycle.
-CaseKind kind_of(int number) {
-    const int place = number % round_length;
-    return place == 0 ? CaseKind::none : place == deleted_at ? CaseKind::deleted : CaseKind::named;
-}
-
-/// Index of a case among those of its kind.
-int turn_of(int number) {
-    const int round = number / round_length, place = number % round_length;
-    if (kind_of(number) != CaseKind::named) return round;
-    return named_in_round * round + place - (place < deleted_at ? 1 : 2);
-}
-
-// Bodies that bend by an antagonist pair along their length.
-bool may_have_muscles(BodyFamily family) { return family == BodyFamily::beam || family == BodyFamily::tail; }
-
-/// Families of the choice; of all of them, bodies with a tendon serve the effects that need one only.
-std::vector<BodyFamily> families_of(const CaseChoice& choice, const effect::EffectNeeds& needs) {
-    if (!choice.families.empty()) return choice.families;
-    if (needs.tendon) return {BodyFamily::threaded};
-    return {BodyFamily::beam, BodyFamily::plate, BodyFamily::ell, BodyFamily::tail};
-}
-
-/// Tetrahedra do not conform to the inner plane of a clamp: a tail clamped over a part of its length would be clamped
-/// less in its model.
-bool may_be_held_deep(BodyFamily family) { return family != BodyFamily::tail; }
-
-/// Whether a body of the family can have what an effect needs.
-bool fits(BodyFamily family, const effect::EffectNeeds& needs) {
-    const bool threaded = family == BodyFamily::threaded;
-    // The trials of a thread have no other loads. No body is bent far between two guides: between them a straight
-    // thread and one in a channel are the same within the noise.
-    return !needs.far_guides && (!needs.tendon || threaded) && (!needs.hung_weight || !threaded) &&
-           (!needs.muscles || may_have_muscles(family)) && (!needs.deep_clamp || may_be_held_deep(family));
-}
-
-/// Whether some body of the choice can show an effect.
-bool can_show(const CaseChoice& choice, const std::string& id) {
-    const effect::EffectNeeds& needs = effect_draw(id).needs;
-    const std::vector<BodyFamily> families = families_of(choice, needs);
-    return std::any_of(families.begin(), families.end(), [&](BodyFamily family) { return fits(family, needs); });
-}
-
-/// Each effect once per cycle through the catalogue, in a new random order each time (Fisher-Yates).
-std::string effect_of(const CaseChoice& choice, int number) {
-    std::vector<std::string> ids = choice.effects;
-    if (ids.empty())
-        for (const std::string& id : effect::effect_ids())
-            if (can_show(choice, id)) ids.push_back(id);
-    const int count = static_cast<int>(ids.size()), turn = turn_of(number);
-    RandomStream random{choice.seed, order_of_effects, static_cast<std::uint64_t>(kind_of(number)),
-                        static_cast<std::uint64_t>(turn / count)};
-    for (int i = count - 1; i > 0; --i)
-        std::swap(ids[static_cast<std::size_t>(i)], ids[static_cast<std::size_t>(random.below(i + 1))]);
-    return ids[static_cast<std::size_t>(turn % count)];
-}
-
-/// Random family of those that fit; there must be one.
-BodyFamily drawn_family(const CaseChoice& choice, const effect::EffectNeeds& needs, RandomStream& random) {
-    std::vector<BodyFamily> fitting;
-    for (const BodyFamily family : families_of(choice, needs))
-        if (fits(family, needs)) fitting.push_back(family);
-    assert(!fitting.empty());
-    return fitting[static_cast<std::size_t>(random.below(static_cast<int>(fitting.size())))];
-}
 
 /// Modulus from a drawn deflection under the own weight: clearly visible, but within the range of the model.
 SyntheticMaterial drawn_material(const SyntheticBody& body, bool known_damping, RandomStream& random) {
@@ -283,24 +205,6 @@ TruthScheme drawn_scheme(RandomStream& random) {
 
 }  // namespace
 
-std::string to_string(CaseKind kind) { return kinds.name(kind); }
-bool parse_case_kind(const std::string& id, CaseKind& kind) { return kinds.find(id, kind); }
-
-Result<void> check_choice(const CaseChoice& choice) {
-    for (const std::string& id : choice.effects) {
-        if (effect::find_effect(id) == nullptr) return Error{"no effect '" + id + "' is known", "--effects"};
-        if (!can_show(choice, id))
-            return Error{
-                id + (effect_draw(id).needs.far_guides    ? " needs a body that a thread bends far, which none is"
-                      : effect_draw(id).needs.tendon      ? " needs a tendon, which only threaded has"
-                      : effect_draw(id).needs.hung_weight ? " needs a hung weight, which threaded has not"
-                      : effect_draw(id).needs.muscles     ? " needs muscles, which only beam and tail have"
-                                                      : " needs a clamp over a part of the length, which tail has not"),
-                "--geometry"};
-    }
-    return {};
-}
-
 std::string SyntheticCase::name() const {
     char text[24];
     std::snprintf(text, sizeof text, "case_%04d", number);
@@ -315,8 +219,8 @@ SyntheticCase drawn_case(const CaseChoice& choice, int number, int attempt) {
     c.kind = kind_of(number);
     RandomStream random{choice.seed, the_case, static_cast<std::uint64_t>(number), static_cast<std::uint64_t>(attempt)};
     // Kind and effect depend on choice and number only, so that another attempt keeps them.
-    const std::string id = c.kind == CaseKind::none ? "" : effect_of(choice, number);
-    const effect::EffectNeeds needs = id.empty() ? effect::EffectNeeds{} : effect_draw(id).needs;
+    const std::vector<std::string> ids = effects_of(choice, number, attempt);
+    const effect::EffectNeeds needs = needs_of(ids);
     const BodyFamily family = drawn_family(choice, needs, random);
     // Some cases have muscles that their effect does not need.
     const bool muscles = needs.muscles || (may_have_muscles(family) && !needs.hung_weight && random.chance(0.3));
@@ -337,10 +241,10 @@ SyntheticCase drawn_case(const CaseChoice& choice, int number, int attempt) {
     // After the body and what drives it, on which loads and signals depend.
     c.trials = drawn_trials(c, needs, random);
     c.truth = drawn_scheme(random);
-    if (!id.empty()) {
-        c.effect = drawn_effect(id, c, random);
+    for (const std::string& id : ids) {
+        c.effects.push_back(drawn_effect(id, c, random));
         // Within the range of min_level and max_level.
-        c.wanted_level = random.log_uniform(3.5, 13.0);
+        c.wanted_levels.push_back(random.log_uniform(3.5, 13.0));
     }
     c.seed = choice.seed;
     return c;

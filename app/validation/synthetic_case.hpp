@@ -11,32 +11,10 @@
 #include "effect/effect.hpp"
 #include "experiment/experiment.hpp"
 #include "fibre/signal.hpp"
+#include "validation/case_choice.hpp"
 #include "validation/synthetic_body.hpp"
 
 namespace myo::validation {
-
-/// Kind of a case by its truth.
-enum class CaseKind {
-    none,     // the declared model is complete
-    named,    // one effect acts that the diagnosis knows
-    deleted,  // one effect acts that is withheld from the diagnosis
-};
-/// Id of a kind.
-std::string to_string(CaseKind kind);
-/// Kind of an id; false if there is none.
-bool parse_case_kind(const std::string& id, CaseKind& kind);
-
-/// The set from which the cases of a validation are drawn.
-struct CaseChoice {
-    std::uint64_t seed = 1;
-    std::vector<BodyFamily> families;  // empty: all
-    std::vector<std::string> effects;  // ids; empty: the whole catalogue
-};
-
-/// Checks that every effect of the choice can be drawn.
-///
-/// Errors (place: the option): an unknown effect, or one that no body of the choice can show.
-Result<void> check_choice(const CaseChoice& choice);
 
 /// A muscle that fills a box, fibres along x.
 struct SyntheticMuscle {
@@ -108,9 +86,9 @@ struct SyntheticCase {
     Eigen::Vector3d translation_m = Eigen::Vector3d::Zero(), rotation_rad = Eigen::Vector3d::Zero();
     std::vector<SyntheticTrial> trials;  // fit trials first
     TruthScheme truth;
-    std::optional<effect::EffectDeclaration> effect;  // empty for CaseKind::none
-    double wanted_level = 0.0;                        // intended size of the effect at the markers, in noise levels
-    std::uint64_t seed = 0;                           // of the validation
+    std::vector<effect::EffectDeclaration> effects;  // empty for CaseKind::none
+    std::vector<double> wanted_levels;               // intended sizes of the effects at the markers, in noise levels
+    std::uint64_t seed = 0;                          // of the validation
 
     std::string name() const;  // "case_0007"
     /// Stream for camera noise and gaps.
@@ -120,10 +98,11 @@ struct SyntheticCase {
 /// Case `number` of a validation; independent of count, order and number of processes.
 ///
 /// Among six consecutive cases the first has no effect and the fourth a deleted one; the effects of the others, and of
-/// the deleted ones, cycle through the catalogue in a random order.
+/// the deleted ones, cycle through the catalogue in a random order. Where several act together, those after the first
+/// are drawn at random from the effects that one body can show with it.
 ///
 /// @param choice   one that check_choice() accepts
-/// @param attempt  another draw of the same kind and effect, for a case whose effect is not visible enough
+/// @param attempt  another draw of the same kind and first effect, for a case whose effects are not visible enough
 SyntheticCase drawn_case(const CaseChoice& choice, int number, int attempt = 0);
 
 }  // namespace myo::validation

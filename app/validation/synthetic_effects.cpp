@@ -38,8 +38,8 @@ const effect::EffectDraw& effect_draw(const std::string& id) {
     return entry->draw;
 }
 
-double max_amount(const SyntheticCase& c) {
-    const effect::EffectDraw& draw = effect_draw(c.effect->id);
+double max_amount(const SyntheticCase& c, const std::string& id) {
+    const effect::EffectDraw& draw = effect_draw(id);
     return draw.limit ? std::min(draw.highest, draw.limit(draw_context(c))) : draw.highest;
 }
 

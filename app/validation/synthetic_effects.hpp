@@ -9,9 +9,9 @@ namespace myo::validation {
 /// How the effect of this id, which must be in the catalogue, is drawn.
 const effect::EffectDraw& effect_draw(const std::string& id);
 
-/// Largest amount of the case's own effect, which must be in the catalogue: that of its range, or less where the body
-/// or the trials limit it.
-double max_amount(const SyntheticCase& c);
+/// Largest amount of an effect, which must be in the catalogue, in a case: that of its range, or less where the body or
+/// the trials limit it.
+double max_amount(const SyntheticCase& c, const std::string& id);
 
 /// The effect with random parameters.
 ///

@@ -1,6 +1,10 @@
 #include "validation/synthetic_experiment.hpp"
 
+#include <algorithm>
+#include <limits>
+
 #include "base/stopwatch.hpp"
+#include "base/text.hpp"
 #include "experiment/read_experiment.hpp"
 #include "prediction/predict_trials.hpp"
 #include "validation/effect_level.hpp"
@@ -12,7 +16,25 @@ namespace {
 
 constexpr int max_attempts = 12;
 
-/// First draw with a visible effect; the folder then holds its declaration with traces that do not move.
+/// Scales the effects until each is visible alone, and all of them beside the others.
+///
+/// @return  level of the smallest; empty if one cannot be made visible
+std::optional<double> scale_effects(SyntheticCase& c, const EffectLevel& levels) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < c.effects.size(); ++i) {
+        double level = 0.0;
+        std::optional<effect::EffectDeclaration> effect = visible_effect(c, i, levels, level);
+        if (!effect) return {};
+        c.effects[i] = std::move(*effect);
+        least = std::min(least, level);
+    }
+    if (c.effects.size() < 2) return least;
+    // Twins, or effects that others make up for together, could not be found by anyone.
+    const std::optional<double> beside_others = levels.least_of_set(c.effects);
+    return beside_others && *beside_others > min_fitted ? std::optional(least) : std::nullopt;
+}
+
+/// First draw with visible effects; the folder then holds its declaration with traces that do not move.
 Result<MadeExperiment> visible_case(const CaseChoice& choice, int number, const std::filesystem::path& folder,
                                     const Progress& progress) {
     MadeExperiment made;
@@ -27,20 +49,22 @@ Result<MadeExperiment> visible_case(const CaseChoice& choice, int number, const 
         const Result<experiment::Experiment> experiment = experiment::read_experiment(folder);
         if (!experiment) return experiment.error();
         // A case without an effect has nothing to be visible.
-        if (!made.truth.effect) return made;
+        if (made.truth.effects.empty()) return made;
         Result<setup::Setup> setup = setup::prepare_setup(*experiment, {}, progress.with_sink({}));
         if (!setup) return setup.error();
         const EffectLevel levels(made.truth, std::move(*setup), progress);
         // Either the trials do not run without the effect, or no plausible amount is visible: another draw.
         if (!levels.ready()) continue;
-        const std::optional<effect::EffectDeclaration> effect = visible_effect(made.truth, levels, made.level);
-        if (!effect) continue;
-        made.truth.effect = *effect;
+        const std::optional<double> level = scale_effects(made.truth, levels);
+        if (!level) continue;
+        made.level = *level;
         return made;
     }
-    const std::string id = made.truth.effect ? made.truth.effect->id : "none";
-    return Error{"no experiment in " + std::to_string(max_attempts) + " draws shows " + id + " well enough",
-                 made.truth.name()};
+    std::vector<std::string> ids;
+    for (const effect::EffectDeclaration& effect : made.truth.effects) ids.push_back(effect.id);
+    return Error{
+        "no experiment in " + std::to_string(max_attempts) + " draws shows " + join(ids, " and ") + " well enough",
+        made.truth.name()};
 }
 
 }  // namespace

@@ -11,18 +11,20 @@ namespace myo::validation {
 
 /// An experiment that was made, with its truth.
 struct MadeExperiment {
-    SyntheticCase truth;  // with the final amount of its effect
-    double level = 0.0;   // size of the effect at the markers of the fit trials [noise levels], see EffectLevel
-    int attempts = 1;     // draws until the effect was visible
+    SyntheticCase truth;  // with the final amounts of its effects
+    // Size of the smallest effect at the markers of the fit trials [noise levels], see EffectLevel.
+    double level = 0.0;
+    int attempts = 1;  // draws until the effect was visible
     // Degrees of freedom of the mesh on which the truth was simulated.
     int truth_dofs = 0;
     // Wall-clock time of making.
     double seconds = 0.0;
 };
 
-/// Draws a case, scales its effect so that its level lies between min_level and max_level and a fit leaves
-/// min_fitted, simulates it with its own scheme on a finer mesh of other cells than the default, and writes the
-/// folder: experiment.toml, traces, actuations, STL. No file reveals the truth.
+/// Draws a case, scales each effect so that its level lies between min_level and max_level and a fit leaves min_fitted,
+/// of several effects more than min_fitted of each beside the others, simulates it with its own scheme on a finer mesh
+/// of other cells than the default, and writes the folder: experiment.toml, traces, actuations, STL. No file reveals
+/// the truth.
 ///
 /// Errors: none of 12 draws could be run and was visible; the folder cannot be written; cancelled.
 Result<MadeExperiment> make_experiment(const CaseChoice& choice, int number, const std::filesystem::path& folder,

@@ -32,15 +32,16 @@ setup::BodyMesh tapered_hexes(const SyntheticBody& body, double edge) {
     return mesh;
 }
 
-/// Parameter by which the effect of the case shortens the clamp; empty: it leaves the clamp.
-std::string clamp_shortening(const SyntheticCase& c) {
-    return c.effect ? effect::find_effect(c.effect->id)->clamp_shortening : "";
+/// Parameter by which an effect shortens the clamp; empty: it leaves the clamp.
+std::string clamp_shortening(const effect::EffectDeclaration& effect) {
+    return effect::find_effect(effect.id)->clamp_shortening;
 }
 
 /// True support: a shortened clamp ends earlier, and the cells conform to its end.
 experiment::Experiment as_held(const SyntheticCase& c, experiment::Experiment experiment) {
-    if (const std::string parameter = clamp_shortening(c); !parameter.empty())
-        experiment.clamp_box_m.highest(0) -= effect::number(c.effect->parameters, parameter);
+    for (const effect::EffectDeclaration& effect : c.effects)
+        if (const std::string parameter = clamp_shortening(effect); !parameter.empty())
+            experiment.clamp_box_m.highest(0) -= effect::number(effect.parameters, parameter);
     return experiment;
 }
 
@@ -93,7 +94,7 @@ Result<setup::Setup> truth_setup(const SyntheticCase& c, const experiment::Exper
     settings.spectral_radius = c.truth.scheme.rho_inf;
     // Steps that meet every sample.
     settings.h_s = 1.0 / (c.rate_Hz * c.truth.steps_per_sample);
-    settings.fine_element = c.effect && effect::any_varies_within_cells({*c.effect});
+    settings.fine_element = effect::any_varies_within_cells(c.effects);
     // Element and edge length by family; always different from the default of the diagnosis.
     const bool deep = c.body.held_m > 0.0;
     settings.mesh.element = deep ? fem::ElementKind::hex8_mean_dilatation : fem::ElementKind::tet10;
@@ -118,7 +119,8 @@ prediction::ParameterValues true_values(const SyntheticCase& c, const setup::Set
     values.rotation_rad = c.rotation_rad;
     values.effects.clear();
     // A shortened clamp is part of the mesh here, see as_held().
-    if (c.effect && clamp_shortening(c).empty()) values.effects.push_back(*c.effect);
+    for (const effect::EffectDeclaration& effect : c.effects)
+        if (clamp_shortening(effect).empty()) values.effects.push_back(effect);
     return values;
 }
 

@@ -11,6 +11,8 @@ namespace {
 report::Json choice_json(const CaseChoice& choice) {
     report::Json json{{"seed", choice.seed}, {"families", report::Json::array()}, {"effects", choice.effects}};
     for (const BodyFamily family : choice.families) json["families"].push_back(to_string(family));
+    // Folders from before sets of effects are continued.
+    if (choice.together > 1) json["together"] = choice.together;
     return json;
 }
 
@@ -19,9 +21,9 @@ report::Json truth_json(const MadeExperiment& made) {
     const SyntheticCase& c = made.truth;
     report::Json json{
         {"kind", to_string(c.kind)}, {"family", to_string(c.body.family)}, {"effects", report::Json::array()}};
-    if (c.effect)
+    for (const effect::EffectDeclaration& effect : c.effects)
         json["effects"].push_back(
-            {{"id", c.effect->id}, {"parameters", diagnosis::effect_parameters_json(c.effect->parameters)}});
+            {{"id", effect.id}, {"parameters", diagnosis::effect_parameters_json(effect.parameters)}});
     json["level_over_noise"] = report::json_number(made.level);
     json["youngs_modulus_Pa"] = report::json_number(c.material.youngs_modulus_Pa);
     json["damping_s"] = report::json_number(c.material.damping_s);
@@ -54,7 +56,7 @@ CaseRecord run_case(const ValidationOptions& options, int number, const std::fil
     diagnosis::DiagnoseSettings settings = options.diagnose;
     settings.fits = folder / "fits.json";  // lets an interrupted case continue
     // A deleted effect is withheld from the diagnosis; the right answer is then "unknown".
-    if (c.kind == CaseKind::deleted) settings.without.push_back(c.effect->id);
+    if (c.kind == CaseKind::deleted) settings.without.push_back(c.effects.front().id);
     const diagnosis::Diagnosis diagnosis = diagnosis::diagnose(*setup, settings, silent);
     if (progress.cancelled()) return failed_case(c, cases::cancelled_words);
     if (diagnosis.complete())

@@ -51,7 +51,7 @@ double calibration_error_of(const std::vector<ConfidenceBin>& bins) {
 std::vector<ParameterQuality> qualities_of(const std::vector<CaseRecord>& records) {
     std::map<std::pair<std::string, std::string>, std::vector<ParameterError>> all;
     for (const CaseRecord& record : records)
-        for (const ParameterError& error : record.errors) all[{record.truth, error.name}].push_back(error);
+        for (const ParameterError& error : record.errors) all[{error.effect, error.name}].push_back(error);
     std::vector<ParameterQuality> list;
     for (const auto& [name, errors] : all) {
         ParameterQuality quality{name.first, name.second, 0.0, is_place(name.second), {}};
@@ -98,6 +98,8 @@ ValidationSummary validation_summary(const std::vector<CaseRecord>& records) {
         }
         if (record.kind != CaseKind::named) continue;
         s.missed.add(says_none);
+        // Sets are counted apart, see set_summary().
+        if (record.members().size() > 1) continue;
         s.top_1.add(record.right());
         s.top_2.add(record.right_within(2));
         s.in_group.add(record.right_or_grouped());
@@ -111,6 +113,7 @@ ValidationSummary validation_summary(const std::vector<CaseRecord>& records) {
             after.push_back(record.after_over_noise);
         }
     }
+    s.sets = set_summary(records);
     s.parameters = qualities_of(records);
     // Sum over all parameters: a value counts once, however many parameters an effect has.
     for (const ParameterQuality& quality : s.parameters) {
@@ -142,6 +145,7 @@ std::string summary_text(const ValidationSummary& s) {
     text += "\ndeleted -> unknown:     " + at_least_words(s.unknown) +
             "; mimicked by another within 1.3 noise levels: " + std::to_string(s.mimicked.count);
     text += "\n  where not mimicked:   " + at_least_words(s.unknown_unmimicked);
+    text += "\n" + set_summary_text(s.sets);
     text += "\nparameters within 10 %, places within 5 mm: " + at_least_words(s.parameters_good);
     text += "\nheld-out trial, medians: " + format_number(s.validation_before, 3) + " -> " +
             format_number(s.validation_after, 3) + " noise levels";
@@ -174,6 +178,7 @@ report::Json summary_json(const ValidationSummary& s) {
     json["deleted_mimicked"] = proportion_json(s.mimicked);
     json["deleted_unknown_unmimicked"] = proportion_json(s.unknown_unmimicked);
     json["parameters_good"] = proportion_json(s.parameters_good);
+    json["sets"] = set_summary_json(s.sets);
     // Places have their error in m, all others relative to the truth.
     json["parameters"] = report::Json::array();
     for (const ParameterQuality& q : s.parameters)

@@ -6,6 +6,7 @@
 
 #include "validation/case_record.hpp"
 #include "validation/proportion.hpp"
+#include "validation/set_summary.hpp"
 
 namespace myo::validation {
 
@@ -29,7 +30,7 @@ struct ValidationSummary {
     int cases = 0, failed = 0;
     // Cases per body, "beam with muscles" apart from "beam".
     std::map<std::string, int> families;
-    Proportion top_1, top_2;  // over all cases with an effect that the diagnosis knows
+    Proportion top_1, top_2;  // over all cases with one effect, which the diagnosis knows
     /// Shares of the cases with a known effect in which no other effect is declared indistinguishable from the truth.
     Proportion separable_top_1, separable_top_2;
     Proportion in_group;            // right, or an effect declared indistinguishable from the truth
@@ -40,6 +41,7 @@ struct ValidationSummary {
     Proportion unknown_unmimicked;  // `unknown` among the deleted ones that are not mimicked
     Proportion parameters_good;     // of all parameters of correctly named effects
     std::vector<ParameterQuality> parameters;
+    SetSummary sets;
     /// truth -> answer -> count; a deleted effect as "(id)", two effects as "a + b".
     std::map<std::string, std::map<std::string, int>> confusion;
     std::vector<ConfidenceBin> reliability;

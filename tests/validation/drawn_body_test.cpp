@@ -134,15 +134,15 @@ TEST(DrawnBody, AnAmountKeepsSignAndDirection) {
     for (const effect::Effect& entry : effect::effect_catalogue()) {
         if (entry.draw.amount.empty() || entry.draw.needs.far_guides) continue;
         const SyntheticCase c = drawn_case({.seed = 1, .families = {}, .effects = {entry.id}}, 1);
-        const effect::EffectDeclaration before = with_amount(*c.effect, 0.25), after = with_amount(before, 0.5);
+        const effect::EffectDeclaration before = with_amount(c.effects.front(), 0.25), after = with_amount(before, 0.5);
         EXPECT_NEAR(effect_amount(before), 0.25, 1e-15) << entry.id;
         EXPECT_NEAR(effect_amount(after), 0.5, 1e-15) << entry.id;
         EXPECT_EQ(std::signbit(effect::number(after.parameters, entry.draw.amount)),
-                  std::signbit(effect::number(c.effect->parameters, entry.draw.amount)))
+                  std::signbit(effect::number(c.effects.front().parameters, entry.draw.amount)))
             << entry.id;
-        EXPECT_EQ(after.parameters.size(), c.effect->parameters.size());
-        EXPECT_LE(max_amount(c), entry.draw.highest) << entry.id;
-        EXPECT_GT(max_amount(c), 0.0) << entry.id;
+        EXPECT_EQ(after.parameters.size(), c.effects.front().parameters.size());
+        EXPECT_LE(max_amount(c, entry.id), entry.draw.highest) << entry.id;
+        EXPECT_GT(max_amount(c, entry.id), 0.0) << entry.id;
     }
 }
 

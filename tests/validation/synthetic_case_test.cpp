@@ -37,13 +37,17 @@ TEST(SyntheticCase, EveryRequiredParameterIsDrawnWithinItsRange) {
         if (effect.draw.needs.far_guides) continue;  // none of the bodies shows it
         const validation::SyntheticCase c = validation::drawn_case({.seed = 1, .families = {}, .effects = {effect.id}},
                                                                    1);
-        ASSERT_TRUE(c.effect) << effect.id;
+        ASSERT_EQ(c.effects.size(), 1u) << effect.id;
         for (const effect::EffectParameterEntry& entry : effect.parameters) {
-            EXPECT_TRUE(entry.optional || effect::has(c.effect->parameters, entry.name)) << effect.id << entry.name;
-            if (entry.kind != effect::EffectParameterKind::number || !effect::has(c.effect->parameters, entry.name))
+            EXPECT_TRUE(entry.optional || effect::has(c.effects.front().parameters, entry.name))
+                << effect.id << entry.name;
+            if (entry.kind != effect::EffectParameterKind::number ||
+                !effect::has(c.effects.front().parameters, entry.name))
                 continue;
-            EXPECT_GE(effect::number(c.effect->parameters, entry.name), entry.lowest) << effect.id << entry.name;
-            EXPECT_LE(effect::number(c.effect->parameters, entry.name), entry.highest) << effect.id << entry.name;
+            EXPECT_GE(effect::number(c.effects.front().parameters, entry.name), entry.lowest)
+                << effect.id << entry.name;
+            EXPECT_LE(effect::number(c.effects.front().parameters, entry.name), entry.highest)
+                << effect.id << entry.name;
         }
     }
 }
@@ -72,8 +76,8 @@ TEST(SyntheticCase, ASixthHasNoEffectAndASixthADeletedOne) {
     for (int k = 0; k < cases; ++k) {
         const validation::SyntheticCase c = validation::drawn_case({}, k);
         ++kinds[c.kind];
-        EXPECT_EQ(c.effect.has_value(), c.kind != validation::CaseKind::none);
-        if (c.effect) ++(c.kind == validation::CaseKind::named ? named : deleted)[c.effect->id];
+        EXPECT_EQ(!c.effects.empty(), c.kind != validation::CaseKind::none);
+        if (!c.effects.empty()) ++(c.kind == validation::CaseKind::named ? named : deleted)[c.effects.front().id];
     }
     EXPECT_EQ(kinds[validation::CaseKind::none], cases / 6);
     EXPECT_EQ(kinds[validation::CaseKind::deleted], cases / 6);
@@ -87,8 +91,8 @@ TEST(SyntheticCase, ASixthHasNoEffectAndASixthADeletedOne) {
 TEST(SyntheticCase, HasWhatItsEffectNeedsToShow) {
     for (int k = 0; k < 168; ++k) {
         const validation::SyntheticCase c = validation::drawn_case({.seed = 2, .families = {}, .effects = {}}, k);
-        if (!c.effect) continue;
-        const effect::EffectNeeds& needs = validation::effect_draw(c.effect->id).needs;
+        if (c.effects.empty()) continue;
+        const effect::EffectNeeds& needs = validation::effect_draw(c.effects.front().id).needs;
         if (needs.muscles) {
             EXPECT_FALSE(c.muscles.empty()) << k;
         }

@@ -40,7 +40,7 @@ TEST(TruthModel, ASlippedClampEndsWhereItStillHolds) {
     const Folder folder("slipped");
     const validation::SyntheticCase c = written_plate(folder, "clamp_slip");
     const setup::Setup truth = truth_of(c, folder);
-    const double held_m = c.body.held_m - effect::number(c.effect->parameters, "free_length_m");
+    const double held_m = c.body.held_m - effect::number(c.effects.front().parameters, "free_length_m");
     ASSERT_GT(held_m, 0.0);
     double last_clamped = 0.0, first_free = std::numeric_limits<double>::infinity();
     for (int i = 0; i < truth.body->node_count(); ++i) {

@@ -54,7 +54,7 @@ std::vector<validation::CaseRecord> some_records() {
         answered(9, validation::CaseKind::deleted, "point_mass", {"gravity_tilt"}, 0.99),
     };
     records[2].group = {"quadratic_drag"};
-    records[1].errors = {{"coefficient_kg_m3", 30.0, 0.05}};
+    records[1].errors = {{"coefficient_kg_m3", 30.0, 0.05, "quadratic_drag", true}};
     records[7].after_over_noise = 1.1;
     records.push_back(answered(10, validation::CaseKind::named, "scale_error", {}, 0.0));
     records.back().failure = "the truth does not run";
@@ -103,8 +103,8 @@ TEST(ValidationSummary, OnlyPositionsAreJudgedByDistance) {
     std::vector<validation::CaseRecord> records = {
         answered(1, validation::CaseKind::named, "point_mass", {"point_mass"}, 0.9),
         answered(2, validation::CaseKind::named, "point_mass", {"point_mass"}, 0.9)};
-    records[0].errors = {{"mass_kg", 0.001, none}, {"position_m", 0.004, none}};
-    records[1].errors = {{"mass_kg", 0.004, 0.5}, {"position_m", 0.006, none}};
+    records[0].errors = {{"mass_kg", 0.001, none, "point_mass", {}}, {"position_m", 0.004, none, "point_mass", {}}};
+    records[1].errors = {{"mass_kg", 0.004, 0.5, "point_mass", {}}, {"position_m", 0.006, none, "point_mass", {}}};
     const validation::ValidationSummary s = validation::validation_summary(records);
     ASSERT_EQ(s.parameters.size(), 2u);
     EXPECT_EQ(s.parameters[0].parameter, "mass_kg");

@@ -57,27 +57,6 @@ report::Json deviations_json(const JointFit& fit) {
     return json;
 }
 
-/// 95 % intervals of the fitted numbers of a named effect, under the names of its parameters: [low, high], of a vector
-/// one such pair per component. Directions, which are fitted as angles, have none.
-report::Json intervals_json(const JointFit& fit, const std::string& effect) {
-    report::Json json = report::Json::object();
-    for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
-        const prediction::ModelParameter& p = fit.parameters[i];
-        if (p.kind != prediction::ModelParameter::Kind::effect || p.is_angle() ||
-            fit.values.effects[p.index].id != effect || static_cast<Index>(i) >= fit.report.deviations.size())
-            continue;
-        const std::optional<Interval> interval = interval_95(p.parameter, prediction::value_of(p, fit.values),
-                                                             fit.report.deviations(static_cast<Index>(i)));
-        report::Json pair;
-        if (interval) pair = {report::json_number(interval->low), report::json_number(interval->high)};
-        if (p.component < 0)
-            json[p.of_effect] = std::move(pair);
-        else
-            json[p.of_effect].push_back(std::move(pair));
-    }
-    return json;
-}
-
 /// Results of the residual tests; a p-value below p_threshold is significant.
 report::Json tests_json(const statistics::ResidualTests& tests) {
     return {{"samples", tests.samples},
@@ -248,6 +227,25 @@ report::Json details_json(const setup::Setup& setup, const Diagnosis& d) {
 }
 
 }  // namespace
+
+report::Json intervals_json(const JointFit& fit, const std::string& effect) {
+    report::Json json = report::Json::object();
+    for (std::size_t i = 0; i < fit.parameters.size(); ++i) {
+        const prediction::ModelParameter& p = fit.parameters[i];
+        if (p.kind != prediction::ModelParameter::Kind::effect || p.is_angle() ||
+            fit.values.effects[p.index].id != effect || static_cast<Index>(i) >= fit.report.deviations.size())
+            continue;
+        const std::optional<Interval> interval = interval_95(p.parameter, prediction::value_of(p, fit.values),
+                                                             fit.report.deviations(static_cast<Index>(i)));
+        report::Json pair;
+        if (interval) pair = {report::json_number(interval->low), report::json_number(interval->high)};
+        if (p.component < 0)
+            json[p.of_effect] = std::move(pair);
+        else
+            json[p.of_effect].push_back(std::move(pair));
+    }
+    return json;
+}
 
 report::Json effect_parameters_json(const effect::EffectParameters& parameters) {
     report::Json json = report::Json::object();
