@@ -66,24 +66,26 @@ SetSummary set_summary(const std::vector<CaseRecord>& records) {
     return s;
 }
 
-std::vector<std::pair<std::string, Proportion>> set_proportions(const SetSummary& s) {
-    std::vector<std::pair<std::string, Proportion>> all;
+std::vector<NamedShare> set_proportions(const SetSummary& s) {
+    std::vector<NamedShare> all;
     for (const auto& [size, share] : s.exact)
-        all.emplace_back("exact where " + (size == 0   ? "no effect acts"
-                                           : size == 1 ? "one effect acts"
-                                                       : std::to_string(size) + " effects act"),
-                         share);
-    all.emplace_back("asserted effects that act", s.precision);
-    all.emplace_back("acting effects that are asserted", s.recall);
-    all.emplace_back("cases with an asserted effect that does not act", s.false_inclusion);
-    all.emplace_back("true numbers within their 95 % intervals", s.covered);
+        all.push_back({"exact where " + (size == 0   ? "no effect acts"
+                                         : size == 1 ? "one effect acts"
+                                                     : std::to_string(size) + " effects act"),
+                       share});
+    all.push_back({"asserted effects that act", s.precision});
+    all.push_back({"acting effects that are asserted", s.recall});
+    all.push_back({"cases with an asserted effect that does not act", s.false_inclusion, true});
+    all.push_back({"true numbers within their 95 % intervals", s.covered});
     return all;
 }
 
 std::string set_summary_text(const SetSummary& s) {
     std::string text;
-    for (const auto& [name, share] : set_proportions(s))
-        if (share.of > 0) text += (text.empty() ? "" : "\n") + name + ": " + at_least_words(share);
+    for (const auto& [name, share, is_fault] : set_proportions(s))
+        if (share.of > 0)
+            text += (text.empty() ? "" : "\n") + name + ": " +
+                    (is_fault ? at_most_words(share) : at_least_words(share));
     if (s.open_probabilities > 0)
         text += "\nerror of " + std::to_string(s.open_probabilities) + " probabilities between " +
                 format_number(least_open, 2) + " and " + format_number(most_open, 2) + ": " +

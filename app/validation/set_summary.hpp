@@ -2,7 +2,6 @@
 
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "validation/case_record.hpp"
@@ -24,8 +23,14 @@ struct SetSummary {
 };
 SetSummary set_summary(const std::vector<CaseRecord>& records);
 
-/// Names and shares, in the order of a table.
-std::vector<std::pair<std::string, Proportion>> set_proportions(const SetSummary& summary);
+/// A share of the summary with its name.
+struct NamedShare {
+    std::string name;
+    Proportion share;
+    bool is_fault = false;  // small is good: its upper bound is stated
+};
+/// In the order of a table.
+std::vector<NamedShare> set_proportions(const SetSummary& summary);
 /// Lines of a terminal.
 std::string set_summary_text(const SetSummary& summary);
 report::Json set_summary_json(const SetSummary& summary);

@@ -45,7 +45,7 @@ report::Table rate_table(const ValidationSummary& s) {
     add("deleted effect answered unknown", s.unknown);
     add("deleted effect mimicked by another, held-out trial within 1.3 noise levels", s.mimicked);
     add("deleted effects answered unknown where not mimicked", s.unknown_unmimicked);
-    for (const auto& [name, share] : set_proportions(s.sets)) add(name.c_str(), share);
+    for (const NamedShare& row : set_proportions(s.sets)) add(row.name.c_str(), row.share);
     add("parameters within 10 %, places within 5 mm", s.parameters_good);
     return table;
 }

@@ -66,6 +66,7 @@ TEST(SetsOfEffects, AreCountedByTheirMembers) {
     EXPECT_EQ(s.false_inclusion.of, 5);
     EXPECT_EQ(s.covered.count, 1);
     EXPECT_EQ(s.covered.of, 2);
+    EXPECT_NE(set_summary_text(s).find("does not act: 1 of 5, 20.0 % (at most"), std::string::npos);
     EXPECT_EQ(validation_summary(records).top_1.of, 1) << "rates of single effects count no sets";
 }
 
