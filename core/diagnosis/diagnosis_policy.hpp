@@ -146,7 +146,7 @@ struct CandidateFitPolicy {
     double large_reduction = 0.3;
     /// Candidates whose predicted reduction is at least this share of the leader's are pruned later.
     double comparable_reduction = 0.9;
-    /// Of these, an unfinished fit that leaves less than this share of the base's squares is not pruned while the
+    /// An unfinished one of them that leaves less than this share of the base's squares is not pruned while the
     /// smallest exceeds the noise by the second factor, a systematic part as large as the noise. The derivatives of the
     /// base mislead: those of the right effect left 0.08 where they predicted 0.05, a mimic's 0.001
     /// (beginnings of example_clamp_compliance).

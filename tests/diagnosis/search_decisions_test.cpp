@@ -181,6 +181,7 @@ TEST(Pruning, IsLaterForEffectsThatPromiseAsMuchAsTheBest) {
 /// A promising fit is not ended by a mimic that leaves three times the noise; by one that leaves noise it is.
 TEST(Pruning, KeepsPromisingFitsUntilTheNoiseIsReached) {
     PruningInput in{{{100.0, 0.8, false}, {9000.0, 0.79, true}, {9000.0, 0.5, true}}, 1e9, 100.0 / 3.0, 2.0, 0.9};
+    in.noise_like = 2.0;
     EXPECT_THAT(continued(in), IsEmpty());
     in.promising_squares = 9000.0 * above;
     EXPECT_THAT(continued(in), ElementsAre(1)) << "the other effect predicts less";

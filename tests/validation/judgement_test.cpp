@@ -8,6 +8,7 @@
 
 #include "effect/effect.hpp"
 #include "validation/case_record.hpp"
+#include "validation/case_with.hpp"
 #include "validation/defaults_record.hpp"
 #include "validation/defaults_summary.hpp"
 #include "validation/finite_median.hpp"
@@ -23,15 +24,6 @@ using testing::ElementsAre;
 using testing::StartsWith;
 
 const double not_known = std::numeric_limits<double>::quiet_NaN();
-
-CaseRecord case_with(CaseKind kind, const std::string& truth, const std::vector<std::string>& answer) {
-    CaseRecord record;
-    record.kind = kind;
-    record.family = "beam";
-    record.truth = truth;
-    record.answer = answer;
-    return record;
-}
 
 TEST(Judgement, OneAnswerAloneIsRight) {
     EXPECT_TRUE(case_with(CaseKind::named, "tilt", {"tilt"}).right());

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "effect/catalogue.hpp"
+#include "validation/case_with.hpp"
 #include "validation/synthetic_effects.hpp"
 #include "validation/validation_summary.hpp"
 
@@ -15,22 +16,13 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-CaseRecord answered(CaseKind kind, const std::string& truth, const std::vector<std::string>& answer) {
-    CaseRecord record;
-    record.kind = kind;
-    record.family = "beam";
-    record.truth = truth;
-    record.answer = answer;
-    return record;
-}
-
 TEST(SetsOfEffects, AreRightInAnyOrderAndOnlyWhole) {
-    EXPECT_THAT(answered(CaseKind::named, "drag + tilt", {}).members(), ElementsAre("drag", "tilt"));
-    EXPECT_THAT(answered(CaseKind::none, "none", {}).members(), IsEmpty());
-    EXPECT_TRUE(answered(CaseKind::named, "drag + tilt", {"tilt", "drag"}).right());
-    EXPECT_FALSE(answered(CaseKind::named, "drag + tilt", {"tilt"}).right());
-    EXPECT_FALSE(answered(CaseKind::named, "drag + tilt", {"tilt", "drag", "slip"}).right());
-    CaseRecord mimicked = answered(CaseKind::named, "drag + tilt", {"damping", "tilt"});
+    EXPECT_THAT(case_with(CaseKind::named, "drag + tilt", {}).members(), ElementsAre("drag", "tilt"));
+    EXPECT_THAT(case_with(CaseKind::none, "none", {}).members(), IsEmpty());
+    EXPECT_TRUE(case_with(CaseKind::named, "drag + tilt", {"tilt", "drag"}).right());
+    EXPECT_FALSE(case_with(CaseKind::named, "drag + tilt", {"tilt"}).right());
+    EXPECT_FALSE(case_with(CaseKind::named, "drag + tilt", {"tilt", "drag", "slip"}).right());
+    CaseRecord mimicked = case_with(CaseKind::named, "drag + tilt", {"damping", "tilt"});
     EXPECT_FALSE(mimicked.right_or_grouped());
     mimicked.group = {"damping"};
     EXPECT_TRUE(mimicked.right_or_grouped());
@@ -41,13 +33,13 @@ TEST(SetsOfEffects, AreRightInAnyOrderAndOnlyWhole) {
 /// Counted by hand over five cases; the deleted effect and the failed case count nowhere.
 TEST(SetsOfEffects, AreCountedByTheirMembers) {
     std::vector<CaseRecord> records = {
-        answered(CaseKind::none, "none", {"none"}),
-        answered(CaseKind::named, "drag", {"drag", "slip"}),
-        answered(CaseKind::named, "drag + tilt", {"tilt", "drag"}),
-        answered(CaseKind::named, "drag + tilt", {"tilt"}),
-        answered(CaseKind::named, "drag + slip + tilt", {"unknown"}),
-        answered(CaseKind::deleted, "drag", {"slip"}),
-        answered(CaseKind::named, "drag + tilt", {"slip"}),
+        case_with(CaseKind::none, "none", {"none"}),
+        case_with(CaseKind::named, "drag", {"drag", "slip"}),
+        case_with(CaseKind::named, "drag + tilt", {"tilt", "drag"}),
+        case_with(CaseKind::named, "drag + tilt", {"tilt"}),
+        case_with(CaseKind::named, "drag + slip + tilt", {"unknown"}),
+        case_with(CaseKind::deleted, "drag", {"slip"}),
+        case_with(CaseKind::named, "drag + tilt", {"slip"}),
     };
     records.back().failure = "the truth does not run";
     records[2].errors = {{"coefficient", 1.0, 0.1, "drag", true}, {"axis", 1.0, 0.1, "tilt", {}}};
@@ -75,7 +67,7 @@ TEST(SetsOfEffects, ProbabilitiesAreComparedWithWhatActs) {
     for (const int acting : {4, 0}) {
         std::vector<CaseRecord> records;
         for (int k = 0; k < 20; ++k) {
-            records.push_back(answered(CaseKind::named, k % 5 == 0 && acting > 0 ? "slip + tilt" : "tilt", {"tilt"}));
+            records.push_back(case_with(CaseKind::named, k % 5 == 0 && acting > 0 ? "slip + tilt" : "tilt", {"tilt"}));
             records.back().probabilities = {{"slip", 0.2}, {"tilt", 0.99}, {"drag", 0.01}};
         }
         const SetSummary s = set_summary(records);
@@ -86,7 +78,7 @@ TEST(SetsOfEffects, ProbabilitiesAreComparedWithWhatActs) {
 }
 
 TEST(SetsOfEffects, AreKeptByARecord) {
-    CaseRecord record = answered(CaseKind::named, "drag + tilt", {"tilt", "drag"});
+    CaseRecord record = case_with(CaseKind::named, "drag + tilt", {"tilt", "drag"});
     record.probabilities = {{"drag", 0.7}};
     record.errors = {{"coefficient", 1.0, 0.1, "drag", true}, {"tilt_deg", 1.0, 0.1, "tilt", {}}};
     const Result<CaseRecord> read = record_from_json(record_json(record));

@@ -21,7 +21,7 @@ struct PruningInput {
     double pruning_factor = 1.0;        // of the smallest squared residual, above which a fit ends
     double comparable_reduction = 0.9;  // see CandidateFitPolicy
     double promising_squares = 0.0;     // an unfinished fit below is promising; see fits_worth_continuing()
-    double noise_like = 2.0;            // see CandidateFitPolicy
+    double noise_like = 0.0;            // see CandidateFitPolicy
 };
 
 /// Indices of the open fits that may still become the best, ascending.
