@@ -69,7 +69,8 @@ int run(const std::string& request_path, const std::string& answer_path, std::st
         tetrahedralize(switches.data(), &input, &output);
     } catch (int code) {
         // TetGen throws its error code; 1 is a lack of memory.
-        return code == 1 ? myo::mesh::worker_status::out_of_memory : myo::mesh::worker_status::tetgen_error + code;
+        if (code == 1) return myo::mesh::worker_status::out_of_memory;
+        return myo::mesh::worker_status::tetgen_error + code;
     }
     if (output.numberofpoints > 0) answer.points.assign(output.pointlist, output.pointlist + 3 * output.numberofpoints);
     if (output.numberoftetrahedra > 0) {

@@ -38,8 +38,10 @@ struct Axis {
 enum class SeriesStyle { line, dashed, dots, line_and_dots, bars, diamonds };
 
 /// Values of Series::colour: slots of Palette::series from 0, or one of these.
-inline constexpr int automatic_colour = -1;  // the next slot; equal names have equal colours in all panels
-inline constexpr int ink_colour = -2;        // the colour of text, for measured data
+enum SeriesColour : int {
+    automatic_colour = -1,  // the next slot; equal names have equal colours in all panels
+    ink_colour = -2,        // the colour of text, for measured data
+};
 
 /// A curve with its style.
 struct Series {

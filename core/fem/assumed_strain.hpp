@@ -89,20 +89,20 @@ AssumedStrainBlock assumed_strain_block(const mesh::VolumeMesh& mesh, const Cell
 ///
 /// Along each edge these are the three Gauss points, exact to degree 5. A strain that varies linearly is integrated
 /// exactly up to its fourth power, so that one layer bends correctly with laws of that order.
-namespace assumed_strain_rule {
-inline constexpr int points = 9;
-inline constexpr double middle_weight = 4.0 / 9.0, corner_weight = 5.0 / 72.0;  // relative to the volume
-inline constexpr double corner = 0.774596669241483377;                          // sqrt(3/5)
-/// Scale of the strains B at the corner points. B varies with products of coordinates, whose mean square the rule gives
-/// as 1/5 instead of 1/9.
-inline constexpr double bilinear_share = 0.745355992499929899;  // sqrt(5)/3
-}  // namespace assumed_strain_rule
+struct AssumedStrainRule {
+    static constexpr int points = 9;
+    static constexpr double middle_weight = 4.0 / 9.0, corner_weight = 5.0 / 72.0;  // relative to the volume
+    static constexpr double corner = 0.774596669241483377;                          // sqrt(3/5)
+    /// Scale of the strains B at the corner points. B varies with products of coordinates, whose mean square the rule
+    /// gives as 1/5 instead of 1/9.
+    static constexpr double bilinear_share = 0.745355992499929899;  // sqrt(5)/3
+};
 
 /// Reference coordinates of point q: 0 is the centre, the bits of q - 1 give the signs of corner q.
 inline Eigen::Vector3d assumed_strain_point(int q) {
     if (q == 0) return Eigen::Vector3d::Zero();
     const int bits = q - 1;
-    return assumed_strain_rule::corner *
+    return AssumedStrainRule::corner *
            Eigen::Vector3d(bits & 1 ? 1.0 : -1.0, bits & 2 ? 1.0 : -1.0, bits & 4 ? 1.0 : -1.0);
 }
 

@@ -26,7 +26,7 @@ std::vector<Eigen::VectorXd> shape_values_at_points(ElementKind kind) {
         case ElementKind::hex8: break;
     }
     std::vector<Eigen::VectorXd> values;
-    for (int q = 0; q < assumed_strain_rule::points; ++q)
+    for (int q = 0; q < AssumedStrainRule::points; ++q)
         values.emplace_back(mesh::Hex8::values(assumed_strain_point(q)));
     return values;
 }

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <type_traits>
 #include <vector>
 
 namespace myo::mesh {
@@ -19,19 +21,17 @@ struct TetgenExchange {
 
 /// Exit status of the worker. TetGen's own error codes (1 to 10) are added to `tetgen_error`.
 namespace worker_status {
-inline constexpr int done = 0;
-/// Wrong arguments, or the request cannot be read.
-inline constexpr int bad_call = 64;
-/// The answer cannot be written.
-inline constexpr int cannot_write = 65;
-/// The memory limit was reached.
-inline constexpr int out_of_memory = 66;
-/// TetGen failed; its error code is added.
-inline constexpr int tetgen_error = 80;
+enum Code : int {
+    done = 0,
+    bad_call = 64,       // wrong arguments, or the request cannot be read
+    cannot_write = 65,   // the answer cannot be written
+    out_of_memory = 66,  // the memory limit was reached
+    tetgen_error = 80,   // TetGen failed; its error code is added
+};
 }  // namespace worker_status
 
-inline constexpr std::uint64_t
-    tetgen_exchange_magic = 0x31544554'4f594dULL;  // rejects files of other programs or versions
+/// First bytes of an exchange file: files of other programs or versions are rejected.
+inline constexpr std::array<char, 8> tetgen_exchange_magic{'M', 'Y', 'O', 'T', 'E', 'T', '1', '\0'};
 
 /// Writes a count and the values; false if writing failed.
 template <class T>
@@ -55,7 +55,7 @@ bool read_block(std::istream& stream, std::uint64_t file_size, std::vector<T>& v
 /// Writes a complete exchange file; false if writing failed.
 inline bool write_exchange(const std::filesystem::path& path, const TetgenExchange& content) {
     std::ofstream stream(path, std::ios::binary);
-    stream.write(reinterpret_cast<const char*>(&tetgen_exchange_magic), sizeof tetgen_exchange_magic);
+    stream.write(tetgen_exchange_magic.data(), tetgen_exchange_magic.size());
     const bool written = write_block(stream, content.points) && write_block(stream, content.cells) &&
                          write_block(stream, content.holes);
     stream.close();
@@ -67,9 +67,8 @@ inline bool read_exchange(const std::filesystem::path& path, TetgenExchange& con
     std::error_code code;
     const std::uint64_t size = std::filesystem::file_size(path, code);
     std::ifstream stream(path, std::ios::binary);
-    std::uint64_t magic = 0;
-    if (code || !stream.read(reinterpret_cast<char*>(&magic), sizeof magic) || magic != tetgen_exchange_magic)
-        return false;
+    std::remove_const_t<decltype(tetgen_exchange_magic)> magic{};
+    if (code || !stream.read(magic.data(), magic.size()) || magic != tetgen_exchange_magic) return false;
     return read_block(stream, size, content.points) && read_block(stream, size, content.cells) &&
            read_block(stream, size, content.holes);
 }

@@ -75,10 +75,10 @@ struct AssumedStrainMap {
         }
     }
 
-    /// Values of the linear and the bilinear shape at a corner point, see fem::assumed_strain_rule.
-    static constexpr double linear_scale = fem::assumed_strain_rule::corner;
-    static constexpr double bilinear_scale = fem::assumed_strain_rule::corner * fem::assumed_strain_rule::corner *
-                                             fem::assumed_strain_rule::bilinear_share;
+    /// Values of the linear and the bilinear shape at a corner point, see fem::AssumedStrainRule.
+    static constexpr double linear_scale = fem::AssumedStrainRule::corner;
+    static constexpr double bilinear_scale = fem::AssumedStrainRule::corner * fem::AssumedStrainRule::corner *
+                                             fem::AssumedStrainRule::bilinear_share;
 
     /// Strain of a plane per unit of its m-th measure (E_ii, E_jj, 2 E_ij) at a corner.
     PackSymmetric basis(std::size_t plane, std::size_t m) const {
@@ -198,7 +198,7 @@ public:
     material::Matrix3<Pack> gradient(int q) const { return q == 0 ? mean_ : times_symmetric(mean_, stretch(q)); }
     /// Quadrature weight of point q [m3].
     Pack weight(int q) const {
-        return (q == 0 ? fem::assumed_strain_rule::middle_weight : fem::assumed_strain_rule::corner_weight) *
+        return (q == 0 ? fem::AssumedStrainRule::middle_weight : fem::AssumedStrainRule::corner_weight) *
                map_.geometry.volume;
     }
 

@@ -33,7 +33,7 @@ struct PackGeometry {
 
 /// Geometry of a pack of hex8 cells with assumed strains. Members as in fem::AssumedStrainGeometry.
 struct PackAssumedStrain {
-    static constexpr int nodes = 8, points = fem::assumed_strain_rule::points;
+    static constexpr int nodes = 8, points = fem::AssumedStrainRule::points;
     using Block = fem::AssumedStrainBlock;
     struct Plane {
         std::array<PackSymmetric, 3> in_plane;

@@ -15,18 +15,22 @@ namespace myo::solver {
 template <class Scalar, int K>
 using Lanes = std::experimental::simd<Scalar, std::experimental::simd_abi::deduce_t<Scalar, K>>;
 
-/// Block size of the triangular solves: columns processed together, and rows of a diagonal block.
-inline constexpr int diagonal_block_size = 8;
+struct FactorBlockPolicy {
+    /// Block size of the triangular solves: columns processed together, and rows of a diagonal block. One cache line of
+    /// doubles.
+    int diagonal_block = 8;
+};
+inline constexpr FactorBlockPolicy factor_block_policy;
 
 /// Dense block of one supernode of a Cholesky factor, with triangular solves for K right-hand sides.
 ///
 /// rows x columns, column-major with leading dimension `stride`; the first `columns` rows are L11, the others L21. Each
-/// diagonal block L_d of diagonal_block_size is stored as its inverse L_d^-1, zero above the diagonal. Solves then
-/// consist of products, without divisions or dependent substitutions inside a block.
+/// diagonal block L_d of FactorBlockPolicy::diagonal_block rows is stored as its inverse L_d^-1, zero above the
+/// diagonal. Solves then consist of products, without divisions or dependent substitutions inside a block.
 template <class Scalar, int K>
 struct FactorBlock {
     using Lane = Lanes<Scalar, K>;
-    static constexpr int step = diagonal_block_size;
+    static constexpr int step = factor_block_policy.diagonal_block;
     const Scalar* values;       // rows x columns, not owned
     int stride, rows, columns;  // leading dimension; sizes of the block
 
@@ -95,7 +99,7 @@ struct FactorBlock<Scalar, 1> {
     using Lane = Scalar;
     using Rows = std::experimental::native_simd<Scalar>;
     using Mask = typename Rows::mask_type;
-    static constexpr int step = diagonal_block_size, width = static_cast<int>(Rows::size());
+    static constexpr int step = factor_block_policy.diagonal_block, width = static_cast<int>(Rows::size());
     static_assert(SupernodalPattern::stride_unit % width == 0);
     const Scalar* values;
     int stride, rows, columns;

@@ -120,8 +120,9 @@ private:
             left.template selfadjointView<Eigen::Lower>().rankUpdate(bottom, Scalar(-1));
         }
         // Inverted diagonal blocks, see FactorBlock. Only after L21 is complete, which needs L11 itself.
-        for (Eigen::Index start = 0; start < columns; start += diagonal_block_size) {
-            const Eigen::Index size = std::min<Eigen::Index>(diagonal_block_size, columns - start);
+        constexpr Eigen::Index block = factor_block_policy.diagonal_block;
+        for (Eigen::Index start = 0; start < columns; start += block) {
+            const Eigen::Index size = std::min(block, columns - start);
             invert_lower(L.block(start, start, size, size));
         }
     }

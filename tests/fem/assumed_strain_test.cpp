@@ -63,14 +63,14 @@ TEST(AssumedStrain, PlanesHaveTheStrainOfTheirEdgesAndNoneAcross) {
 
 /// Along an edge the rule is exact to the fourth power, and products have the mean square that their share makes right.
 TEST(AssumedStrain, PointsIntegratePowersOfAStrainThatVariesLinearly) {
-    using namespace assumed_strain_rule;
+    using Rule = AssumedStrainRule;
     for (const auto& [power, mean] : {std::pair{0, 1.0}, {2, 1.0 / 3.0}, {4, 1.0 / 5.0}}) {
         double sum = 0.0, product = 0.0;
-        for (int q = 0; q < points; ++q) {
+        for (int q = 0; q < Rule::points; ++q) {
             const Vector3d xi = assumed_strain_point(q);
-            const double weight = q == 0 ? middle_weight : corner_weight;
+            const double weight = q == 0 ? Rule::middle_weight : Rule::corner_weight;
             sum += weight * std::pow(xi.y(), power);
-            product += weight * std::pow(bilinear_share * xi.x() * xi.y(), 2);
+            product += weight * std::pow(Rule::bilinear_share * xi.x() * xi.y(), 2);
         }
         EXPECT_NEAR(sum, mean, 1e-14);
         EXPECT_NEAR(product, 1.0 / 9.0, 1e-14);

@@ -34,7 +34,7 @@ std::string name_in_sentence(const std::string& effect_id);
 std::string after_words(const Diagnosis& diagnosis);
 /// Colour indices of the declared model and of the verdict's fit, the same on the whole page; bars use them in this
 /// order.
-inline constexpr int before_colour = 0, after_colour = 1;
+enum FitColour : int { before_colour, after_colour };
 /// Whether the page compares two fits.
 bool has_two_fits(const Diagnosis& diagnosis);
 /// P-value as text: "0.0312", "3.1 × 10⁻⁹", "< 10⁻¹²".
