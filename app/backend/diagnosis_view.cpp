@@ -351,10 +351,13 @@ ui::commands::DiagnosisView diagnosis_view(const DiagnosisSource& source, const 
 
 void add_forces(const DiagnosisSource& source, const diagnosis::Diagnosis& d, ui::commands::DiagnosisView& view) {
     assert(d.complete());
-    const setup::Setup& setup = source.setup;
-    const diagnosis::BodyPatches patches = diagnosis::body_patches(*setup.body, about_patches);
-    view.patch_of_node = patches.patch_of_node;
-    view.patches = patches.count;
+    const setup::Setup setup = diagnosis::as_diagnosed(d, source.setup);
+    const model::Body& shown_body = *source.setup.body;
+    const diagnosis::BodyPatches shown_patches = diagnosis::body_patches(shown_body, about_patches);
+    view.patch_of_node = shown_patches.patch_of_node;
+    view.patches = shown_patches.count;
+    // The fits may have coarser cells than the body that is shown.
+    const diagnosis::BodyPatches patches = diagnosis::patches_on(*setup.body, shown_body, shown_patches);
     std::vector<ui::commands::DiagnosisRow*> rows;
     for (ui::commands::DiagnosisRow& row : view.rows) {
         if (row.kind == ui::commands::DiagnosisRow::Kind::missing_force)

@@ -82,6 +82,7 @@ public:
         d_.data = declared.data;
         d_.noise_m = mean_noise_m(declared.data);
         d_.step_factors = declared.step_factors;
+        d_.coarser = declared.coarser;
         d_.repeatability = declared.repeatability;
         d_.notes = declared.notes;
         d_.failure = declared.failure;
@@ -221,12 +222,12 @@ PredictionShift search(const DiagnosisContext& context, FitStore& store, PhaseLo
 
 }  // namespace
 
-setup::Setup as_diagnosed(const Diagnosis& diagnosis, setup::Setup setup) {
-    setup = for_candidates(std::move(setup), diagnosis.settings);
+setup::Setup as_diagnosed(const Diagnosis& diagnosis, const setup::Setup& setup) {
+    setup::Setup diagnosed = diagnosis.coarser ? *diagnosis.coarser : for_candidates(setup, diagnosis.settings);
     for (std::size_t t = 0; t < diagnosis.step_factors.size(); ++t)
-        setup.trials[t].options.h_s *= diagnosis.step_factors[t];
-    setup.modulus_factor = diagnosis.modulus_factor;
-    return setup;
+        diagnosed.trials[t].options.h_s = setup.trials[t].options.h_s * diagnosis.step_factors[t];
+    diagnosed.modulus_factor = diagnosis.modulus_factor;
+    return diagnosed;
 }
 
 Diagnosis diagnose(const setup::Setup& setup, const DiagnoseSettings& settings, const Progress& progress,

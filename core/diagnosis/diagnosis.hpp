@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,7 +43,8 @@ struct Diagnosis {
     Repeatability repeatability;
     std::vector<double> step_factors;  // per trial: steps of all fits over those of the setup; empty: 1. The shift
                                        // belongs to these steps
-    double modulus_factor = 1.0;       // of the cells, in all fits after the first declared fit
+    std::shared_ptr<const setup::Setup> coarser;  // the setup on the cells of all fits; null: on those that were given
+    double modulus_factor = 1.0;                  // of the cells, in all fits after the first declared fit
     JudgedFit declared;
     std::vector<Candidate> candidates;  // most credible first
     std::vector<JudgedFit> sets;        // of two and more effects, best first
@@ -62,10 +64,10 @@ struct Diagnosis {
     Baseline baseline() const { return {declared, data, numerics, settings}; }
 };
 
-/// Setup with the element, steps and effective modulus that a diagnosis used: runs of it compare with its fits.
+/// Setup with the cells, element, steps and effective modulus that a diagnosis used: runs of it compare with its fits.
 ///
 /// @param setup  the setup that was given to diagnose(), unchanged
-setup::Setup as_diagnosed(const Diagnosis& diagnosis, setup::Setup setup);
+setup::Setup as_diagnosed(const Diagnosis& diagnosis, const setup::Setup& setup);
 
 /// Declared fit, numerical error, significance, scores, candidate fits, sets, verdict, prediction of all trials.
 ///

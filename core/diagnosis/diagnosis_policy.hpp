@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 namespace myo::diagnosis {
@@ -34,6 +35,16 @@ struct NumericsPolicy {
     /// of another form than an effect's leaves a twentieth.
     double max_step_change = 1.0;
     double step_change_of_left = 0.03;
+
+    /// Edges of coarser cells over those of the setup, from the coarsest on: the first is taken whose cells change
+    /// predictions by at most this [noise levels, rms], or by this share of the residual of the declared fit, apart
+    /// from what another modulus makes up for. Half the layers of example_dry_friction change it by 0.23 noise levels,
+    /// give the same answer, and take a seventh of the time; those of example_viscoelastic by 1.8, with a second effect
+    /// that is not there.
+    std::array<double, 2> cell_ratios{2.0, 1.5};
+    double max_cell_change = 0.5;
+    double cell_change_of_left = 0.05;
+    double max_share_of_unknowns = 0.7;  // of the setup's; coarser cells that keep more save too little
 
     /// Orders of convergence of displacements with the edge length, without locking. hex8: 2.5 by a manufactured
     /// solution. tet10_fine: measured 3.6 at nu 0.3 and 3.1 at 0.499. Other elements: second order.
@@ -137,12 +148,15 @@ struct CandidateFitPolicy {
     Effort amount{4, 1e-3, 0};      // declared parameters and amounts, with the Jacobian known at the start
     Effort nonlinear{10, 1e-3, 1};  // as above, for starts beyond the linear range
     Effort repeated{8, 1e-3, 1};    // as above, if the first attempt missed its predicted reduction
-    Effort leader{20, 3e-4};      // all parameters of the best candidate, and of those with a large predicted reduction
-    Effort other{20, 1e-3, 1};    // all parameters of the others
-    double relative_step = 1e-5;  // relative change of the parameters below which a fit has converged
+    Effort leader{20, 3e-4};        // all parameters of the best candidate
+    Effort rival{20, 1e-3, 3};      // all parameters of those with a large predicted reduction
+    Effort other{20, 1e-3, 1};      // all parameters of the others
+    Effort stuck{4, 1e-3, 1};       // all parameters of those without progress, to see whether they can make some
+    double relative_step = 1e-5;    // relative change of the parameters below which a fit has converged
     /// The first step of a parameter of unknown order of magnitude changes it by at most this factor, e squared.
     double max_factor = 7.38905609893065;
-    /// Candidates with a larger predicted reduction get new derivatives: secant updates are too inaccurate for them.
+    /// Candidates with a larger predicted reduction get new derivatives again: secant updates are too inaccurate for
+    /// them.
     double large_reduction = 0.3;
     /// Candidates whose predicted reduction is at least this share of the leader's are pruned later.
     double comparable_reduction = 0.9;
@@ -156,7 +170,9 @@ struct CandidateFitPolicy {
     /// must not depend on the number of threads.
     std::size_t fitted_together = 2;
     /// A fit is repeated if its squared residual exceeds the predicted one by the first factor and is below the second
-    /// share of the base's, and if its predicted reduction is at least the third share of the largest.
+    /// share of the base's, and if its predicted reduction is at least the third share of the largest. A fit above the
+    /// second share has made no progress: of nine such on the beginnings of real_beam, continued for 113 s of one core
+    /// because the best was far above the noise, none ended below the base.
     double missed_reduction = 1.5;
     double min_progress = 0.95;
     double worth_repeating = 0.8;
@@ -213,7 +229,8 @@ struct SetPolicy {
     std::size_t max_effects = 4;      // of a set; its numbers are then as many as a few trials determine
     int max_rounds = 6;               // larger sets and exchanges together
     double min_evidence_ratio = 4.0;  // of a set over the one before it: weights of 0.8 and 0.2
-    Effort drop{8, 1e-3};             // of a set without one of its effects, before it is far from a rival
+    Effort glance{4, 1e-2, 0};        // of a set without one of its effects, with the derivatives of the whole set
+    Effort drop{8, 1e-3};             // of such a set, if it is no worse than the search's pruning factor then
     /// The search is repeated from a single effect that is found later if it leaves at most this share of the squares
     /// of the one before.
     double new_start = 0.9;

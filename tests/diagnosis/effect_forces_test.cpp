@@ -2,6 +2,9 @@
 
 #include <Eigen/Geometry>
 
+#include <cmath>
+#include <vector>
+
 #include "diagnosis/diagnosis.hpp"
 #include "support/swung_beam.hpp"
 
@@ -91,6 +94,26 @@ TEST(BodyPatches, KeepTheWholeForce) {
     EXPECT_LT(patches.count, 80);
     const Matrix3Xd force = Matrix3Xd::Random(3, setup.mesh.mesh.nodes.cols());
     EXPECT_LT((patches.sums(force).rowwise().sum() - force.rowwise().sum()).norm(), 1e-12);
+    EXPECT_EQ(patches_on(*setup.body, *setup.body, patches).patch_of_node, patches.patch_of_node);
+}
+
+/// Nodes of other cells lie in the box of the nodes of their patch, but for half a cell.
+TEST(BodyPatches, HoldTheNodesOfAnotherMesh) {
+    const test::Folder folder("patches_on");
+    const setup::Setup coarse = test::swung_beam(folder, 0.05);
+    setup::SetupSettings settings = coarse.settings;
+    settings.mesh.refinement = 0.4;
+    const setup::Setup fine = test::setup_of_folder(folder, settings);
+    const BodyPatches patches = body_patches(*fine.body, 40), mapped = patches_on(*coarse.body, *fine.body, patches);
+    EXPECT_EQ(mapped.count, patches.count);
+    ASSERT_EQ(mapped.patch_of_node.size(), coarse.mesh.mesh.nodes.cols());
+    std::vector<Eigen::AlignedBox3d> boxes(static_cast<std::size_t>(patches.count));
+    for (Eigen::Index k = 0; k < patches.patch_of_node.size(); ++k)
+        boxes[static_cast<std::size_t>(patches.patch_of_node(k))].extend(Vector3d(fine.mesh.mesh.nodes.col(k)));
+    for (Eigen::Index i = 0; i < mapped.patch_of_node.size(); ++i)
+        EXPECT_LT(boxes[static_cast<std::size_t>(mapped.patch_of_node(i))].exteriorDistance(
+                      Vector3d(coarse.mesh.mesh.nodes.col(i))),
+                  0.5 * fine.mesh.resolution_m * std::sqrt(3.0));
 }
 
 }  // namespace

@@ -1,8 +1,11 @@
 #include "diagnosis/fit/declared_fit.hpp"
 
 #include <numeric>
+#include <optional>
 #include <utility>
 
+#include "base/text.hpp"
+#include "diagnosis/discretisation/coarser_cells.hpp"
 #include "diagnosis/discretisation/longer_steps.hpp"
 #include "diagnosis/discretisation/refinement.hpp"
 #include "diagnosis/fit/stored_fit.hpp"
@@ -11,6 +14,19 @@
 
 namespace myo::diagnosis {
 namespace {
+
+/// The runs of the fit trials among those of all trials.
+std::vector<prediction::TrialPrediction> of_trials(const FitData& data,
+                                                   const std::vector<prediction::TrialPrediction>& runs) {
+    std::vector<prediction::TrialPrediction> fitted;
+    for (const std::size_t t : data.trials) fitted.push_back(runs[t]);
+    return fitted;
+}
+
+/// Residual of runs of the fit trials [m, rms]; 0 if one failed.
+double rms_m(const FitData& data, const std::vector<prediction::TrialPrediction>& runs) {
+    return prediction::all_ok(runs) ? flat_rms_m(data, flat_residual(data, runs)) : 0.0;
+}
 
 /// Lengthens the time steps while predictions change by at most max_m [m, rms]. Returns whether a step became longer.
 bool lengthen_steps(DeclaredFit& result, double max_m, PhaseLog& log) {
@@ -28,15 +44,13 @@ bool lengthen_steps(DeclaredFit& result, double max_m, PhaseLog& log) {
     return any_longer(longer.factors);
 }
 
-/// Repeated trials, by the declared motion of all.
-Repeatability repeats_of(const setup::Setup& setup, const prediction::ParameterValues& declared,
-                         const RepeatPolicy& policy, PhaseLog& log) {
-    if (setup.trials.size() < 2) return {};
+/// Runs of all trials with the declared values: they show which trials are repeats, and what these values leave.
+std::vector<prediction::TrialPrediction> declared_runs(const setup::Setup& setup,
+                                                       const prediction::ParameterValues& declared, PhaseLog& log) {
     std::vector<std::size_t> all(setup.trials.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    return log.timed("repeated trials", static_cast<int>(all.size()), [&] {
-        return repeatability(setup, prediction::predict_trials_with(setup, declared, all, log.progress()), policy);
-    });
+    return log.timed("declared model", static_cast<int>(all.size()),
+                     [&] { return prediction::predict_trials_with(setup, declared, all, log.progress()); });
 }
 
 /// Stops later runs of the fit trials at a multiple of the iterations of this fit.
@@ -78,25 +92,78 @@ JointFit fit_of_declared(DeclaredFit& result, prediction::ParameterValues start,
     return fitted({{}, {}, warm_start_of(first).paths});
 }
 
+/// Takes coarser cells if predictions change by at most max_m [m, rms]. Only where the mesh error is removed.
+/// @param runs  of all trials, with `values` and the cells that result.setup has
+void coarsen_cells(DeclaredFit& result, const prediction::ParameterValues& values,
+                   const std::vector<prediction::TrialPrediction>& runs, double max_m, const DiagnoseSettings& settings,
+                   PhaseLog& log) {
+    if (!settings.refine_mesh) return;
+    const CoarserCells cells = log.timed("cells", 0, [&] {
+        return coarser_cells(result.setup, values, result.data.trials, of_trials(result.data, runs), max_m,
+                             settings.policy.numerics, log.progress());
+    });
+    log.add("cells", 0.0, cells.runs);
+    if (!cells.setup) return;
+    result.coarser = cells.setup;
+    result.cell_change_m = cells.change_m;
+    result.setup = *cells.setup;
+}
+
+/// Start of the declared fit where the declared values leave much: the values of a fit with coarser cells and longer
+/// steps, whose error is a small share of that. Coarsens and lengthens those of `result` as far as this fit's residual
+/// allows. Empty where it saves nothing.
+std::optional<prediction::ParameterValues> rough_start(DeclaredFit& result, const prediction::ParameterValues& declared,
+                                                       const std::vector<prediction::TrialPrediction>& runs,
+                                                       const DiagnoseSettings& settings, FitStore& store,
+                                                       PhaseLog& log) {
+    const NumericsPolicy& policy = settings.policy.numerics;
+    const double noise_m = setup::mean_noise(result.setup), left_m = rms_m(result.data, of_trials(result.data, runs));
+    const bool by_cells = policy.cell_change_of_left * left_m > policy.max_cell_change * noise_m,
+               by_steps = policy.step_change_of_left * left_m > policy.max_step_change * noise_m;
+    if (log.cancelled() || !(by_cells || by_steps)) return {};
+    DeclaredFit rough = result;
+    if (by_cells && !rough.coarser)
+        coarsen_cells(rough, declared, runs, policy.cell_change_of_left * left_m, settings, log);
+    const bool longer = by_steps && lengthen_steps(rough, policy.step_change_of_left * left_m, log);
+    if (log.cancelled() || !(longer || rough.coarser != result.coarser)) return {};
+    const JointFit fit = fit_of_declared(rough, declared, settings, store, log);
+    if (log.cancelled() || !fit.usable()) return {};
+    const double fitted_m = flat_rms_m(rough.data, fit.residual);
+    if (rough.coarser != result.coarser && rough.cell_change_m <= policy.cell_change_of_left * fitted_m) {
+        result.coarser = rough.coarser;
+        result.setup = *rough.coarser;
+    }
+    if (policy.step_change_of_left * fitted_m > policy.max_step_change * noise_m)
+        lengthen_steps(result, policy.step_change_of_left * fitted_m, log);
+    return fit.values;
+}
+
 }  // namespace
 
 DeclaredFit fit_declared(const setup::Setup& setup, const DiagnoseSettings& settings, FitStore& store, PhaseLog& log) {
     DeclaredFit result{
-        setup, fit_data(setup, prediction::trials_with_role(setup, experiment::TrialRole::fit)), {}, {}, {}, {}, {}};
+        .setup = setup,
+        .data = fit_data(setup, prediction::trials_with_role(setup, experiment::TrialRole::fit)),
+    };
     if (result.data.layout.size() == 0) {
         result.failure = "no sample of a fit trial can be compared";
         return result;
     }
     const NumericsPolicy& numerics = settings.policy.numerics;
     const double noise_m = setup::mean_noise(setup);
-    // Steps first, at the declared values: the time of all later phases is proportional to their number.
-    lengthen_steps(result, numerics.max_step_change * noise_m, log);
-    if (log.cancelled()) return result;
     const prediction::ParameterValues declared = prediction::declared_values(result.setup);
-    result.repeatability = repeats_of(result.setup, declared, settings.policy.repeats, log);
+    const std::vector<prediction::TrialPrediction> runs = declared_runs(result.setup, declared, log);
+    result.repeatability = repeatability(result.setup, runs, settings.policy.repeats);
     result.data.floor_m = result.repeatability.rms_m;
     if (log.cancelled()) return result;
-    JointFit fit = fit_of_declared(result, declared, settings, store, log);
+    // Cells and steps first, at the declared values: the time of all later phases depends on their number.
+    coarsen_cells(result, declared, runs, numerics.max_cell_change * noise_m, settings, log);
+    lengthen_steps(result, numerics.max_step_change * noise_m, log);
+    if (log.cancelled()) return result;
+    // Most evaluations are made with the cells and steps that the residual allows at that point.
+    const auto rough = rough_start(result, declared, runs, settings, store, log);
+    if (log.cancelled()) return result;
+    JointFit fit = fit_of_declared(result, rough ? *rough : declared, settings, store, log);
     if (log.cancelled()) return result;
     // The declared values may be impossible to run while others within the bounds are not.
     if (!fit.usable())
@@ -110,8 +177,11 @@ DeclaredFit fit_declared(const setup::Setup& setup, const DiagnoseSettings& sett
     limit_iterations(result, fit, settings.policy.declared);
     // Where even the best declared model leaves much, a step error well below that is harmless.
     const double left_m = numerics.step_change_of_left * flat_rms_m(result.data, fit.residual);
-    if (left_m > numerics.max_step_change * noise_m && lengthen_steps(result, left_m, log))
+    if (!rough && left_m > numerics.max_step_change * noise_m && lengthen_steps(result, left_m, log))
         forget_paths(fit.predictions);  // they belong to shorter steps
+    if (result.coarser)
+        result.notes.push_back("cells of " + format_number(1e3 * result.setup.mesh.resolution_m, 3) +
+                               " mm, whose error is taken off");
     if (any_longer(result.step_factors))
         result.notes.push_back("steps of " + steps_in_words(result.setup) + ", whose error is taken off");
     result.fit = judged(result.data, std::move(fit), settings);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -12,11 +13,13 @@ namespace myo::diagnosis {
 
 /// First phase of a diagnosis: data, time steps and fit of the declared model.
 struct DeclaredFit {
-    setup::Setup setup;                // with the steps and iteration limits of all later fits
-    FitData data;                      // of the fit trials, without a shift
-    std::vector<double> step_factors;  // per trial: steps over those of the given setup; empty: 1
-    JudgedFit fit;                     // its numerical error is not known yet
-    Repeatability repeatability;       // of all trials
+    setup::Setup setup;                           // with the cells, steps and iteration limits of all later fits
+    std::shared_ptr<const setup::Setup> coarser;  // the given setup on these cells; null: they are its own
+    FitData data;                                 // of the fit trials, without a shift
+    double cell_change_m = 0.0;                   // of predictions by them [m, rms]
+    std::vector<double> step_factors;             // per trial: steps over those of the given setup; empty: 1
+    JudgedFit fit;                                // its numerical error is not known yet
+    Repeatability repeatability;                  // of all trials
     std::vector<std::string> notes;
     std::string failure;  // reason why the declared model could not be fitted; empty also if cancelled
 
@@ -26,9 +29,9 @@ struct DeclaredFit {
 
 /// Chooses data and time steps, and fits the declared model.
 ///
-/// Steps are lengthened while predictions change by less than NumericsPolicy allows, and further if the fit leaves
-/// much. An explicit step (setup.settings.h_s) is kept. Later runs are stopped at a multiple of the iterations of this
-/// fit (DeclaredFitPolicy).
+/// Cells are coarsened and steps lengthened while predictions change by less than NumericsPolicy allows, and further if
+/// the fit leaves much. Explicit edges and steps (setup.settings) are kept. Later runs are stopped at a multiple of the
+/// iterations of this fit (DeclaredFitPolicy).
 /// @param setup  see prepared_setup()
 DeclaredFit fit_declared(const setup::Setup& setup, const DiagnoseSettings& settings, FitStore& store, PhaseLog& log);
 

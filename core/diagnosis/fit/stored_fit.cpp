@@ -28,7 +28,8 @@ std::string key_of(const FitTask& task, const std::vector<prediction::ModelParam
     std::string key = std::to_string(task.effort.evaluations) + " " + exact(task.effort.relative_decrease) + " " +
                       std::to_string(task.effort.max_jacobians) + " samples " +
                       std::to_string(task.data.layout.size()) + " shift " + exact(fingerprint(task.data.shift)) +
-                      " modulus factor " + exact(task.setup.modulus_factor) + " steps";
+                      " unknowns " + std::to_string(task.setup.body->dofs()) + " modulus factor " +
+                      exact(task.setup.modulus_factor) + " steps";
     for (const std::size_t t : task.data.trials)
         key += " " + std::to_string(t) + ": " + exact(task.setup.trials[t].options.h_s);
     for (const effect::EffectDeclaration& effect : task.start.effects) key += " " + effect_words(effect);

@@ -127,4 +127,14 @@ BodyPatches body_patches(const model::Body& body, int about) {
     return patches;
 }
 
+BodyPatches patches_on(const model::Body& other, const model::Body& body, const BodyPatches& patches) {
+    BodyPatches result{Eigen::VectorXi(other.mesh.nodes.cols()), patches.count};
+    for (Index i = 0; i < other.mesh.nodes.cols(); ++i) {
+        Index nearest = 0;
+        (body.mesh.nodes.colwise() - other.mesh.nodes.col(i)).colwise().squaredNorm().minCoeff(&nearest);
+        result.patch_of_node(i) = patches.patch_of_node(nearest);
+    }
+    return result;
+}
+
 }  // namespace myo::diagnosis

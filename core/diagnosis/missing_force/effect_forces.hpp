@@ -38,5 +38,7 @@ struct BodyPatches {
 };
 /// Cubes whose size is chosen so that about `about` of them fill the body.
 BodyPatches body_patches(const model::Body& body, int about);
+/// The patches of a body on another mesh of it: those of the nearest nodes.
+BodyPatches patches_on(const model::Body& other, const model::Body& body, const BodyPatches& patches);
 
 }  // namespace myo::diagnosis

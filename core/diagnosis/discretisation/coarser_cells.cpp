@@ -1,0 +1,104 @@
+#include "diagnosis/discretisation/coarser_cells.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "prediction/predict_trials.hpp"
+#include "setup/refined_setup.hpp"
+
+namespace myo::diagnosis {
+namespace {
+
+using Predictions = std::vector<prediction::TrialPrediction>;
+
+/// The setup with the mesh of another one of the same experiment, and everything that refers to nodes and cells.
+setup::Setup with_cells_of(setup::Setup setup, setup::Setup other) {
+    setup.settings.mesh = other.settings.mesh;
+    setup.mesh = std::move(other.mesh);
+    setup.body = std::move(other.body);
+    setup.part_shares = std::move(other.part_shares);
+    setup.chambers = std::move(other.chambers);
+    setup.tendons = std::move(other.tendons);
+    setup.markers = std::move(other.markers);
+    for (std::size_t t = 0; t < setup.trials.size(); ++t) setup.trials[t].model = std::move(other.trials[t].model);
+    return setup;
+}
+
+/// Whether both have the same trials: a caller may have taken some out, or read others.
+bool have_same_trials(const setup::Setup& a, const setup::Setup& b) {
+    return std::equal(a.trials.begin(), a.trials.end(), b.trials.begin(), b.trials.end(),
+                      [](const setup::PreparedTrial& x, const setup::PreparedTrial& y) { return x.name == y.name; });
+}
+
+/// The setup on cells of `ratio` times the edge length; null if there are none, or if they save little.
+std::shared_ptr<const setup::Setup> on_coarser_cells(const setup::Setup& setup, double ratio,
+                                                     const NumericsPolicy& policy, const Progress& progress) {
+    Result<setup::Setup> coarser = setup::refined_setup(setup, ratio, progress);
+    if (!coarser || !have_same_trials(setup, *coarser) ||
+        coarser->body->dofs() > policy.max_share_of_unknowns * setup.body->dofs())
+        return {};
+    return std::make_shared<const setup::Setup>(with_cells_of(setup, std::move(*coarser)));
+}
+
+/// Sum of a.b over all finite coordinates of the markers, where a and b are differences of predictions.
+double product(const Predictions& a, const Predictions& from_a, const Predictions& b, const Predictions& from_b) {
+    double sum = 0.0;
+    for (std::size_t t = 0; t < a.size(); ++t)
+        for (std::size_t m = 0; m < a[t].positions_m.size(); ++m) {
+            const Eigen::ArrayXXd products = (a[t].positions_m[m] - from_a[t].positions_m[m]).array() *
+                                             (b[t].positions_m[m] - from_b[t].positions_m[m]).array();
+            sum += products.isFinite().select(products, 0.0).sum();
+        }
+    return sum;
+}
+
+/// Number of coordinates of all markers.
+double coordinates(const Predictions& predictions) {
+    double count = 0.0;
+    for (const prediction::TrialPrediction& p : predictions)
+        for (const Eigen::Matrix3Xd& marker : p.positions_m) count += static_cast<double>(marker.size());
+    return count;
+}
+
+/// Change of the predictions by other cells, without its part along the change by a stiffer body [m, rms]; infinite if
+/// a run fails.
+double change_by_cells(const setup::Setup& coarser, const prediction::ParameterValues& values,
+                       const std::vector<std::size_t>& trials, const Predictions& reference,
+                       const NumericsPolicy& policy, const Progress& progress) {
+    setup::Setup stiffer = coarser;
+    stiffer.modulus_factor *= 1.0 + policy.modulus_step;
+    const Predictions there = prediction::predict_trials_with(coarser, values, trials, progress),
+                      beyond = prediction::predict_trials_with(stiffer, values, trials, progress);
+    if (!prediction::all_ok(there) || !prediction::all_ok(beyond)) return std::numeric_limits<double>::infinity();
+    const double whole = product(there, reference, there, reference), own = product(beyond, there, beyond, there),
+                 mixed = product(there, reference, beyond, there);
+    const double left = own > 0.0 ? whole - mixed * mixed / own : whole;
+    return std::sqrt(std::max(left, 0.0) / std::max(coordinates(reference), 1.0));
+}
+
+}  // namespace
+
+CoarserCells coarser_cells(const setup::Setup& setup, const prediction::ParameterValues& values,
+                           const std::vector<std::size_t>& trials,
+                           const std::vector<prediction::TrialPrediction>& reference, double max_m,
+                           const NumericsPolicy& policy, const Progress& progress) {
+    CoarserCells found;
+    const bool hexahedra = setup.mesh.mesh.type == mesh::CellType::hex8;
+    if (!hexahedra || setup.settings.mesh.resolution_m || !prediction::all_ok(reference)) return found;
+    for (const double ratio : policy.cell_ratios) {
+        if (progress.cancelled()) return found;
+        const std::shared_ptr<const setup::Setup> coarser = on_coarser_cells(setup, ratio, policy, progress);
+        if (!coarser) continue;
+        found.runs += 2 * static_cast<int>(trials.size());
+        const double change_m = change_by_cells(*coarser, values, trials, reference, policy, progress);
+        if (change_m > max_m) continue;
+        found.setup = coarser;
+        found.change_m = change_m;
+        return found;
+    }
+    return found;
+}
+
+}  // namespace myo::diagnosis
