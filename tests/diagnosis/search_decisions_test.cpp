@@ -192,6 +192,15 @@ TEST(Pruning, KeepsPromisingFitsUntilTheNoiseIsReached) {
     EXPECT_THAT(continued(in), IsEmpty()) << "the best leaves what noise does";
 }
 
+/// The raised limits are for fits that remove something: one that leaves all has the pruning factor only.
+TEST(Pruning, EndsFitsWithoutProgressAsEarlyAsNearTheNoise) {
+    PruningInput in{{{100.0, 0.8, false}, {350.0, 0.79, true}, {150.0, 0.5, true}}, 1e9, 1.0, 2.0, 0.9};
+    EXPECT_THAT(continued(in), ElementsAre(1, 2)) << "the best is far above the noise";
+    in.stuck_squares = 340.0;
+    EXPECT_THAT(continued(in), ElementsAre(2));
+    EXPECT_THAT(continued(in, 190.0), ElementsAre(1, 2)) << "its next step comes close enough";
+}
+
 TEST(Pruning, AsksForTheNextStepOnlyAboveTheLimit) {
     std::vector<std::size_t> asked;
     const PruningInput in{{{100.0, 0.9, true}, {900.0, 0.1, true}, {900.0, 0.1, false}}, 1e9, 100.0, 4.0, 0.9};

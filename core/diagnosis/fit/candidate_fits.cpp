@@ -199,7 +199,15 @@ void repeat_missed_amounts(const CandidateFitInput& in, Rounds& rounds) {
 void continue_best(const CandidateFitInput& in, Rounds& rounds) {
     const CandidateFitPolicy& policy = in.settings.policy.fits;
     const std::size_t count = in.starts.size();
-    std::vector<bool> continued(count, false);
+    const double stuck_squares = policy.min_progress * in.base.squares();
+    const auto squares = [&](std::size_t i) {
+        return rounds.fit(i).usable() ? rounds.fit(i).fit.squares() : std::numeric_limits<double>::infinity();
+    };
+    // A fit without progress is continued in two parts, the second only if the first one makes some.
+    std::vector<bool> continued(count, false), tried(count, false);
+    const auto is_open = [&](std::size_t i) {
+        return !continued[i] && !(tried[i] && squares(i) > stuck_squares) && rounds.is_unfinished(i);
+    };
     // Each round prunes with the smallest residual so far, so that a good leader saves most of the others.
     for (bool first = true;; first = false) {
         PruningInput pruning{{},
@@ -208,11 +216,10 @@ void continue_best(const CandidateFitInput& in, Rounds& rounds) {
                              in.pruning_factor,
                              policy.comparable_reduction,
                              policy.promising * in.base.squares(),
-                             policy.noise_like};
+                             policy.noise_like,
+                             stuck_squares};
         for (std::size_t i = 0; i < count; ++i)
-            pruning.fits.push_back(
-                {rounds.fit(i).usable() ? rounds.fit(i).fit.squares() : std::numeric_limits<double>::infinity(),
-                 in.starts[i].predicted_reduction, !continued[i] && rounds.is_unfinished(i)});
+            pruning.fits.push_back({squares(i), in.starts[i].predicted_reduction, is_open(i)});
         std::vector<std::size_t> next = fits_worth_continuing(
             pruning, [&](std::size_t i) { return predicted_squares(rounds.fit(i).fit); });
         if (next.empty()) return;
@@ -222,10 +229,17 @@ void continue_best(const CandidateFitInput& in, Rounds& rounds) {
             return pruning.fits[a].squares < pruning.fits[b].squares;
         });
         std::vector<bool> chosen(count, false);
-        for (auto i = next.begin(); i != end; ++i) continued[*i] = chosen[*i] = true;
-        const auto effort = [&](std::size_t i) {
-            return first || in.starts[i].predicted_reduction > policy.large_reduction ? policy.leader : policy.other;
-        };
+        std::vector<Effort> efforts(count);
+        for (auto i = next.begin(); i != end; ++i) {
+            const bool stuck = !first && squares(*i) > stuck_squares;
+            chosen[*i] = true;
+            (stuck ? tried : continued)[*i] = true;
+            efforts[*i] = stuck                                                        ? policy.stuck
+                          : first                                                      ? policy.leader
+                          : in.starts[*i].predicted_reduction > policy.large_reduction ? policy.rival
+                                                                                       : policy.other;
+        }
+        const auto effort = [&](std::size_t i) { return efforts[i]; };
         rounds.continue_fits(effort, static_cast<std::size_t>(end - next.begin()),
                              [&](std::size_t i) { return static_cast<bool>(chosen[i]); });
     }

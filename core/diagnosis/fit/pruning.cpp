@@ -22,9 +22,8 @@ std::vector<std::size_t> fits_worth_continuing(const PruningInput& in,
         // Scores within a few percent do not rank effects: these fits get the highest limit.
         const bool comparable = fit.predicted_reduction > in.comparable_reduction * reduction_of_best;
         const bool promising = comparable && fit.squares < in.promising_squares && least > in.noise_like * in.samples;
-        if (promising || fit.squares < (comparable ? std::max(squared, limit) : limit) * least ||
-            predicted_squares(i) < factor * least)
-            next.push_back(i);
+        const double raised = fit.squares > in.stuck_squares ? factor : comparable ? std::max(squared, limit) : limit;
+        if (promising || fit.squares < raised * least || predicted_squares(i) < factor * least) next.push_back(i);
     }
     return next;
 }

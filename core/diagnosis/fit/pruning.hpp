@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace myo::diagnosis {
@@ -22,6 +23,8 @@ struct PruningInput {
     double comparable_reduction = 0.9;  // see CandidateFitPolicy
     double promising_squares = 0.0;     // an unfinished fit below is promising; see fits_worth_continuing()
     double noise_like = 0.0;            // see CandidateFitPolicy
+    /// Squared residual above which a fit has made no progress.
+    double stuck_squares = std::numeric_limits<double>::infinity();
 };
 
 /// Indices of the open fits that may still become the best, ascending.
@@ -31,7 +34,7 @@ struct PruningInput {
 /// is far above the noise: the fit that leaves it may be the wrong effect. It is at least pruning_factor squared for
 /// fits whose predicted reduction is comparable to that of the best fit. Such a fit that is promising continues
 /// whatever its squares, unless the smallest is like noise: with derivatives of the base it is far from where its own
-/// would lead.
+/// would lead. No higher limit holds for fits without progress.
 /// @param predicted_squares  called for the fits above their limit only: it costs a bounded step
 std::vector<std::size_t> fits_worth_continuing(const PruningInput& in,
                                                const std::function<double(std::size_t)>& predicted_squares);

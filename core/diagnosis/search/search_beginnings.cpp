@@ -92,7 +92,8 @@ RankedFits corrected(const DiagnosisContext& context, RankedFits fits, Leniency 
 RankedFits with_sets(const DiagnosisContext& context, RankedFits fits, FitStore& store, PhaseLog& log) {
     fits = corrected(context, std::move(fits), Leniency::tolerant, store, log);
     if (log.cancelled() || is_explained(fits, context.baseline())) return fits;
-    return search_sets(context, std::move(fits), store, log).fits;
+    // Exchanges are left to the whole recordings: one asks for as many fits as the growth by an effect, per effect.
+    return search_sets(context, std::move(fits), store, log, {}, SetSearchExtent::grown).fits;
 }
 
 }  // namespace

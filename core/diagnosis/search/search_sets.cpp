@@ -21,8 +21,14 @@ namespace {
 class SearchOfSets {
 public:
     SearchOfSets(const DiagnosisContext& context, RankedFits singles, FitStore& store, PhaseLog& log,
-                 const SearchObserver& show)
-        : context_(context), data_(context.data), fits_(std::move(singles)), store_(store), log_(log), show_(show) {
+                 const SearchObserver& show, SetSearchExtent extent)
+        : context_(context),
+          data_(context.data),
+          fits_(std::move(singles)),
+          store_(store),
+          log_(log),
+          show_(show),
+          extent_(extent) {
         current_ = *best_of_all(fits_);
         follow_current();
     }
@@ -41,7 +47,7 @@ public:
                 adopt(*larger);
                 // Back at the set before: the next round would repeat this one.
                 if (!drop_idle() || !correct() || have_same_ids(effects(), before)) break;
-            } else if (!exchange()) {
+            } else if (extent_ == SetSearchExtent::grown || !exchange()) {
                 break;
             }
         }
@@ -86,7 +92,9 @@ private:
     }
 
     std::optional<JudgedFit> best_extension(const JudgedFit& of, const std::string& without = {});
+    std::vector<CandidateStart> likely_starts(const std::vector<EffectScore>& scores, const JointFit& base) const;
     std::optional<JudgedFit> reduced(const JudgedFit& from, std::size_t dropped);
+    bool is_needed(const JudgedFit& in, std::size_t effect);
     bool drop_idle();
     bool exchange();
     bool correct();
@@ -97,9 +105,21 @@ private:
     FitStore& store_;
     PhaseLog& log_;
     const SearchObserver& show_;
+    SetSearchExtent extent_;
     JudgedFit current_;
     std::vector<std::vector<effect::EffectDeclaration>> extended_;  // sets whose extensions were fitted
 };
+
+/// The best probes whose sets are predicted to come near the current one. In growing that is any of them; in an
+/// exchange the other effect must make up for the one that was taken out.
+std::vector<CandidateStart> SearchOfSets::likely_starts(const std::vector<EffectScore>& scores,
+                                                        const JointFit& base) const {
+    const double most = context_.policy().search.pruning_factor * current_.fit.squares();
+    std::vector<CandidateStart> starts;
+    for (const std::size_t i : best_probes(scores, context_.settings.extensions, context_.policy().screening))
+        if ((1.0 - scores[i].share()) * base.squares() < most) starts.push_back(start_of(scores[i]));
+    return starts;
+}
 
 /// The best fit with one more effect, other than `without`; all are kept.
 std::optional<JudgedFit> SearchOfSets::best_extension(const JudgedFit& of, const std::string& without) {
@@ -114,9 +134,7 @@ std::optional<JudgedFit> SearchOfSets::best_extension(const JudgedFit& of, const
     const std::vector<EffectScore> scores = log_.timed(
         "score of sets", 0, [&] { return scores_from(context_, data_, base, ProbeSize::small, log_, excluded); });
     if (log_.cancelled()) return {};
-    std::vector<CandidateStart> starts;
-    for (const std::size_t i : best_probes(scores, context_.settings.extensions, context_.policy().screening))
-        starts.push_back(start_of(scores[i]));
+    const std::vector<CandidateStart> starts = likely_starts(scores, base);
     // Larger sets must leave less than the best single effect, too.
     const double least = std::min(min_left(fits_.candidates), current_.fit.squares());
     std::vector<JudgedFit> fits = fit_candidates({context_.setup, data_, context_.settings, base, starts, least,
@@ -154,11 +172,25 @@ std::optional<JudgedFit> SearchOfSets::reduced(const JudgedFit& from, std::size_
     return result;
 }
 
+/// Whether the set without this effect is far from a rival already after a few evaluations.
+bool SearchOfSets::is_needed(const JudgedFit& in, std::size_t effect) {
+    const DiagnosisPolicy& policy = context_.policy();
+    const prediction::ParameterValues start = without_effect(in.fit.values, declared_effects() + effect);
+    const JointFit fit = logged_fit(
+        "refit of sets",
+        {context_.setup, data_, start, policy, EffectFreedom::all, policy.sets.glance, warm_start_of(in.fit)}, store_,
+        log_);
+    return fit.usable() && fit.squares() > policy.search.pruning_factor * in.fit.squares();
+}
+
 /// Drops effects without which the evidence does not fall. Also the last one: without it the others may end in a better
 /// minimum than before.
 bool SearchOfSets::drop_idle() {
     // From the last one added to the first; indices of those not visited yet stay valid when one is dropped.
     for (std::size_t i = effects().size(); i-- > 0 && effects().size() > 1;) {
+        const bool needed = is_needed(current_, i);
+        if (log_.cancelled()) return false;
+        if (needed) continue;
         const std::optional<JudgedFit> smaller = reduced(current_, i);
         if (log_.cancelled()) return false;
         if (smaller && is_better(*smaller, current_, 1.0)) adopt(*smaller);
@@ -207,11 +239,11 @@ bool SearchOfSets::correct() {
 }  // namespace
 
 SetSearch search_sets(const DiagnosisContext& context, RankedFits found, FitStore& store, PhaseLog& log,
-                      const SearchObserver& show) {
+                      const SearchObserver& show, SetSearchExtent extent) {
     const JudgedFit* const best = best_fit(found.candidates);
     if (found.sets.empty() && !(best && is_worth_a_set(*best, context.baseline())))
         return {std::move(found), context.data.shift};
-    return SearchOfSets(context, std::move(found), store, log, show).run();
+    return SearchOfSets(context, std::move(found), store, log, show, extent).run();
 }
 
 }  // namespace myo::diagnosis
