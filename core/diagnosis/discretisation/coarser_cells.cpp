@@ -42,28 +42,27 @@ std::shared_ptr<const setup::Setup> on_coarser_cells(const setup::Setup& setup, 
     return std::make_shared<const setup::Setup>(with_cells_of(setup, std::move(*coarser)));
 }
 
-/// Sum of a.b over all finite coordinates of the markers, where a and b are differences of predictions.
-double product(const Predictions& a, const Predictions& from_a, const Predictions& b, const Predictions& from_b) {
+/// Sum of (a - from_a).(b - from_b) over all finite coordinates of the markers of a trial.
+double product(const prediction::TrialPrediction& a, const prediction::TrialPrediction& from_a,
+               const prediction::TrialPrediction& b, const prediction::TrialPrediction& from_b) {
     double sum = 0.0;
-    for (std::size_t t = 0; t < a.size(); ++t)
-        for (std::size_t m = 0; m < a[t].positions_m.size(); ++m) {
-            const Eigen::ArrayXXd products = (a[t].positions_m[m] - from_a[t].positions_m[m]).array() *
-                                             (b[t].positions_m[m] - from_b[t].positions_m[m]).array();
-            sum += products.isFinite().select(products, 0.0).sum();
-        }
+    for (std::size_t m = 0; m < a.positions_m.size(); ++m) {
+        const Eigen::ArrayXXd products = (a.positions_m[m] - from_a.positions_m[m]).array() *
+                                         (b.positions_m[m] - from_b.positions_m[m]).array();
+        sum += products.isFinite().select(products, 0.0).sum();
+    }
     return sum;
 }
 
 /// Number of coordinates of all markers.
-double coordinates(const Predictions& predictions) {
+double coordinates(const prediction::TrialPrediction& p) {
     double count = 0.0;
-    for (const prediction::TrialPrediction& p : predictions)
-        for (const Eigen::Matrix3Xd& marker : p.positions_m) count += static_cast<double>(marker.size());
-    return count;
+    for (const Eigen::Matrix3Xd& marker : p.positions_m) count += static_cast<double>(marker.size());
+    return std::max(count, 1.0);
 }
 
-/// Change of the predictions by other cells, without its part along the change by a stiffer body [m, rms]; infinite if
-/// a run fails.
+/// Largest change of the prediction of a trial by other cells, without the part that one stiffness for all trials makes
+/// up for [m, rms]; infinite if a run fails.
 double change_by_cells(const setup::Setup& coarser, const prediction::ParameterValues& values,
                        const std::vector<std::size_t>& trials, const Predictions& reference,
                        const NumericsPolicy& policy, const Progress& progress) {
@@ -72,10 +71,20 @@ double change_by_cells(const setup::Setup& coarser, const prediction::ParameterV
     const Predictions there = prediction::predict_trials_with(coarser, values, trials, progress),
                       beyond = prediction::predict_trials_with(stiffer, values, trials, progress);
     if (!prediction::all_ok(there) || !prediction::all_ok(beyond)) return std::numeric_limits<double>::infinity();
-    const double whole = product(there, reference, there, reference), own = product(beyond, there, beyond, there),
-                 mixed = product(there, reference, beyond, there);
-    const double left = own > 0.0 ? whole - mixed * mixed / own : whole;
-    return std::sqrt(std::max(left, 0.0) / std::max(coordinates(reference), 1.0));
+    double own = 0.0, mixed = 0.0;
+    for (std::size_t t = 0; t < there.size(); ++t) {
+        own += product(beyond[t], there[t], beyond[t], there[t]);
+        mixed += product(there[t], reference[t], beyond[t], there[t]);
+    }
+    const double share = own > 0.0 ? mixed / own : 0.0;
+    double largest = 0.0;
+    for (std::size_t t = 0; t < there.size(); ++t) {
+        const double left = product(there[t], reference[t], there[t], reference[t]) -
+                            2.0 * share * product(there[t], reference[t], beyond[t], there[t]) +
+                            share * share * product(beyond[t], there[t], beyond[t], there[t]);
+        largest = std::max(largest, std::sqrt(std::max(left, 0.0) / coordinates(reference[t])));
+    }
+    return largest;
 }
 
 }  // namespace

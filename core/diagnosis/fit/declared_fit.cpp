@@ -15,6 +15,13 @@
 namespace myo::diagnosis {
 namespace {
 
+/// Indices of all trials.
+std::vector<std::size_t> all_trials(const setup::Setup& setup) {
+    std::vector<std::size_t> all(setup.trials.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+}
+
 /// The runs of the fit trials among those of all trials.
 std::vector<prediction::TrialPrediction> of_trials(const FitData& data,
                                                    const std::vector<prediction::TrialPrediction>& runs) {
@@ -47,8 +54,7 @@ bool lengthen_steps(DeclaredFit& result, double max_m, PhaseLog& log) {
 /// Runs of all trials with the declared values: they show which trials are repeats, and what these values leave.
 std::vector<prediction::TrialPrediction> declared_runs(const setup::Setup& setup,
                                                        const prediction::ParameterValues& declared, PhaseLog& log) {
-    std::vector<std::size_t> all(setup.trials.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
+    const std::vector<std::size_t> all = all_trials(setup);
     return log.timed("declared model", static_cast<int>(all.size()),
                      [&] { return prediction::predict_trials_with(setup, declared, all, log.progress()); });
 }
@@ -92,15 +98,16 @@ JointFit fit_of_declared(DeclaredFit& result, prediction::ParameterValues start,
     return fitted({{}, {}, warm_start_of(first).paths});
 }
 
-/// Takes coarser cells if predictions change by at most max_m [m, rms]. Only where the mesh error is removed.
+/// Takes coarser cells if no prediction changes by more than max_m [m, rms], of trials that are not fitted, too: their
+/// motion may be larger. Only where the mesh error is removed.
 /// @param runs  of all trials, with `values` and the cells that result.setup has
 void coarsen_cells(DeclaredFit& result, const prediction::ParameterValues& values,
                    const std::vector<prediction::TrialPrediction>& runs, double max_m, const DiagnoseSettings& settings,
                    PhaseLog& log) {
     if (!settings.refine_mesh) return;
     const CoarserCells cells = log.timed("cells", 0, [&] {
-        return coarser_cells(result.setup, values, result.data.trials, of_trials(result.data, runs), max_m,
-                             settings.policy.numerics, log.progress());
+        return coarser_cells(result.setup, values, all_trials(result.setup), runs, max_m, settings.policy.numerics,
+                             log.progress());
     });
     log.add("cells", 0.0, cells.runs);
     if (!cells.setup) return;
