@@ -106,8 +106,7 @@ struct CandidateFitPolicy {
     std::size_t fitted_together = 2;
     /// A fit is repeated if its squared residual exceeds the predicted one by the first factor and is below the second
     /// share of the base's, and if its predicted reduction is at least the third share of the largest. A fit above the
-    /// second share has made no progress: of nine such on the beginnings of real_beam, continued for 113 s of one core
-    /// because the best was far above the noise, none ended below the base.
+    /// second share has made no progress.
     double missed_reduction = 1.5;
     double min_progress = 0.95;
     double worth_repeating = 0.8;

@@ -116,8 +116,7 @@ TEST(CoarserCells, GoWithLongerStepsWhereTheDeclaredModelLeavesMuch) {
             test::record(setup, t, truth, prediction::predict_trial(setup, t, truth).trace);
         DiagnoseSettings settings;
         settings.policy.numerics.max_cell_change = cell_change;
-        settings.policy.numerics.max_step_change = 4.0;
-        settings.policy.numerics.step_change_of_left = 0.3;
+        settings.policy.numerics.max_step_change = 0.2;
         PhaseLog log{Progress()};
         FitStore store;
         const DeclaredFit declared = fit_declared(prepared_setup(setup, settings), settings, store, log);

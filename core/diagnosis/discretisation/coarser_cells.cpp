@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "prediction/predict_trials.hpp"
@@ -71,17 +72,18 @@ double change_by_cells(const setup::Setup& coarser, const prediction::ParameterV
     const Predictions there = prediction::predict_trials_with(coarser, values, trials, progress),
                       beyond = prediction::predict_trials_with(stiffer, values, trials, progress);
     if (!prediction::all_ok(there) || !prediction::all_ok(beyond)) return std::numeric_limits<double>::infinity();
-    double own = 0.0, mixed = 0.0;
+    // Per trial: squares of the change by a stiffer body, and its product with the change by the cells.
+    std::vector<double> own, mixed;
     for (std::size_t t = 0; t < there.size(); ++t) {
-        own += product(beyond[t], there[t], beyond[t], there[t]);
-        mixed += product(there[t], reference[t], beyond[t], there[t]);
+        own.push_back(product(beyond[t], there[t], beyond[t], there[t]));
+        mixed.push_back(product(there[t], reference[t], beyond[t], there[t]));
     }
-    const double share = own > 0.0 ? mixed / own : 0.0;
+    const double all = std::accumulate(own.begin(), own.end(), 0.0),
+                 share = all > 0.0 ? std::accumulate(mixed.begin(), mixed.end(), 0.0) / all : 0.0;
     double largest = 0.0;
     for (std::size_t t = 0; t < there.size(); ++t) {
-        const double left = product(there[t], reference[t], there[t], reference[t]) -
-                            2.0 * share * product(there[t], reference[t], beyond[t], there[t]) +
-                            share * share * product(beyond[t], there[t], beyond[t], there[t]);
+        const double left = product(there[t], reference[t], there[t], reference[t]) - 2.0 * share * mixed[t] +
+                            share * share * own[t];
         largest = std::max(largest, std::sqrt(std::max(left, 0.0) / coordinates(reference[t])));
     }
     return largest;
