@@ -26,8 +26,9 @@ namespace {
 
 /// Parsed call of `myoloop diagnose`.
 struct DiagnoseCall : ExperimentCall {
-    std::vector<std::string> without;  // effects that are not considered
-    bool resume = false;               // reuses stored fits
+    std::vector<std::string> without;      // effects that are not considered
+    bool resume = false;                   // reuses stored fits
+    std::optional<double> search_limit_s;  // s after the start
 };
 
 const char* const fits_file = "diagnose_fits.json";
@@ -148,6 +149,7 @@ Result<void> write_results(const DiagnoseCall& call, const experiment::Experimen
 Result<diagnosis::DiagnoseSettings> diagnose_settings(const DiagnoseCall& call) {
     diagnosis::DiagnoseSettings settings;
     settings.without = call.without;
+    settings.search_limit_s = call.search_limit_s;
     // Fits are stored as they finish, so a stopped diagnosis can be resumed.
     settings.fits = call.out / fits_file;
     // Stored fits are reused on request only: they may belong to other settings.
@@ -215,6 +217,9 @@ std::function<int()> declare_diagnose(CLI::App& app) {
     };
     declare_leave_out(app, *call);
     add_named_effects(app, "--without", call->without, "effects to exclude", *call);
+    add_positive_number(app, "--time-limit", call->search_limit_s,
+                        "end the search after so many seconds, with the verdict of what was found (default: no limit)")
+        ->type_name("SECONDS");
     app.add_flag("--resume", call->resume, "continue from the fits kept in DIR by a run that was stopped");
     return [call] { return diagnose_command(*call); };
 }

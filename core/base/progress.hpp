@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <functional>
 #include <string>
 #include <utility>
@@ -22,6 +24,7 @@ struct ProgressEvent {
 class Progress {
 public:
     using Sink = std::function<void(const ProgressEvent&)>;
+    using Moment = std::chrono::steady_clock::time_point;
 
     Progress() = default;
     explicit Progress(Sink sink, std::atomic<bool>* cancel = nullptr) : sink_(std::move(sink)), cancel_(cancel) {}
@@ -31,14 +34,31 @@ public:
         if (sink_) sink_(event);
     }
     /// Copy with the same cancel flag and another sink; an empty sink discards the reports.
-    Progress with_sink(Sink sink) const { return Progress(std::move(sink), cancel_); }
+    Progress with_sink(Sink sink) const {
+        Progress copy(std::move(sink), cancel_);
+        copy.end_ = end_;
+        return copy;
+    }
+    /// Copy that is also cancelled from a moment on. An earlier such moment stays.
+    Progress until(Moment end) const {
+        Progress copy = *this;
+        copy.end_ = std::min(end_, end);
+        return copy;
+    }
 
-    /// True once cancellation was requested. Long loops poll this and return early.
-    bool cancelled() const { return cancel_ != nullptr && cancel_->load(std::memory_order_relaxed); }
+    /// Moment from which on it is cancelled; the last of the clock without a limit.
+    Moment end() const { return end_; }
+
+    /// True once cancellation was requested or the time is over. Long loops poll this and return early.
+    bool cancelled() const {
+        return (cancel_ != nullptr && cancel_->load(std::memory_order_relaxed)) ||
+               (end_ != Moment::max() && std::chrono::steady_clock::now() >= end_);
+    }
 
 private:
     Sink sink_;
     std::atomic<bool>* cancel_ = nullptr;
+    Moment end_ = Moment::max();
 };
 
 }  // namespace myo

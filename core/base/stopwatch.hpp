@@ -8,6 +8,11 @@ namespace myo {
 class Stopwatch {
 public:
     double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+    /// Moment at which seconds() is so much.
+    std::chrono::steady_clock::time_point at(double seconds) const {
+        return start_ +
+               std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(seconds));
+    }
 
 private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

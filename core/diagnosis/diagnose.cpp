@@ -126,9 +126,12 @@ public:
         show();
     }
 
+    void enter_unfinished_search() { d_.search_complete = false; }
     void enter_note(std::string note) { d_.notes.push_back(std::move(note)); }
 
     const Diagnosis& so_far() const { return d_; }
+    /// Moment at which the diagnosis has lasted so long.
+    Progress::Moment at(double seconds) const { return watch_.at(seconds); }
     bool shows() const { return live_ != nullptr; }
     void show() {
         d_.cost = log_.costs();
@@ -186,15 +189,7 @@ PredictionShift search(const DiagnosisContext& context, FitStore& store, PhaseLo
         fits = std::move(sets.fits);
         shift = std::move(sets.shift);
     };
-    // A set found on the beginnings is continued on the whole recordings before single effects are scored.
-    if (!fits.sets.empty() && !explained(fits.candidates, baseline)) search_larger();
-    if (explained(fits.candidates, baseline, Leniency::strict) || is_explained_by_set(fits, baseline))
-        // Screening would take scores at the declared fit, whose residual is too large for its derivatives.
-        record.enter_note("effects are scored on " + beginning_words(context, beginnings.share) +
-                          ", where so large a residual still follows their derivatives");
-    else if (!log.cancelled()) {
-        const Screening screening = screen_effects(context, store, log);
-        if (log.cancelled()) return shift;
+    const auto search_whole = [&](const Screening& screening) {
         const SingleSearchInput in{context, screening, show};
         // A fit from the beginnings may be that of a mimic: it must not prune the others.
         const std::vector<Candidate> from_beginnings = std::move(fits.candidates);
@@ -212,7 +207,17 @@ PredictionShift search(const DiagnosisContext& context, FitStore& store, PhaseLo
             fits = search_all_effects(in, std::move(fits), store, log);
             if (!far || min_left(fits.candidates) < context.policy().sets.new_start * left) search_larger();
         }
-    }
+    };
+    // A set found on the beginnings is continued on the whole recordings before single effects are scored.
+    if (!fits.sets.empty() && !explained(fits.candidates, baseline)) search_larger();
+    const bool found = explained(fits.candidates, baseline, Leniency::strict) || is_explained_by_set(fits, baseline);
+    const Screening screening = found ? Screening() : screen_effects(context, store, log);
+    if (!found && !log.cancelled())
+        search_whole(screening);
+    else if (!fits.candidates.empty())
+        // Screening would take scores at the declared fit, whose residual is too large for its derivatives.
+        record.enter_note("effects are scored on " + beginning_words(context, beginnings.share) +
+                          ", where so large a residual still follows their derivatives");
     // Single effects that were fitted after the sets are among them, too: all weights are shares of one sum.
     if (!fits.sets.empty()) fits = with_ranked_sets(std::move(fits), baseline);
     record.enter(fits);
@@ -253,7 +258,12 @@ Diagnosis diagnose(const setup::Setup& setup, const DiagnoseSettings& settings, 
     const DiagnosisContext& context = made;
     PredictionShift shift = context.data.shift;
     // A residual within noise and numerical error needs no search, and the verdict will be `none`.
-    if (needs_explanation(context.baseline())) shift = search(context, store, log, record);
+    if (needs_explanation(context.baseline())) {
+        const PhaseLimit limit(log,
+                               settings.search_limit_s ? record.at(*settings.search_limit_s) : Progress::Moment::max());
+        shift = search(context, store, log, record);
+        if (limit.passed()) record.enter_unfinished_search();
+    }
     if (log.cancelled()) return record.finished();
 
     // Only now: trials with role `validate` take part in no decision, and their refined runs are needed for the last

@@ -16,6 +16,9 @@ struct DiagnoseSettings {
     int extensions = 5;                // number of further effects that are fitted together with a set
     bool refine_mesh = true;           // estimate and remove the mesh error
     std::vector<std::string> without;  // effects that may not be named
+    /// The search ends so many seconds after the start, and the verdict is found from the fits until then; its own last
+    /// fit is not limited. Empty: the search ends by itself.
+    std::optional<double> search_limit_s;
     /// File of finished fits, read at the start and kept up to date; a stopped diagnosis resumes from it.
     std::optional<std::filesystem::path> fits;
     DiagnosisPolicy policy = {};

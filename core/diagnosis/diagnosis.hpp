@@ -56,6 +56,7 @@ struct Diagnosis {
     std::vector<std::string> notes;
     double seconds = 0.0;
     bool stopped = false;                       // by the user; completed parts are valid
+    bool search_complete = true;                // false: the search ended at its limit of time
     std::string failure;                        // reason why the declared model could not be fitted
     std::optional<MissingForce> missing_force;  // computed if the verdict is unknown, see whole_diagnosis()
 

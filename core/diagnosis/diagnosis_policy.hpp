@@ -50,10 +50,20 @@ struct DeclaredFitPolicy {
     double max_mass_ratio = 3.0;
 };
 
+/// Responses to effects from tangents of the run without them.
+struct FirstOrderPolicy {
+    /// Largest response in a trial, over the motion of its markers (both rms): the second order is then about this
+    /// share of it, and scores need responses to a few percent only.
+    double max_response = 0.05;
+    /// Effects whose tangents follow one run: more share its stiffness, and need as many models at once.
+    std::size_t effects_of_a_run = 32;
+};
+
 /// Score tests of all candidates. Source: Rao 1948.
 struct ScreeningPolicy {
     /// Scores may be computed with longer steps if that changes predictions by less than this share of the residual.
     double step_error_share = 0.3;
+    FirstOrderPolicy first_order;  // of small probes
     /// A probe that explains less of the residual's squares is not fitted.
     double min_explained = 0.02;
     /// Other places of an effect are fitted if their predicted reduction is at least this share of the best place's.
@@ -184,6 +194,8 @@ struct BeginningPolicy {
     int min_samples = 8;  // of a trial
     /// Poses of the first beginning: a modulus and an effect are told apart by two of different size.
     std::size_t min_poses = 2;
+    /// Of the time that is left for the search, if that is limited: the fits that follow hold the whole recordings.
+    double share_of_time = 0.5;
     std::size_t kept = 3;      // best fits of a beginning, from which the longer one is fitted
     double kept_factor = 4.0;  // of their squared residual over the smallest
     Effort refit{15, 1e-3};    // on the longer one
@@ -283,6 +295,9 @@ struct VerdictPolicy {
     /// Factor of the confidence in `none` if the residual is measurement drift: no record shows how often that is
     /// right.
     double drift = 0.7;
+    /// Factor of the confidence if the search ended at its limit of time: no record shows how often a better
+    /// explanation was still to come.
+    double unfinished_search = 0.7;
     /// Factor of the confidence if the effect's amount, or the modulus fitted with it, ends at its bound.
     double at_bound = 0.5;
     /// Confidence in `none` for a faint residual: this minus the residual's share of the allowance, but at least the

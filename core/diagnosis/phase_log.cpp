@@ -11,4 +11,10 @@ void PhaseLog::add(const std::string& phase, double seconds, int runs) {
     same->runs += runs;
 }
 
+Progress::Moment share_of_rest(const Progress& progress, double share) {
+    const Progress::Moment now = std::chrono::steady_clock::now();
+    if (progress.end() == Progress::Moment::max()) return progress.end();
+    return now + std::chrono::duration_cast<Progress::Moment::duration>(share * (progress.end() - now));
+}
+
 }  // namespace myo::diagnosis

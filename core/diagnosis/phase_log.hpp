@@ -17,7 +17,7 @@ struct PhaseCost {
 };
 
 /// Progress and costs of the phases of a diagnosis. Phases write to it; of what it holds they read only whether the
-/// user cancelled, so that results do not depend on it.
+/// user cancelled or a limit of time passed, so that results depend on nothing else of it.
 class PhaseLog {
 public:
     explicit PhaseLog(const Progress& progress) : progress_(progress) {}
@@ -43,8 +43,31 @@ public:
     void add(const std::string& phase, double seconds, int runs);
 
 private:
+    friend class PhaseLimit;
+
     Progress progress_;
     std::vector<PhaseCost> costs_;
+};
+
+/// Moment at which this share of the time that is left is over; the last of the clock without a limit.
+Progress::Moment share_of_rest(const Progress& progress, double share);
+
+/// As long as it lives, the phases count as cancelled from a moment on, or from an earlier one of a limit around it.
+class PhaseLimit {
+public:
+    PhaseLimit(PhaseLog& log, Progress::Moment end) : log_(log), before_(log.progress_) {
+        log.progress_ = before_.until(end);
+    }
+    ~PhaseLimit() { log_.progress_ = before_; }
+    PhaseLimit(const PhaseLimit&) = delete;
+    PhaseLimit& operator=(const PhaseLimit&) = delete;
+
+    /// Whether the phases were ended by this limit, and not by the user or an outer limit.
+    bool passed() const { return log_.cancelled() && !before_.cancelled(); }
+
+private:
+    PhaseLog& log_;
+    Progress before_;
 };
 
 }  // namespace myo::diagnosis

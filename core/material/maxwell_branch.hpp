@@ -10,6 +10,8 @@ namespace myo::material {
 struct MaxwellBranch {
     double modulus_ratio = 0.0;      // g: shear modulus of the branch over that of the network
     double relaxation_time_s = 0.0;  // tau > 0
+
+    bool operator==(const MaxwellBranch&) const = default;
 };
 
 }  // namespace myo::material

@@ -6,6 +6,8 @@ namespace myo::material {
 struct Moduli {
     double mu = 0.0;     // shear modulus
     double kappa = 0.0;  // bulk modulus
+
+    bool operator==(const Moduli&) const = default;
 };
 
 /// mu = E / (2 (1 + nu)), kappa = E / (3 (1 - 2 nu)).

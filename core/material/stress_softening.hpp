@@ -13,6 +13,8 @@ struct StressSoftening {
     double damage_max = 0.0;         // d, 0 <= d < 1
     double energy_scale_J_m3 = 1.0;  // W0 > 0
 
+    bool operator==(const StressSoftening&) const = default;
+
     /// Factor of the elastic stress for the largest energy density W [J/m3].
     double factor(double peak_energy_J_m3) const {
         return 1.0 + damage_max * std::expm1(-peak_energy_J_m3 / energy_scale_J_m3);

@@ -90,7 +90,7 @@ void respond(const Reference& r, const statistics::NuisanceSpace& nuisance, cons
         for (const effect::EffectParameters& column : s.columns)
             effects.push_back({variants[s.variant].effect->id, column, false,
                                effect::find_law(variants[s.variant].effect->id, r.setup.experiment.laws)});
-    const std::vector<diagnosis::EffectResponse> responses = diagnosis::effect_responses(r.runs(), effects, task,
+    const std::vector<diagnosis::EffectResponse> responses = diagnosis::effect_responses(r.runs(), effects, {}, task,
                                                                                          progress);
     // No responses: the user cancelled.
     if (responses.empty()) return;

@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "effect/catalogue.hpp"
-#include "measurement/marker_places.hpp"
 #include "measurement/rigid_motion.hpp"
 #include "mesh/surface_mesh.hpp"
 #include "prediction/marker_places.hpp"
+#include "prediction/moved_markers.hpp"
 #include "prediction/parameter_tangent.hpp"
 #include "prediction/place_registration.hpp"
 #include "prediction/sensor_tangents.hpp"
@@ -92,23 +92,6 @@ struct ObservedMotion {
     std::vector<Matrix3Xd> residual_m;   // per marker, prediction minus measurement; NaN before first_sample
 };
 
-/// Simulation times of the samples of a trial. A later start of the motion means an earlier simulation time.
-Eigen::VectorXd motion_times(const setup::PreparedTrial& trial, const measurement::ObservationError& error,
-                             double start_shift_s) {
-    return measurement::true_times(error, trial.measured.time_s).array() - start_shift_s;
-}
-
-/// Markers where the effects and the values place them.
-measurement::MarkerSet markers_of(const setup::Setup& setup, const measurement::ObservationError& error,
-                                  const ParameterValues& values) {
-    return measurement::placed_markers(setup.body->mesh, measurement::seen_markers(setup.markers, error),
-                                       values.places_m);
-}
-
-bool by_displacement(const setup::Setup& setup) {
-    return setup.experiment.markers.compare == experiment::Comparison::displacement;
-}
-
 struct PredictionPolicy {
     /// A time before any event that happens to markers during a trial, for the reference of displacements.
     double long_before_s = -1e30;
@@ -177,35 +160,6 @@ ModelTangents model_tangents(const setup::Setup& setup, std::size_t index, const
                 result.tangents.push_back(std::move(*tangent));
             }
     return result;
-}
-
-/// Markers of a run with their tangents, at the sample times and at t = 0.
-struct SensitiveMotion {
-    measurement::ObservationError error;
-    measurement::SensitiveTracks tracks, origin;
-};
-
-/// Tangent of the residuals along row `row` of the tangents of a run.
-std::vector<Matrix3Xd> moved_tangent(const setup::Setup& setup, std::size_t index, const ParameterValues& values,
-                                     const SensitiveMotion& motion, std::size_t row) {
-    const setup::PreparedTrial& trial = setup.trials[index];
-    const Eigen::Matrix3d R = measurement::small_rotation(values.rotation_rad);
-    const Eigen::VectorXd times = motion_times(trial, motion.error, values.start_shift_s[index]);
-    std::vector<Matrix3Xd> d = measurement::observed_tangents(
-        motion.error, measurement::laboratory_tangents(motion.error, motion.tracks.tangents[row], times),
-        measurement::laboratory_tracks(motion.error, motion.tracks.tracks.positions, times), trial.measured.time_s);
-    const std::vector<Matrix3Xd> origin = measurement::laboratory_tracks(motion.error, motion.origin.tracks.positions,
-                                                                         Eigen::VectorXd::Zero(1));
-    const std::vector<Matrix3Xd> start = measurement::laboratory_tangents(motion.error, motion.origin.tangents[row],
-                                                                          Eigen::VectorXd::Zero(1));
-    for (std::size_t m = 0; m < d.size(); ++m) {
-        // The reference position at t = 0 depends on the parameter as well and is subtracted from each sample.
-        if (by_displacement(setup))
-            d[m].colwise() -= measurement::seen_by_place(motion.error, origin[m].col(0)) * Vector3d(start[m].col(0));
-        else
-            d[m] = R * d[m];
-    }
-    return d;
 }
 
 /// Zero per marker and sample.
@@ -331,8 +285,7 @@ TrialPrediction predict_trial(const setup::Setup& setup, std::size_t index, cons
     }
     // Sample times in the clock of the simulation, with clock errors and the fitted start shift.
     const Eigen::VectorXd times = motion_times(trial, affected.observation_error, values.start_shift_s[index]);
-    const SensitiveMotion motion{affected.observation_error, measurement::observe(run, markers, times),
-                                 measurement::observe(run, markers, Eigen::VectorXd::Zero(1))};
+    const SensitiveMotion motion = sensitive_motion(affected.observation_error, run, markers, times);
     ObservedMotion observed = observed_motion(setup, index, values, motion.error, motion.tracks.tracks,
                                               motion.origin.tracks);
     result.positions_m = std::move(observed.positions_m);

@@ -88,7 +88,8 @@ void ExplicitChanges::add_mass_changes(double at_s, const MotionTerms& motion, m
 
 void ExplicitChanges::add_strain_changes(const dynamics::Stage& stage, const Matrix3Xd& x, MatrixXd& strains) const {
     for (std::size_t p = 0; p < changes_.size(); ++p)
-        if (changes_[p]) strains.col(static_cast<Index>(p)) += held_strain_change(*changes_[p], stage, x);
+        if (changes_[p] && !changes_[p]->same_cells)
+            strains.col(static_cast<Index>(p)) += held_strain_change(*changes_[p], stage, x);
 }
 
 MatrixXd ExplicitChanges::viscous_changes(const dynamics::Stage& stage, const VectorXd& rates,

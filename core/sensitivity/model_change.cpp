@@ -52,14 +52,64 @@ VectorXd stage_strains(const model::Model& model, const dynamics::Stage& stage, 
     return result;
 }
 
+/// Whether a deformed cell has the same strains, stresses and memory under both models.
+bool cells_alike(const model::Model& a, const model::Model& b) {
+    const auto same_vector = [](const VectorXd& u, const VectorXd& v) { return u.size() == v.size() && u == v; };
+    return a.body == b.body && a.material == b.material && a.moduli == b.moduli &&
+           same_vector(a.point_factors, b.point_factors) && a.poissons_ratio == b.poissons_ratio &&
+           a.damping_s == b.damping_s && a.damping_excess_s == b.damping_excess_s && a.fibres == b.fibres &&
+           a.creep == b.creep && a.softening == b.softening;
+}
+
+/// Gradient of the force elements of a model that another one does not have.
+Matrix3Xd gradient_of_own_elements(const model::Model& model, const model::Model& other, const model::ForceState& at) {
+    model::InternalEnergy sum;
+    sum.gradient = Matrix3Xd::Zero(3, at.x.cols());
+    const auto& others = other.force_elements;
+    for (const model::ForceElementPointer& element : model.force_elements)
+        if (std::find(others.begin(), others.end(), element) == others.end())
+            element->add(*model.body, at, model::HessianKind::none, sum);
+    return sum.gradient;
+}
+
+/// Residual over minus under for models whose cells are alike, not divided by the width.
+VectorXd load_change(const ModelChange& change, const dynamics::Stage& stage, const Matrix3Xd& x) {
+    const model::Model &under = change.pair->under, &over = change.pair->over;
+    const bool by_velocity = model::depends_on_velocity(under) || model::depends_on_velocity(over);
+    const Matrix3Xd v = by_velocity ? dynamics::stage_velocities(stage, x) : Matrix3Xd();
+    const model::ForceState at = dynamics::force_state(stage, x, v);
+    Matrix3Xd gradient = gradient_of_own_elements(over, under, at) - gradient_of_own_elements(under, over, at);
+    std::vector<double> activation = model::activations(over, stage.time_s, stage.before_jump);
+    const std::vector<double> before = model::activations(under, stage.time_s, stage.before_jump);
+    for (std::size_t g = 0; g < activation.size(); ++g) activation[g] -= before[g];
+    // The energy of fibres is linear in their activation.
+    if (std::any_of(activation.begin(), activation.end(), [](double a) { return a != 0.0; }))
+        gradient += model::activation_gradient(over, x, activation);
+    const auto dead = [&](const dynamics::StageConstants& side) {
+        return model::external_forces(*side.model, side.masses[model::span_at(side.masses, stage.inertia_at_s)].mass,
+                                      stage.time_s, stage.before_jump);
+    };
+    gradient -= dead(change.over) - dead(change.under);
+    if (stage.inertia_1_s2 != 0.0 && changes_mass(change))
+        gradient += change.pair->width * stage.inertia_1_s2 *
+                    model::times_mass(x, mass_change(change, stage.inertia_at_s));
+    return model::gather(over.body->pattern, gradient);
+}
+
 }  // namespace
 
 ModelChange model_change(std::shared_ptr<const ModelPair> pair) {
-    ModelChange change{std::move(pair), {}, {}, {}};
+    ModelChange change{std::move(pair), {}, {}, {}, false};
     const model::Model &under = change.pair->under, &over = change.pair->over;
     const double width = change.pair->width;
-    change.under = dynamics::stage_constants(under);
-    change.over = dynamics::stage_constants(over);
+    change.same_cells = cells_alike(under, over);
+    // Stiffness and inertia in the pattern of the stiffness, many times as large as the masses, serve whole residuals.
+    const auto constants = [&](const model::Model& model) {
+        return change.same_cells ? dynamics::StageConstants{&model, model::mass_spans(model), {}, {}}
+                                 : dynamics::stage_constants(model);
+    };
+    change.under = constants(under);
+    change.over = constants(over);
     change.masses = differences(change.over.masses, change.under.masses, width);
     return change;
 }
@@ -76,6 +126,7 @@ void soften(ModelChange& change, const VectorXd& factors) {
 }
 
 VectorXd held_residual_change(const ModelChange& change, const dynamics::Stage& stage, const Matrix3Xd& x) {
+    if (change.same_cells) return load_change(change, stage, x) / change.pair->width;
     const auto residual = [&](const dynamics::StageConstants& side) {
         const Matrix3Xd held = dynamics::held_by(*side.model->body, x);
         if (held == x) return dynamics::StageProblem(side, stage).evaluate(x, model::HessianKind::none).residual;

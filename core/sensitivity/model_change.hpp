@@ -20,8 +20,11 @@ struct ModelPair {
 /// the parameter, otherwise with an error of the order of width squared.
 struct ModelChange {
     std::shared_ptr<const ModelPair> pair;
-    dynamics::StageConstants under, over;  // constants of both models
+    dynamics::StageConstants under, over;  // constants of both models; only masses if `same_cells`
     std::vector<model::MassSpan> masses;   // difference quotient of the mass; no entries: the mass is constant
+    /// The cells deform alike under both models, which differ in loads, commands, force elements and masses only: their
+    /// forces cancel and are not evaluated.
+    bool same_cells = false;
 };
 /// Prepares the differences of a pair.
 ModelChange model_change(std::shared_ptr<const ModelPair> pair);
@@ -41,7 +44,7 @@ void soften(ModelChange& change, const Eigen::VectorXd& factors);
 Eigen::VectorXd held_residual_change(const ModelChange& change, const dynamics::Stage& stage,
                                      const Eigen::Matrix3Xd& x);
 
-/// Derivative of the strains of a stage solution at fixed x, dashpots included.
+/// Derivative of the strains of a stage solution at fixed x, dashpots included; zero if the cells are alike.
 Eigen::VectorXd held_strain_change(const ModelChange& change, const dynamics::Stage& stage, const Eigen::Matrix3Xd& x);
 
 }  // namespace myo::sensitivity

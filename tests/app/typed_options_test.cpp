@@ -73,6 +73,7 @@ TEST(TypedOptions, NumbersAreWholeWordsAndFinite) {
                      {simulate({"--dt", ""}), "--dt"},
                      {simulate({"--dt=1e999"}), "--dt: '1e999' is not a number"},
                      {simulate({"--resolution", "0"}), "--resolution: '0' is not positive"},
+                     {{"diagnose", "EXP", "--out", "OUT", "--time-limit", "0"}, "--time-limit: '0' is not positive"},
                      {simulate({"--resolution=-0.01"}), "--resolution: '-0.01' is not positive"}});
 }
 

@@ -30,6 +30,23 @@ TEST(Progress, CopiesShareSinkAndCancelFlag) {
     EXPECT_TRUE(owner.cancelled() && handed_out.cancelled());
 }
 
+/// Limits of time are further reasons to end; the earliest of them counts, and the user's stop in any case.
+TEST(Progress, EndsAtTheEarliestOfItsLimits) {
+    const auto now = std::chrono::steady_clock::now();
+    const auto past = now - std::chrono::seconds(1), later = now + std::chrono::hours(1);
+    std::atomic<bool> cancel{false};
+    const Progress owner({}, &cancel);
+    EXPECT_TRUE(owner.until(past).cancelled());
+    EXPECT_TRUE(owner.until(past).until(later).cancelled()) << "a later limit extends nothing";
+    EXPECT_TRUE(owner.until(past).with_sink({}).cancelled());
+    const Progress limited = owner.until(later);
+    EXPECT_EQ(limited.end(), later);
+    EXPECT_FALSE(limited.cancelled());
+    EXPECT_FALSE(owner.cancelled()) << "the copy alone is limited";
+    cancel = true;
+    EXPECT_TRUE(limited.cancelled());
+}
+
 TEST(Throttle, LetsOneOfManyThreadsThroughAtATime) {
     Throttle throttle;
     const auto passed = [&] {

@@ -222,6 +222,8 @@ report::Json details_json(const setup::Setup& setup, const Diagnosis& d) {
             {{"phase", cost.phase}, {"seconds", report::json_number(cost.seconds)}, {"runs", cost.runs}});
     if (d.missing_force) json["missing_force"] = missing_force_json(*d.missing_force);
     json["seconds"] = report::json_number(d.seconds);
+    json["search_complete"] = d.search_complete;
+    if (d.settings.search_limit_s) json["search_limit_s"] = report::json_number(*d.settings.search_limit_s);
     json["notes"] = d.notes;
     return json;
 }

@@ -2,10 +2,12 @@
 
 #include <Eigen/Core>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/progress.hpp"
+#include "diagnosis/diagnosis_policy.hpp"
 #include "diagnosis/fit/fit_data.hpp"
 #include "effect/effect.hpp"
 
@@ -28,11 +30,14 @@ struct EffectResponse {
 };
 
 /// Responses to each effect by itself, in parallel on the setup's threads. Empty if cancelled.
-/// The change is that by the whole amount of the declaration, not a derivative.
 ///
-/// @param task  name under which runs are reported
+/// @param first_order  small responses are found to first order in the effect, at a fraction of the cost of a run (see
+///                     prediction::first_order_changes()); others, and what has no first order, by runs with the whole
+///                     effect. Empty: all by runs
+/// @param task         name under which runs are reported
 std::vector<EffectResponse> effect_responses(const UnaffectedRuns& runs,
                                              const std::vector<effect::EffectDeclaration>& effects,
+                                             const std::optional<FirstOrderPolicy>& first_order,
                                              const std::string& task, const Progress& progress);
 
 }  // namespace myo::diagnosis

@@ -90,8 +90,10 @@ std::vector<EffectScore> score_effects(const setup::Setup& setup, const FitData&
     const std::vector<Probe> probes = chosen_probes(search, setup.experiment.laws, allowed, size);
     std::vector<EffectScore> scores(probes.size());
     for (std::size_t p = 0; p < probes.size(); ++p) scores[p].id = probes[p].effect->id;
-    const std::vector<EffectResponse> responses = effect_responses({setup, data, fit.values, search, unaffected},
-                                                                   columns_of(probes), "score", progress);
+    // Small probes stand for derivatives; large ones are tried for what those do not show.
+    const std::vector<EffectResponse> responses = effect_responses(
+        {setup, data, fit.values, search, unaffected}, columns_of(probes),
+        size == ProbeSize::small ? std::optional(policy.first_order) : std::nullopt, "score", progress);
     if (progress.cancelled()) return {};
 
     const ScoreReference reference = score_reference(fit, data.layout);

@@ -40,6 +40,7 @@ Screening screen_effects(const DiagnosisContext& context, FitStore& store, Phase
     Screening other{std::nullopt, log.timed(score_phase, context.fit_count(), [&] {
                         return scores_from(context, context.data, context.declared.fit, ProbeSize::small, log);
                     })};
+    if (log.cancelled()) return screening;
     return best_score(other.scores).left >= best_score(screening.scores).left ? screening : other;
 }
 

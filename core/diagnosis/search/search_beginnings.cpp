@@ -96,6 +96,31 @@ RankedFits with_sets(const DiagnosisContext& context, RankedFits fits, FitStore&
     return search_sets(context, std::move(fits), store, log, {}, SetSearchExtent::grown).fits;
 }
 
+/// Values of the best fits of the longest beginning that was searched; enters the scores. Empty if a beginning cannot
+/// be fitted.
+std::vector<prediction::ParameterValues> starts_from_beginnings(const DiagnosisContext& context,
+                                                                BeginningSearch& search, FitStore& store,
+                                                                PhaseLog& log) {
+    const BeginningPolicy& policy = context.policy().beginnings;
+    // What beginnings lead to counts only once it is fitted to the whole recordings.
+    const PhaseLimit limit(log, share_of_rest(log.progress(), policy.share_of_time));
+    std::vector<prediction::ParameterValues> starts;
+    for (double share = search.share; share < 1.0 && !log.cancelled(); share *= policy.growth) {
+        const std::optional<DiagnosisContext> part = beginning_context(context, share, store, log);
+        if (log.cancelled()) break;
+        if (!part) return {};
+        RankedFits fits = starts.empty() ? fit_singles(*part, store, log)
+                                         : refitted(*part, starts, std::move(search.fits), store, log);
+        fits = with_sets(*part, std::move(fits), store, log);
+        if (std::vector<prediction::ParameterValues> best = best_values(fits, part->baseline()); !best.empty())
+            starts = std::move(best);
+        // Fits of different beginnings are not comparable: only the scores of the candidates are kept.
+        search.fits = {{}, std::move(fits.candidates), {}};
+        for (Candidate& candidate : search.fits.candidates) candidate.judged.reset();
+    }
+    return starts;
+}
+
 }  // namespace
 
 BeginningSearch search_beginnings(const DiagnosisContext& context, FitStore& store, PhaseLog& log) {
@@ -105,18 +130,7 @@ BeginningSearch search_beginnings(const DiagnosisContext& context, FitStore& sto
     // A beginning in which the residual is small does not show the effect.
     while (share < 1.0 && residual_in_beginnings(context, share) < policy.min_residual) share *= policy.growth;
     BeginningSearch search{{}, share};
-    std::vector<prediction::ParameterValues> starts;
-    for (; share < 1.0 && !log.cancelled(); share *= policy.growth) {
-        const std::optional<DiagnosisContext> part = beginning_context(context, share, store, log);
-        if (!part) return {};
-        RankedFits fits = starts.empty() ? fit_singles(*part, store, log)
-                                         : refitted(*part, starts, std::move(search.fits), store, log);
-        fits = with_sets(*part, std::move(fits), store, log);
-        starts = best_values(fits, part->baseline());
-        // Fits of different beginnings are not comparable: only the scores of the candidates are kept.
-        search.fits = {{}, std::move(fits.candidates), {}};
-        for (Candidate& candidate : search.fits.candidates) candidate.judged.reset();
-    }
+    const std::vector<prediction::ParameterValues> starts = starts_from_beginnings(context, search, store, log);
     if (starts.empty()) return {};
     search.fits = refitted(context, starts, std::move(search.fits), store, log);
     search.fits = corrected(context, std::move(search.fits), Leniency::strict, store, log);

@@ -71,14 +71,14 @@ bool Search::fit_starts(const std::vector<CandidateStart>& starts, double prunin
     std::vector<JudgedFit> fits = fit_candidates({context_.setup, context_.data, context_.settings, base(), starts,
                                                   min_left(candidates()), pruning_factor, "refit"},
                                                  store_, log_);
-    if (log_.cancelled()) return false;
+    // Also those from before a cancellation: each was fitted to its end.
     for (std::size_t i = 0; i < fits.size(); ++i)
         for (Candidate& candidate : candidates())
             if (candidate.score.id == starts[i].effect.id && fits[i].usable() &&
                 !(candidate.judged && candidate.judged->fit.squares() < fits[i].fit.squares()))
                 candidate.judged = std::move(fits[i]);
     rank();
-    return true;
+    return !log_.cancelled();
 }
 
 /// Removes the numerical error of the fit's own motion.

@@ -140,9 +140,9 @@ std::optional<JudgedFit> SearchOfSets::best_extension(const JudgedFit& of, const
     std::vector<JudgedFit> fits = fit_candidates({context_.setup, data_, context_.settings, base, starts, least,
                                                   context_.policy().sets.pruning_factor, "refit of sets"},
                                                  store_, log_);
-    if (log_.cancelled()) return {};
     const JudgedFit* best = nullptr;
     for (const JudgedFit& fit : fits) {
+        // Also those from before a cancellation: each was fitted to its end.
         if (!fit.usable()) continue;
         enter_fit(fits_, fit);
         if (!best || fit.fit.squares() < best->fit.squares()) best = &fit;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/text.hpp"
 #include "diagnosis/selection/judgement.hpp"
@@ -24,6 +25,17 @@ std::vector<std::string> ranking_of(const Verdict& verdict, const std::vector<Ca
     return ranking;
 }
 
+/// Verdict of a search that ended at its limit of time: less certain, and it says so.
+Verdict of_unfinished_search(Verdict verdict, const DiagnoseSettings& settings) {
+    verdict.confidence *= settings.policy.verdict.unfinished_search;
+    verdict.trust *= settings.policy.verdict.unfinished_search;
+    const std::string caution = " The search ended at its limit of " + format_number(*settings.search_limit_s, 4) +
+                                " s: what was not tried may explain more.";
+    verdict.reason += caution;
+    verdict.cautions += caution;
+    return verdict;
+}
+
 }  // namespace
 
 std::string above_noise_note(const NumericalError& numerics, double noise_m) {
@@ -44,6 +56,7 @@ Decision decide(const Diagnosis& d) {
     Decision decision{std::move(conclusion.verdict), std::move(conclusion.fit), {}};
     Verdict& verdict = decision.verdict;
     verdict.rule = rule->name;
+    if (!d.search_complete) verdict = of_unfinished_search(std::move(verdict), d.settings);
     verdict.ranking = ranking_of(verdict, d.candidates);
     // verdict_evidence() leaves such a set out: the user can decide the case with one more trial.
     if (verdict.kind == VerdictKind::unknown && !d.sets.empty() && is_untested(d.sets.front(), d.declared) &&

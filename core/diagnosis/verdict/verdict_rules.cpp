@@ -74,9 +74,12 @@ Conclusion unexplained(const VerdictEvidence& e) {
     const double left = best.tests.systematic.rms / std::max(policy.least_systematic, d.declared.tests.systematic.rms);
     Verdict verdict{VerdictKind::unknown};
     verdict.confidence = policy.undoubted * std::min(1.0, policy.nearly_explained + policy.unexplained_growth * left);
-    verdict.reason =
-        "the residual is significant, and no effect of the catalogue takes it away: the best attempt leaves " +
-        times_noise(best.tests.systematic.rms) + " of " + times_noise(d.declared.tests.systematic.rms) + ".";
+    verdict.reason = "the residual is significant, and " +
+                     std::string(d.search_complete
+                                     ? "no effect of the catalogue takes it away"
+                                     : "no effect that takes it away was found in the time for the search") +
+                     ": the best attempt leaves " + times_noise(best.tests.systematic.rms) + " of " +
+                     times_noise(d.declared.tests.systematic.rms) + ".";
     return {verdict, best};
 }
 
