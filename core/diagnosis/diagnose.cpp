@@ -208,8 +208,9 @@ PredictionShift search(const DiagnosisContext& context, FitStore& store, PhaseLo
             if (!far || min_left(fits.candidates) < context.policy().sets.new_start * left) search_larger();
         }
     };
-    // A set found on the beginnings is continued on the whole recordings before single effects are scored.
-    if (!fits.sets.empty() && !explained(fits.candidates, baseline)) search_larger();
+    // A set found on the beginnings is continued on the whole recordings before single effects are scored; so is what
+    // was found until the time for them was over, as the scores of so large a residual would tell less.
+    if ((!fits.sets.empty() || beginnings.cut) && !explained(fits.candidates, baseline)) search_larger();
     const bool found = explained(fits.candidates, baseline, Leniency::strict) || is_explained_by_set(fits, baseline);
     const Screening screening = found ? Screening() : screen_effects(context, store, log);
     if (!found && !log.cancelled())

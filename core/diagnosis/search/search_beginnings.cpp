@@ -118,6 +118,7 @@ std::vector<prediction::ParameterValues> starts_from_beginnings(const DiagnosisC
         search.fits = {{}, std::move(fits.candidates), {}};
         for (Candidate& candidate : search.fits.candidates) candidate.judged.reset();
     }
+    search.cut = limit.passed();
     return starts;
 }
 
@@ -129,7 +130,7 @@ BeginningSearch search_beginnings(const DiagnosisContext& context, FitStore& sto
     double share = policy.first_share;
     // A beginning in which the residual is small does not show the effect.
     while (share < 1.0 && residual_in_beginnings(context, share) < policy.min_residual) share *= policy.growth;
-    BeginningSearch search{{}, share};
+    BeginningSearch search{{}, share, false};
     const std::vector<prediction::ParameterValues> starts = starts_from_beginnings(context, search, store, log);
     if (starts.empty()) return {};
     search.fits = refitted(context, starts, std::move(search.fits), store, log);

@@ -11,6 +11,7 @@ namespace myo::diagnosis {
 struct BeginningSearch {
     RankedFits fits;     // candidates with their scores on the first beginning; empty: no search
     double share = 0.0;  // of the recordings, on which the effects were scored
+    bool cut = false;    // its share of the time was over before the longest beginning
 };
 
 /// Searches effects and sets on beginnings of the recordings, of growing length, and fits the best of them to the
