@@ -273,7 +273,7 @@ Diagnosis diagnose(const setup::Setup& setup, const DiagnoseSettings& settings, 
     record.enter_declared_error(declared_error);
     const Decision decision = decide(record.so_far());
     record.enter(decision, spot_notes(context.setup, context.data, decision));
-    record.enter(final_fit({context, declared_error, decision, shift}, store, log));
+    record.enter(final_fit({context, declared_error, decision, shift, record.so_far().search_complete}, store, log));
     record.enter_note(remainder_note(context.setup, record.so_far()));
     return record.finished();
 }

@@ -117,5 +117,25 @@ TEST(FinalFitValues, PredictWithTheErrorOfTheirOwnFit) {
     }
 }
 
+/// Where no time is left, the best attempt that explains nothing is predicted as it is.
+TEST(FinalFitValues, LeaveAnAttemptAsItIsWhereItIsNotToBeCorrected) {
+    const test::Folder folder("final_attempt");
+    const setup::Setup setup = test::swung_beam(folder, 0.1);
+    JudgedFit fit = test::fit_that_leaves(1.0);
+    fit.fit.values = prediction::declared_values(setup);
+    const DiagnosisContext context{setup, {}, fit_data(setup, {0}), fit, {}, {}};
+    NumericalError declared_error;
+    const auto samples = setup.trials[0].measured.sample_count();
+    declared_error.shift.assign(2, std::vector<Eigen::Matrix3Xd>(4, Eigen::Matrix3Xd::Constant(3, samples, 1e-3)));
+    declared_error.left_rms_m = 7e-5;
+    const Decision decision{{VerdictKind::unknown}, fit, {}};
+    FitStore store;
+    PhaseLog log{Progress()};
+    const FinalFit last = final_fit({context, declared_error, decision, declared_error.shift, false}, store, log);
+    ASSERT_TRUE(last.complete);
+    EXPECT_EQ(last.fit.numerics->left_rms_m, 7e-5);
+    ASSERT_EQ(log.costs().size(), 1u) << "nothing is refitted";
+}
+
 }  // namespace
 }  // namespace myo::diagnosis::verdict_values_test

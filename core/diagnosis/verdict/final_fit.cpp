@@ -47,6 +47,8 @@ FinalFit final_fit(const FinalFitInput& in, FitStore& store, PhaseLog& log) {
     FitData data = context.data;
     data.shift = result.fit.numerics ? result.fit.numerics->shift : in.shift;
     if (kind == VerdictKind::effects) result.fit = with_best_place(context, data, std::move(result.fit), store, log);
+    if (!result.fit.numerics && kind != VerdictKind::effects && !in.corrects_attempts)
+        result.fit.numerics = in.declared_error;
     if (!result.fit.numerics) {
         std::optional<JudgedFit> corrected = correct_discretisation(
             {setup, data, context.settings, context.refinement, "last fit",

@@ -13,7 +13,8 @@ struct FinalFitInput {
     const DiagnosisContext& context;
     const NumericalError& declared_error;  // of the declared fit, for all trials
     const Decision& decision;
-    const PredictionShift& shift;  // with which the fit of the decision was made
+    const PredictionShift& shift;   // with which the fit of the decision was made
+    bool corrects_attempts = true;  // false: a best attempt that explains nothing keeps the error of the declared fit
 };
 
 /// Fit of the verdict with the numerical error of its own motion removed, and predictions of all trials.
