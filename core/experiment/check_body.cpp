@@ -9,12 +9,10 @@
 #include "mesh/surface_parts.hpp"
 #include "mesh/surface_reader.hpp"
 #include "mesh/volume_reader.hpp"
+#include "toml/toml_path.hpp"
 
 namespace myo::experiment {
 namespace {
-
-// Key of an array entry in messages: "muscle[2]".
-std::string element(const std::string& table, std::size_t index) { return table + "[" + std::to_string(index) + "]"; }
 
 /// Boundary of the declared volume mesh, scaled and turned to the mesh frame [m].
 Result<mesh::SurfaceMesh> read_volume_surface(const Experiment& experiment, const VolumeGeometry& declared) {
@@ -75,7 +73,7 @@ Result<void> check_on_body(const Experiment& experiment, const mesh::SurfaceMesh
         // A box without depth has no area; it is grown beyond the tolerance within which clipping drops slivers.
         const Box grown{support.box_m.lowest.array() - 2.0 * check.tolerance(),
                         support.box_m.highest.array() + 2.0 * check.tolerance()};
-        const std::string key = element("support", i) + ".box_m";
+        const std::string key = toml::element_text("support", i) + ".box_m";
         if (!check.holds_material(grown))
             return declaration_error(experiment, key, "the box contains no material of the body");
         if (support.clamps() && check.lies_in(support.box_m)) return holds_whole_body(experiment, key);
@@ -84,15 +82,16 @@ Result<void> check_on_body(const Experiment& experiment, const mesh::SurfaceMesh
         const auto* box = std::get_if<MuscleBox>(&experiment.muscles[i].part);
         // A muscle needs volume to contract; a box that touches a face from outside has none.
         if (box != nullptr && !check.holds_volume(box->box_m))
-            return declaration_error(experiment, element("muscle", i) + ".box_m",
+            return declaration_error(experiment, toml::element_text("muscle", i) + ".box_m",
                                      "the box contains no material of the body");
     }
     if (Result<void> parts = check_robot_parts_on_body(experiment, check); !parts) return parts;
     for (std::size_t i = 0; i < experiment.trials.size(); ++i)
         for (std::size_t j = 0; j < experiment.trials[i].loads.size(); ++j)
             if (!check.holds_surface(experiment.trials[i].loads[j].box_m))
-                return declaration_error(experiment, element("trial", i) + "." + element("load", j) + ".box_m",
-                                         "the box contains no surface of the body for the load to act on");
+                return declaration_error(
+                    experiment, toml::element_text("trial", i) + "." + toml::element_text("load", j) + ".box_m",
+                    "the box contains no surface of the body for the load to act on");
     // Fixed markers are not checked: they are attached to the surroundings.
     const double allowed = experiment.markers.max_standoff_m;
     for (const MarkerDeclaration& marker : experiment.markers.on_body) {

@@ -2,13 +2,14 @@
 
 #include "experiment/cavities.hpp"
 #include "experiment/read_experiment.hpp"
+#include "toml/toml_path.hpp"
 
 namespace myo::experiment {
 namespace {
 
 /// Key of an entry in messages: "tendon[1].path_m".
 std::string robot_key(const char* table, std::size_t index, const char* key) {
-    return std::string(table) + "[" + std::to_string(index) + "]." + key;
+    return toml::element_text(table, index) + "." + key;
 }
 
 /// Cavities are searched again where chambers are put on the mesh; here they are searched to report errors early.

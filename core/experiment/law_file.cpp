@@ -8,6 +8,7 @@
 #include "effect/catalogue.hpp"
 #include "effect/law_effect.hpp"
 #include "experiment/law_places.hpp"
+#include "toml/toml_path.hpp"
 #include "toml/toml_reader.hpp"
 
 namespace myo::experiment {
@@ -33,11 +34,6 @@ std::vector<std::string> keys_of(law::Place place) {
     std::vector<std::string> keys = head_keys;
     for (const law::ResultKey& key : law::result_keys(place)) keys.push_back(key.key);
     return keys;
-}
-
-/// Key of an entry of a list or an array of tables in messages: "let[1]".
-std::string list_element(const char* table, std::size_t index) {
-    return std::string(table) + "[" + std::to_string(index) + "]";
 }
 
 /// What the tables [[parameter]] say besides names and units.
@@ -254,14 +250,14 @@ private:
         using Part = LawError::Part;
         // The parser knows the column within an expression; the TOML value knows the line of the file.
         const auto in_list = [&](const char* key) {
-            return error_in_expression(root_.find(key)->items[error.index], list_element(key, error.index), source_,
-                                       error.error);
+            return error_in_expression(root_.find(key)->items[error.index], toml::element_text(key, error.index),
+                                       source_, error.error);
         };
         const auto in_table = [&](const char* table, const char* key) {
             const toml::TomlValue& of = root_.find(table)->items[error.index];
             const toml::TomlValue* const value = of.find(key);
-            return error_in_expression(value != nullptr ? *value : of, list_element(table, error.index) + "." + key,
-                                       source_, error.error);
+            return error_in_expression(value != nullptr ? *value : of,
+                                       toml::element_text(table, error.index) + "." + key, source_, error.error);
         };
         switch (error.part) {
             case Part::parameter: {

@@ -11,6 +11,7 @@
 #include "experiment/actuators.hpp"
 #include "experiment/read_experiment.hpp"
 #include "experiment/read_experiment_tables.hpp"
+#include "toml/toml_path.hpp"
 
 namespace myo::experiment {
 namespace {
@@ -22,11 +23,6 @@ namespace {
 
 bool contains(const std::vector<std::string>& words, const std::string& word) {
     return std::find(words.begin(), words.end(), word) != words.end();
-}
-
-// Key of an array entry in messages: "trial[1]".
-std::string element(const char* table, std::size_t index) {
-    return std::string(table) + "[" + std::to_string(index) + "]";
 }
 
 /// Names of the markers that recordings hold.
@@ -70,12 +66,12 @@ void check_muscles(const Experiment& experiment) {
     std::vector<std::string> names, paths;
     for (std::size_t i = 0; i < muscles.size(); ++i) {
         names.push_back(muscles[i].name);
-        paths.push_back(element("muscle", i) + ".name");
+        paths.push_back(toml::element_text("muscle", i) + ".name");
     }
     check_unique(experiment, names, paths);
     for (std::size_t i = 0; i < muscles.size(); ++i) {
         if (!muscles[i].follows) continue;
-        const std::string key = element("muscle", i) + ".follows.muscle";
+        const std::string key = toml::element_text("muscle", i) + ".follows.muscle";
         // Follow the chain of leaders: it ends at a muscle that follows none, or it is a cycle.
         std::size_t at = i;
         for (std::size_t steps = 0; muscles[at].follows; ++steps) {
@@ -148,7 +144,7 @@ void check_goals(const Experiment& experiment, const std::string& trial_path, co
     for (const MarkerDeclaration& marker : experiment.markers.on_body) names.push_back(marker.name);
     for (std::size_t g = 0; g < trial.goals.size(); ++g)
         if (!contains(names, trial.goals[g].marker))
-            fail(experiment, trial_path + "." + element("goal", g) + ".marker",
+            fail(experiment, trial_path + "." + toml::element_text("goal", g) + ".marker",
                  "\"" + trial.goals[g].marker + "\" is no marker on the body; " +
                      toml::suggest(trial.goals[g].marker, names));
 }
@@ -195,7 +191,7 @@ void check_trials(Experiment& experiment) {
     bool any_free = false;
     for (std::size_t i = 0; i < experiment.trials.size(); ++i) {
         TrialDeclaration& trial = experiment.trials[i];
-        const std::string path = element("trial", i);
+        const std::string path = toml::element_text("trial", i);
         names.push_back(trial.name);
         paths.push_back(path + ".name");
         if (trial.columns) check_columns(experiment, path, *trial.columns);
@@ -231,7 +227,7 @@ void check_laws(const Experiment& experiment) {
         for (const std::string& condition : law->conditions)
             for (std::size_t t = 0; t < experiment.trials.size(); ++t)
                 if (experiment.trials[t].condition.count(condition) == 0)
-                    fail(experiment, element("trial", t) + ".condition",
+                    fail(experiment, toml::element_text("trial", t) + ".condition",
                          "\"" + condition + "\" is missing, which the law \"" + law->id + "\" reads");
 }
 
@@ -250,7 +246,7 @@ void check_effects(const Experiment& experiment) {
         const auto check = [&](const std::string& parameter, const std::string& word,
                                const std::vector<std::string>& known, const char* what) {
             if (!contains(known, word))
-                fail(experiment, element("effect", i) + "." + parameter,
+                fail(experiment, toml::element_text("effect", i) + "." + parameter,
                      std::string("unknown ") + what + " \"" + word + "\"; " + toml::suggest(word, known));
         };
         // The kind of a parameter says which table its word names; an optional parameter may be absent.

@@ -3,6 +3,7 @@
 #include "experiment/actuators.hpp"
 #include "experiment/read_experiment.hpp"
 #include "experiment/read_experiment_tables.hpp"
+#include "toml/toml_path.hpp"
 
 namespace myo::experiment {
 namespace {
@@ -12,15 +13,10 @@ namespace {
     throw toml::TomlFailure{declaration_error(experiment, key, sentence)};
 }
 
-/// Key of an entry of an array of tables in messages: "sensor[1]".
-std::string robot_element(const char* table, std::size_t index) {
-    return std::string(table) + "[" + std::to_string(index) + "]";
-}
-
 /// Table of an actuator: "muscle[0]", "chamber[1]", "tendon[0]".
 std::string actuator_key(const Actuator& actuator) {
-    if (actuator.kind == ActuatorKind::muscle) return robot_element("muscle", actuator.index);
-    return robot_element(actuator.kind == ActuatorKind::chamber ? "chamber" : "tendon", actuator.index);
+    if (actuator.kind == ActuatorKind::muscle) return toml::element_text("muscle", actuator.index);
+    return toml::element_text(actuator.kind == ActuatorKind::chamber ? "chamber" : "tendon", actuator.index);
 }
 
 // Names that differ may still head one column: a muscle "left_N" and a tendon "left".
@@ -43,7 +39,7 @@ void check_geometry(const Experiment& experiment) {
     std::vector<std::string> names, paths;
     for (std::size_t i = 0; i < experiment.parts.size(); ++i) {
         const PartDeclaration& part = experiment.parts[i];
-        const std::string key = robot_element("part", i);
+        const std::string key = toml::element_text("part", i);
         names.push_back(part.name);
         paths.push_back(key + ".name");
         if (is_box && std::holds_alternative<std::filesystem::path>(part.place))
@@ -89,12 +85,12 @@ void check_sensors(const Experiment& experiment) {
     for (std::size_t i = 0; i < experiment.sensors.size(); ++i) {
         const SensorDeclaration& sensor = experiment.sensors[i];
         names.push_back(sensor.name);
-        paths.push_back(robot_element("sensor", i) + ".name");
+        paths.push_back(toml::element_text("sensor", i) + ".name");
         if (sensor.kind == SensorKind::reaction) continue;
         const bool of_chamber = sensor.kind == SensorKind::chamber_volume;
         const std::vector<std::string>& known = of_chamber ? chambers : tendons;
         const std::string what = of_chamber ? "chamber" : "tendon";
-        const std::string key = robot_element("sensor", i) + ".of";
+        const std::string key = toml::element_text("sensor", i) + ".of";
         if (known.empty()) robot_fail(experiment, key, "there is no [[" + what + "]]");
         if (std::find(known.begin(), known.end(), sensor.of) == known.end())
             robot_fail(experiment, key,
@@ -167,7 +163,7 @@ void check_robot_parts(Experiment& experiment) {
     check_sensors(experiment);
     for (std::size_t i = 0; i < experiment.trials.size(); ++i) {
         TrialDeclaration& trial = experiment.trials[i];
-        const std::string path = robot_element("trial", i);
+        const std::string path = toml::element_text("trial", i);
         for (const ConstantCommand& command : trial.constant_commands) check_constant(experiment, path, trial, command);
         check_readings(experiment, path, trial);
     }

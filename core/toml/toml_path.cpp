@@ -40,6 +40,8 @@ std::string path_text(const TomlPath& path) {
     return text;
 }
 
+std::string element_text(const std::string& array, std::size_t index) { return path_text({array, index}); }
+
 std::size_t common_steps(const TomlPath& a, const TomlPath& b) {
     return static_cast<std::size_t>(std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin());
 }

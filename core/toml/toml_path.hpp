@@ -17,6 +17,8 @@ using TomlPath = std::vector<TomlStep>;
 
 /// Path for messages: "trial[1].load[0].force_N".
 std::string path_text(const TomlPath& path);
+/// An element of an array for messages: "trial[1]".
+std::string element_text(const std::string& array, std::size_t index);
 
 /// True if the path leads to the place `prefix` or into it.
 bool starts_with(const TomlPath& path, const TomlPath& prefix);
