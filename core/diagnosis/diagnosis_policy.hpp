@@ -194,7 +194,7 @@ struct BeginningPolicy {
     int min_samples = 8;  // of a trial
     /// Poses of the first beginning: a modulus and an effect are told apart by two of different size.
     std::size_t min_poses = 2;
-    /// Of the time that is left for the search, if that is limited: the fits that follow hold the whole recordings.
+    /// Largest share of the time that is left for a limited search: the rest is for fits of the whole recordings.
     double share_of_time = 0.5;
     std::size_t kept = 3;      // best fits of a beginning, from which the longer one is fitted
     double kept_factor = 4.0;  // of their squared residual over the smallest

@@ -1,7 +1,5 @@
 #include "diagnosis/screening/effect_responses.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <functional>
 #include <mutex>
 #include <utility>
@@ -26,21 +24,11 @@ TrialPrediction residual_of(const TrialPrediction& prediction) {
     return part;
 }
 
-/// Of all coordinates [m].
-double root_mean_square(const std::vector<Eigen::Matrix3Xd>& tracks) {
-    double squares = 0.0, count = 0.0;
-    for (const Eigen::Matrix3Xd& track : tracks) {
-        squares += track.squaredNorm();
-        count += static_cast<double>(track.size());
-    }
-    return std::sqrt(squares / std::max(count, 1.0));
-}
-
 /// How far the markers move from their start, rms over all coordinates [m].
 double motion_of(const TrialPrediction& prediction) {
     std::vector<Eigen::Matrix3Xd> moved = prediction.positions_m;
     for (std::size_t m = 0; m < moved.size(); ++m) moved[m].colwise() -= prediction.start_m[m];
-    return root_mean_square(moved);
+    return prediction::rms(moved);
 }
 
 /// Predictions of all trials with each effect, as they are found.
@@ -76,7 +64,7 @@ public:
         parallel(open.size(), [&](std::size_t o) {
             const auto [e, i] = open[o];
             const Stopwatch watch;
-            predictions_[e][i] = run(i, effects_[e]);
+            predictions_[e][i] = run(e, i);
             finish({e}, watch.seconds());
         });
     }
@@ -96,15 +84,11 @@ private:
     }
 
     void add_parts(std::size_t i, std::size_t most, std::vector<Part>& parts) const {
-        std::size_t room = 0;
         for (std::size_t e = 0; e < effects_.size(); ++e) {
             if (setup::changes_observation_only(effects_[e]) || !acts(e, i)) continue;
-            if (room == 0) {
+            if (parts.empty() || parts.back().trial != i || parts.back().effects.size() == most)
                 parts.push_back({i, {}});
-                room = most;
-            }
             parts.back().effects.push_back(e);
-            --room;
         }
     }
 
@@ -116,21 +100,21 @@ private:
         const auto changes = prediction::first_order_changes(runs_.setup, runs_.data.trials[part.trial], runs_.values,
                                                              chosen, progress_.with_sink({}), unaffected.trace.path);
         for (std::size_t k = 0; k < changes.size(); ++k) {
-            if (!changes[k] || root_mean_square(*changes[k]) > max_response * motion) continue;
+            if (!changes[k] || prediction::rms(*changes[k]) > max_response * motion) continue;
             TrialPrediction& prediction = predictions_[part.effects[k]][part.trial];
             prediction = residual_of(unaffected);
             for (std::size_t m = 0; m < prediction.residual_m.size(); ++m) prediction.residual_m[m] += (*changes[k])[m];
         }
     }
 
-    TrialPrediction run(std::size_t i, const effect::EffectDeclaration& effect) const {
+    TrialPrediction run(std::size_t effect, std::size_t i) const {
         const std::size_t trial = runs_.data.trials[i];
         const TrialPrediction& unaffected = runs_.predictions[i];
         // The response is exactly zero.
-        if (!effect::acts_on(runs_.search.trials[i], effect.parameters)) return residual_of(unaffected);
+        if (!acts(effect, i)) return residual_of(unaffected);
         prediction::ParameterValues values = runs_.values;
-        values.effects.push_back(effect);
-        return residual_of(setup::changes_observation_only(effect)
+        values.effects.push_back(effects_[effect]);
+        return residual_of(setup::changes_observation_only(effects_[effect])
                                ? prediction::observe_trial(runs_.setup, trial, values, unaffected.trace)
                                : prediction::predict_trial(runs_.setup, trial, values, {}, progress_.with_sink({}),
                                                            unaffected.trace.path));

@@ -71,7 +71,7 @@ bool Search::fit_starts(const std::vector<CandidateStart>& starts, double prunin
     std::vector<JudgedFit> fits = fit_candidates({context_.setup, context_.data, context_.settings, base(), starts,
                                                   min_left(candidates()), pruning_factor, "refit"},
                                                  store_, log_);
-    // Also those from before a cancellation: each was fitted to its end.
+    // Fits that were finished before a cancellation count, too.
     for (std::size_t i = 0; i < fits.size(); ++i)
         for (Candidate& candidate : candidates())
             if (candidate.score.id == starts[i].effect.id && fits[i].usable() &&

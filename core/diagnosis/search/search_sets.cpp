@@ -142,7 +142,7 @@ std::optional<JudgedFit> SearchOfSets::best_extension(const JudgedFit& of, const
                                                  store_, log_);
     const JudgedFit* best = nullptr;
     for (const JudgedFit& fit : fits) {
-        // Also those from before a cancellation: each was fitted to its end.
+        // Fits that were finished before a cancellation count, too.
         if (!fit.usable()) continue;
         enter_fit(fits_, fit);
         if (!best || fit.fit.squares() < best->fit.squares()) best = &fit;
